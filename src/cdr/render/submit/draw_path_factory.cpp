@@ -1,3 +1,4 @@
+#include <cdr/render/renderer_setup.h>
 #include <cdr/render/submit/draw_path_factory.h>
 #include <cdr/render/submit/facet_draws.h>
 #include <cdr/render/submit/gpu_driven_path.h>
@@ -5,7 +6,6 @@
 #include <cdr/render/submit/record_draws.h>
 #include <cdr/render/submit/secondary_path.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -17,11 +17,6 @@ namespace {
 glm::vec2 subPixelsIn(const RenderOptions& options, std::uint32_t bits) {
     const float perPixel = std::exp2(static_cast<float>(bits));
     return 0.5f * perPixel * glm::vec2(static_cast<float>(options.width), static_cast<float>(options.height));
-}
-
-std::uint32_t subPixelBitsOf(const gpu::Device& device, const RenderOptions& options) {
-    const std::uint32_t ofDevice = device.info().subPixelBits;
-    return options.snapBits == 0 ? ofDevice : std::min(options.snapBits, ofDevice);
 }
 
 gpu::SetLayout makeOcclusionLayout(const gpu::Device& device, const RenderOptions& options) {
@@ -51,9 +46,9 @@ DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& sc
                                    .snapSteps = options.snapBits > 0 ? subPixelsIn(options, options.snapBits)
                                                                      : glm::vec2(0.0f),
                                    .subPixels = options.snapping == Snapping::inPlane
-                                                    ? subPixelsIn(options, subPixelBitsOf(device, options))
+                                                    ? subPixelsIn(options, subPixelBits(device, options))
                                                     : glm::vec2(0.0f),
-                                   .subPixelBits = subPixelBitsOf(device, options),
+                                   .subPixelBits = subPixelBits(device, options),
                                    .layers = options.layers,
                                    .variants = variantsOf(options.prepareFor.materials)};
     if (options.occlusionCulling) {
