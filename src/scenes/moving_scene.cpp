@@ -34,9 +34,9 @@ bool MovingScene::show(std::uint32_t frame, host::WorkerPool& workers) {
         return false;
     }
     if (!m_meshes.empty()) {
-        std::vector<std::vector<scene::Vertex>> vertices = m_motion.vertices(frame, workers);
+        std::vector<scene::MeshVertices> vertices = m_motion.vertices(frame, workers);
         for (std::size_t i = 0; i < m_meshes.size(); ++i) {
-            m_world.setVertices(m_meshes[i], std::move(vertices[i]));
+            m_world.setVertices(m_meshes[i], std::move(vertices[i].vertices), std::move(vertices[i].details));
         }
     }
     if (!m_instances.empty()) {

@@ -77,6 +77,24 @@ TEST(World, GivesAMeshOtherVertices) {
     }
 }
 
+TEST(World, GivesAMeshOtherDetails) {
+    World world = boxWorld();
+    const std::vector<Vertex> vertices = world.scene().meshes[0].vertices;
+    std::vector<VertexDetail> details(24, {.tangent = {0.0f, 1.0f, 0.0f, -1.0f}});
+    world.setVertices(world.mesh(0), vertices, details);
+    world.setVertices(world.mesh(0), vertices); // keeps them
+    ASSERT_EQ(world.scene().meshes[0].details.size(), 24u);
+    EXPECT_EQ(world.scene().meshes[0].details[3].tangent, details[3].tangent);
+    details[5].tangent.w = NAN;
+    EXPECT_EQ(refusalOf([&] { world.setVertices(world.mesh(0), vertices, details); }),
+              "mesh 0: its vertices must be finite");
+    details.pop_back();
+    EXPECT_EQ(refusalOf([&] { world.setVertices(world.mesh(0), vertices, details); }),
+              "mesh 0: 23 details for 24 vertices");
+    world.setVertices(world.mesh(0), vertices, {});
+    EXPECT_TRUE(world.scene().meshes[0].details.empty());
+}
+
 TEST(World, RefusesVerticesThatDoNotFit) {
     World world = boxWorld();
     const std::vector<Vertex> before = world.scene().meshes[0].vertices;

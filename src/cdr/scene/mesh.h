@@ -33,6 +33,12 @@ struct VertexDetail {
     glm::vec2 uv{0.0f}; ///< a second place in textures, as Vertex::uv
 };
 
+/// The corners of a mesh at a moment.
+struct MeshVertices {
+    std::vector<Vertex> vertices;      ///< as Mesh::vertices
+    std::vector<VertexDetail> details; ///< as Mesh::details
+};
+
 /// A coarser form of a mesh, over the mesh's own vertices.
 struct MeshLevel {
     std::vector<std::uint32_t> indices; ///< three per triangle, each below the mesh's vertices.size()

@@ -22,8 +22,7 @@ struct SceneMotion {
     std::function<std::vector<Transform>(std::uint32_t frame)> transforms{};
     std::vector<std::uint32_t> meshes{}; ///< that deform, by index; their instances are among `instances`
     /// The vertices of these at a frame, as many as each has.
-    std::function<std::vector<std::vector<Vertex>>(std::uint32_t frame, host::WorkerPool& workers)>
-        vertices{};
+    std::function<std::vector<MeshVertices>(std::uint32_t frame, host::WorkerPool& workers)> vertices{};
     std::vector<std::uint32_t> lights{}; ///< that move, by index
     /// These at a frame, in the same order.
     std::function<std::vector<PointLight>(std::uint32_t frame)> lightsAt{};

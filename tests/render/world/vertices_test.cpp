@@ -1,6 +1,8 @@
 #include "../fixture.h"
 
 #include <cmath>
+#include <set>
+#include <string>
 
 namespace cdr::render_test {
 
@@ -57,6 +59,43 @@ TEST_F(VerticesTest, GiveThePictureOfASceneBuiltAnew) {
             }
         }
     }
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+/// Tangents of a box that are others at each step.
+std::vector<scene::VertexDetail> detailsAt(int step, std::size_t vertices) {
+    const auto angle = static_cast<float>(step);
+    return std::vector<scene::VertexDetail>(
+        vertices, {.tangent = {std::cos(angle), std::sin(angle), 0.5f, step % 2 == 0 ? 1.0f : -1.0f}});
+}
+
+scene::Scene bumpyScene(int step) {
+    scene::Scene scene = deformedScene(shapeAt(step));
+    scene.meshes[1].details = detailsAt(step, scene.meshes[1].vertices.size());
+    scene.textures.push_back(
+        {.pixels = image::ImageRgba8(1, 1, {200, 90, 220, 255}), .content = scene::TextureContent::data});
+    scene.materials[0].detail.normal = scene::TextureUse{};
+    return scene;
+}
+
+TEST_F(VerticesTest, BringTheirTangents) {
+    const scene::Camera camera{.fovY = 1.0, .nearView = 1.0, .farView = 1000.0};
+    const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    scene::World world(bumpyScene(0));
+    render::GpuScene onDevice(device(), world);
+    render::Renderer renderer(device(), onDevice, options);
+    const scene::Scene still = bumpyScene(1);
+    std::set<std::string> pictures;
+    for (int step = 0; step < 4; ++step) {
+        const std::vector<scene::Vertex>& vertices = still.meshes[1].vertices;
+        world.setVertices(world.mesh(1), vertices, detailsAt(step, vertices.size()));
+        scene::Scene built = still;
+        built.meshes[1].details = detailsAt(step, vertices.size());
+        const std::string picture = hashOf(renderer.render(camera));
+        EXPECT_EQ(picture, hashOf(draw(built, camera, options))) << "step " << step;
+        pictures.insert(picture);
+    }
+    EXPECT_EQ(pictures.size(), 4u);
     EXPECT_EQ(messageCount(), 0u);
 }
 

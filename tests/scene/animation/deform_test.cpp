@@ -24,12 +24,17 @@ Deformer threeCorners() {
     return deformer;
 }
 
+MeshVertices deformedBy(const Deformer& deformer, const Deformation& deformation) {
+    MeshVertices deformed{std::vector<Vertex>(deformer.vertices.size()),
+                          std::vector<VertexDetail>(deformer.details.size())};
+    deform(deformer, deformation, 0, deformed.vertices.size(), deformed);
+    setFlatNormals(deformer, deformed.vertices);
+    return deformed;
+}
+
 std::vector<Vertex> deformedBy(const Deformer& deformer, const std::vector<double>& weights,
                                const std::vector<glm::dmat4>& joints, const DeformedPlace& place) {
-    std::vector<Vertex> vertices(deformer.vertices.size());
-    deform(deformer, weights, joints, place, 0, vertices.size(), vertices);
-    setFlatNormals(deformer, vertices);
-    return vertices;
+    return deformedBy(deformer, {.weights = weights, .joints = joints, .place = place}).vertices;
 }
 
 glm::dvec3 worldOf(const DeformedPlace& place, const Vertex& vertex) {
@@ -104,12 +109,64 @@ TEST(Deform, PartsAreThoseOfTheWhole) {
     const DeformedPlace place = placeOf(deformer, joints);
     const std::vector<double> weights{0.75};
     const std::vector<Vertex> whole = deformedBy(deformer, weights, joints, place);
-    std::vector<Vertex> parts(3);
+    MeshVertices parts{std::vector<Vertex>(3), {}};
     for (std::size_t i = 0; i < 3; ++i) {
-        deform(deformer, weights, joints, place, i, i + 1, parts);
-        EXPECT_EQ(parts[i].position, whole[i].position);
-        EXPECT_EQ(parts[i].normal, whole[i].normal);
+        deform(deformer, {.weights = weights, .joints = joints, .place = place}, i, i + 1, parts);
+        EXPECT_EQ(parts.vertices[i].position, whole[i].position);
+        EXPECT_EQ(parts.vertices[i].normal, whole[i].normal);
     }
+}
+
+/// Like the edges that they lie along: the bitangent is where a texture's v grows.
+TEST(Deform, TangentsStayAlongTheSurface) {
+    Deformer deformer = threeCorners();
+    deformer.details.assign(3, {.tangent = {1.0f, 0.0f, 0.0f, -1.0f}, .uv = {0.25f, 0.5f}});
+    const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), 0.5, glm::dvec3(0.0, 0.0, 1.0));
+    const glm::dmat4 shear(glm::dvec4(1.0, 0.5, 0.0, 0.0), glm::dvec4(0.0, 1.0, 0.0, 0.0),
+                           glm::dvec4(0.0, 0.0, 1.0, 0.0), glm::dvec4(0.0, 0.0, 0.0, 1.0));
+    const glm::dmat4 mirror = glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, -1.0, 1.0));
+    for (const glm::dmat4& joint : {turn, shear, mirror}) {
+        const std::vector<glm::dmat4> joints(2, joint);
+        const DeformedPlace place = placeOf(deformer, joints);
+        const MeshVertices deformed = deformedBy(deformer, {.weights = {}, .joints = joints, .place = place});
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec3 tangent(deformed.details[i].tangent);
+            const double sense = deformed.details[i].tangent.w * glm::determinant(place.basis);
+            const glm::dvec3 normal(deformed.vertices[i].normal);
+            expectNear(place.basis * tangent, glm::normalize(glm::dvec3(joint[0])), 1e-6);
+            const glm::dvec3 bitangent = sense * glm::cross(place.basis * normal, place.basis * tangent);
+            EXPECT_GT(glm::dot(bitangent, glm::dvec3(joint * glm::dvec4(0.0, -1.0, 0.0, 0.0))), 0.5);
+            EXPECT_EQ(deformed.details[i].uv, deformer.details[i].uv);
+        }
+    }
+}
+
+/// One joint mirrors, and the other does not: so does the instance.
+TEST(Deform, TangentsOfAJointThatMirrorsAloneAreTurnedRound) {
+    Deformer deformer = threeCorners();
+    deformer.details.assign(3, VertexDetail{});
+    deformer.firstInfluence = {0, 1, 2, 3};
+    deformer.influences = {{0, 1.0f}, {0, 1.0f}, {1, 1.0f}};
+    finish(deformer);
+    const std::vector<glm::dmat4> joints{glm::dmat4(1.0),
+                                         glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, -1.0, 1.0))};
+    const MeshVertices deformed =
+        deformedBy(deformer, {.weights = {}, .joints = joints, .place = placeOf(deformer, joints)});
+    EXPECT_EQ(deformed.details[0].tangent, glm::vec4(1.0f, 0.0f, 0.0f, 1.0f));
+    EXPECT_EQ(deformed.details[2].tangent, glm::vec4(1.0f, 0.0f, 0.0f, -1.0f));
+}
+
+TEST(Deform, MorphTargetsTurnTangents) {
+    Deformer deformer = threeCorners();
+    deformer.firstInfluence.clear();
+    deformer.influences.clear();
+    deformer.details.assign(3, VertexDetail{});
+    deformer.targets = {{{.vertex = 1, .tangent = {0.0f, 2.0f, 0.0f}}}};
+    const std::vector<double> weights{0.5};
+    const MeshVertices deformed =
+        deformedBy(deformer, {.weights = weights, .joints = {}, .place = placeOf(deformer, glm::dmat4(1.0))});
+    EXPECT_EQ(deformed.details[0].tangent, glm::vec4(1.0f, 0.0f, 0.0f, 1.0f));
+    expectNear(glm::dvec3(deformed.details[1].tangent), glm::normalize(glm::dvec3(1.0, 1.0, 0.0)), 1e-6);
 }
 
 } // namespace

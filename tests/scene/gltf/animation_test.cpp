@@ -1,6 +1,7 @@
 #include "fixture.h"
 
 #include <cdr/host/worker_pool.h>
+#include <cdr/image/codec.h>
 #include <cdr/scene/gltf/open_gltf.h>
 
 #include <cmath>
@@ -226,6 +227,45 @@ TEST_F(GltfAnimation, MorphTargetsAreAppliedAtRest) {
     document.primitive()["targets"][0]["POSITION"] =
         document.addAccessor(std::vector<float>(9, 0.0f), "VEC3", kFloat);
     expectSays(refusal(document), "POSITION has 3 elements of 3 components where 4 of 3 are needed");
+}
+
+/// A material with a normal texture, and tangents along x.
+void makeBumpy(Document& document) {
+    document.root["images"] = {
+        {{"bufferView", document.addView(image::encodePng(image::ImageRgba8(1, 1, {128, 128, 255, 255})))},
+         {"mimeType", "image/png"}}};
+    document.root["textures"] = {{{"source", 0}}};
+    document.root["materials"] = {{{"normalTexture", {{"index", 0}}}}};
+    document.primitive()["material"] = 0;
+    document.primitive()["attributes"]["TANGENT"] = document.addAccessor(
+        std::vector<float>{1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, -1}, "VEC4", kFloat);
+}
+
+TEST_F(GltfAnimation, TangentsFollowJoints) {
+    Document document = skinned();
+    makeBumpy(document);
+    document.root["nodes"][2]["rotation"] = {0, 0, std::sqrt(0.5), std::sqrt(0.5)}; // 90 degrees about z
+    const Scene scene = load(document).scene;
+    const std::vector<VertexDetail>& details = scene.meshes[0].details;
+    ASSERT_EQ(details.size(), 4u);
+    EXPECT_EQ(details[0].tangent, glm::vec4(1.0f, 0.0f, 0.0f, 1.0f));
+    EXPECT_NEAR(details[1].tangent.y, 1.0f, 1e-6f);
+    EXPECT_NEAR(details[2].tangent.x, 0.0f, 1e-6f);
+    EXPECT_EQ(details[3].tangent, glm::vec4(1.0f, 0.0f, 0.0f, -1.0f));
+}
+
+TEST_F(GltfAnimation, MorphTargetsTurnTangents) {
+    Document document = square();
+    makeBumpy(document);
+    const std::vector<float> deltas{0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0};
+    document.primitive()["targets"] = {{{"TANGENT", document.addAccessor(deltas, "VEC3", kFloat)}}};
+    document.root["meshes"][0]["weights"] = {0.5};
+    const Scene scene = load(document).scene;
+    EXPECT_EQ(scene.meshes[0].details[0].tangent, glm::vec4(1.0f, 0.0f, 0.0f, 1.0f));
+    EXPECT_NEAR(scene.meshes[0].details[1].tangent.y, std::sqrt(0.5f), 1e-6f);
+    document.primitive()["targets"][0]["TANGENT"] = 0;
+    document.root["accessors"][0]["type"] = "VEC2";
+    expectSays(refusal(document), "has 2 components");
 }
 
 /// A few bytes may name many targets of many vertices.

@@ -132,13 +132,42 @@ TEST_F(GltfInstancing, CopiesGoWithTheirNode) {
     EXPECT_NEAR(scene.instances.basis[2][0].y, 1.0f, 1e-6f);
 }
 
-TEST_F(GltfInstancing, CopiesOfWhatDeformsAreNoted) {
+/// All copies have the mesh's shape, each where it stands.
+TEST_F(GltfInstancing, CopiesOfWhatDeformsShareTheirMesh) {
     Document document = copied();
     document.primitive()["targets"] = {
         {{"POSITION", document.addAccessor(std::vector<float>(12, 1.0f), "VEC3", kFloat)}}};
     document.root["meshes"][0]["weights"] = {1.0};
+    document.root["nodes"].push_back({{"mesh", 0}, {"translation", {0, 0, 500}}});
+    document.root["scenes"][0]["nodes"].push_back(1);
     const GltfImport import = load(document);
-    EXPECT_TRUE(anySays(import.ignored, "copies of a mesh that deforms are not drawn"));
+    EXPECT_TRUE(import.ignored.empty());
+    const Scene& scene = import.scene;
+    ASSERT_EQ(scene.instances.size(), 4u);
+    EXPECT_EQ(scene.instances.object, (std::vector<std::uint32_t>{0, 1, 2, 3}));
+    EXPECT_EQ(scene.instances.mesh, (std::vector<std::uint32_t>{0, 0, 0, 1}));
+    const auto cornerOf = [&](std::size_t instance) {
+        return scene.instances.position(instance) +
+               glm::dmat3(scene.instances.basis[instance]) *
+                   glm::dvec3(scene.meshes[scene.instances.mesh[instance]].vertices[2].position);
+    };
+    EXPECT_EQ(cornerOf(0), glm::dvec3(103, 5, 1));
+    EXPECT_EQ(cornerOf(1), glm::dvec3(116, 10, 2));
+    EXPECT_NEAR(cornerOf(2).x, 95.0, 1e-5);
+    EXPECT_NEAR(cornerOf(2).y, 23.0, 1e-5);
+    EXPECT_EQ(cornerOf(3), glm::dvec3(3, 5, 501));
+}
+
+TEST_F(GltfInstancing, CopiesOfASkinAreNoted) {
+    Document document = copied();
+    document.primitive()["attributes"]["JOINTS_0"] =
+        document.addAccessor(std::vector<std::uint8_t>(16, 0), "VEC4", kUByte);
+    document.primitive()["attributes"]["WEIGHTS_0"] =
+        document.addAccessor(std::vector<float>(16, 0.25f), "VEC4", kFloat);
+    document.root["skins"] = {{{"joints", {0}}}};
+    document.root["nodes"][0]["skin"] = 0;
+    const GltfImport import = load(document);
+    EXPECT_TRUE(anySays(import.ignored, "copies of a mesh with a skin are not drawn"));
     EXPECT_EQ(import.scene.instances.size(), 0u);
 }
 

@@ -214,16 +214,24 @@ void SceneMeshes::followDetails(const scene::Scene& scene, gpu::Retired& retired
 
 bool SceneMeshes::followVertices(const scene::Scene& scene, std::span<const std::uint32_t> changed) {
     bool changesPipeline = false;
-    std::vector<gpu::BufferPart> parts;
+    std::vector<gpu::BufferPart> vertices;
+    std::vector<gpu::BufferPart> details;
     for (const std::uint32_t i : std::set<std::uint32_t>(changed.begin(), changed.end())) {
         const scene::Mesh& mesh = scene.meshes[i];
         MeshRange& range = m_ranges[i];
-        parts.push_back(partOf(static_cast<std::size_t>(range.vertexOffset), verticesOf(mesh)));
+        const auto first = static_cast<std::size_t>(range.vertexOffset);
+        vertices.push_back(partOf(first, verticesOf(mesh)));
+        if (m_details.size() != 0) {
+            details.push_back(partOf(first, detailsOf(mesh)));
+        }
         range.boundingRadius = mesh.boundingRadius;
         changesPipeline = changesPipeline || range.isFaceted != isFaceted(mesh);
         range.isFaceted = isFaceted(mesh);
     }
-    gpu::writeBuffer(m_device, m_vertices, parts);
+    gpu::writeBuffer(m_device, m_vertices, vertices);
+    if (!details.empty()) {
+        gpu::writeBuffer(m_device, m_details, details);
+    }
     return changesPipeline;
 }
 

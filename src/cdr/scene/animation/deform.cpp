@@ -12,6 +12,7 @@ namespace {
 struct Point {
     glm::dvec3 position;
     glm::dvec3 normal;
+    glm::dvec4 tangent; ///< as VertexDetail::tangent
 };
 
 glm::dvec3 normalizedOr(const glm::dvec3& v, const glm::dvec3& fallback) {
@@ -24,6 +25,11 @@ glm::dmat3 normalMatrixOf(const glm::dmat3& matrix) {
     const glm::dmat3 cofactors(glm::cross(matrix[1], matrix[2]), glm::cross(matrix[2], matrix[0]),
                                glm::cross(matrix[0], matrix[1]));
     return glm::determinant(matrix) < 0.0 ? -cofactors : cofactors;
+}
+
+/// Tangents turn as edges do; a mirror turns round how the bitangent points.
+glm::dvec4 turnedTangent(const glm::dmat3& matrix, const glm::dvec4& tangent) {
+    return {matrix * glm::dvec3(tangent), glm::determinant(matrix) < 0.0 ? -tangent.w : tangent.w};
 }
 
 void morph(const Deformer& deformer, std::span<const double> weights, std::size_t first,
@@ -40,6 +46,7 @@ void morph(const Deformer& deformer, std::span<const double> weights, std::size_
             Point& point = points[delta->vertex - first];
             point.position += weights[target] * glm::dvec3(delta->position);
             point.normal += weights[target] * glm::dvec3(delta->normal);
+            point.tangent += weights[target] * glm::dvec4(glm::dvec3(delta->tangent), 0.0);
         }
     }
 }
@@ -85,30 +92,40 @@ DeformedPlace placeOf(const Deformer& deformer, std::span<const glm::dmat4> join
                              : glm::dmat3(1.0)};
 }
 
-void deform(const Deformer& deformer, std::span<const double> weights, std::span<const glm::dmat4> joints,
-            const DeformedPlace& place, std::size_t first, std::size_t last, std::span<Vertex> deformed) {
+void deform(const Deformer& deformer, const Deformation& deformation, std::size_t first, std::size_t last,
+            MeshVertices& deformed) {
+    const DeformedPlace& place = deformation.place;
     std::vector<Point> points;
     points.reserve(last - first);
     for (std::size_t i = first; i < last; ++i) {
-        points.push_back(
-            {glm::dvec3(deformer.vertices[i].position), glm::dvec3(deformer.vertices[i].normal)});
+        const glm::vec4 tangent = deformer.details.empty() ? glm::vec4(0.0f) : deformer.details[i].tangent;
+        points.push_back({glm::dvec3(deformer.vertices[i].position), glm::dvec3(deformer.vertices[i].normal),
+                          glm::dvec4(tangent)});
     }
-    morph(deformer, weights, first, points);
+    morph(deformer, deformation.weights, first, points);
     for (std::size_t i = first; i < last; ++i) {
         Point& point = points[i - first];
-        if (joints.empty()) {
+        if (deformation.joints.empty()) {
             point.position -= deformer.centre;
         } else {
             // The basis is the identity or a mirror, each its own inverse.
-            const glm::dmat4 matrix = blended(deformer, joints, i);
+            const glm::dmat4 matrix = blended(deformer, deformation.joints, i);
             const glm::dvec3 world(matrix * glm::dvec4(point.position, 1.0));
             point.position = place.basis * (world - place.position);
             point.normal = place.basis * (normalMatrixOf(glm::dmat3(matrix)) * point.normal);
+            point.tangent = turnedTangent(place.basis * glm::dmat3(matrix), point.tangent);
         }
-        Vertex& vertex = deformed[i];
+        Vertex& vertex = deformed.vertices[i];
         vertex = deformer.vertices[i];
         vertex.position = glm::vec3(point.position);
         vertex.normal = glm::vec3(normalizedOr(point.normal, glm::dvec3(vertex.normal)));
+        if (!deformer.details.empty()) {
+            const glm::vec4& atRest = deformer.details[i].tangent;
+            deformed.details[i] = deformer.details[i];
+            deformed.details[i].tangent =
+                glm::vec4(glm::vec3(normalizedOr(glm::dvec3(point.tangent), glm::dvec3(atRest))),
+                          static_cast<float>(point.tangent.w));
+        }
     }
 }
 

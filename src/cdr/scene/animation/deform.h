@@ -16,6 +16,7 @@ struct MorphDelta {
     std::uint32_t vertex = 0;
     glm::vec3 position{0.0f};
     glm::vec3 normal{0.0f};
+    glm::vec3 tangent{0.0f}; ///< of VertexDetail::tangent, whose w stays
 };
 
 /// A joint that a vertex follows.
@@ -26,7 +27,8 @@ struct Influence {
 
 /// A mesh that morph targets and joints deform, as it is before they do.
 struct Deformer {
-    std::vector<Vertex> vertices; ///< about the mesh's origin
+    std::vector<Vertex> vertices;      ///< about the mesh's origin
+    std::vector<VertexDetail> details; ///< one per vertex, or empty
     bool isFlat = false; ///< three vertices for each triangle in turn, whose normal follows from its corners
     std::vector<std::vector<MorphDelta>> targets; ///< only vertices that they move, ascending
     std::vector<std::size_t> firstInfluence;      ///< by vertex, and the end; empty without a skin
@@ -51,11 +53,18 @@ DeformedPlace placeOf(const Deformer& deformer, const glm::dmat4& toWorld);
 /// @param joints world space, by joint: where it is now, times its inverse bind matrix
 DeformedPlace placeOf(const Deformer& deformer, std::span<const glm::dmat4> joints);
 
-/// Vertices `first` to `last` of the deformed mesh about its place, all in float64 until they are rounded once.
-/// @param weights of the morph targets
-/// @param joints empty without a skin
-void deform(const Deformer& deformer, std::span<const double> weights, std::span<const glm::dmat4> joints,
-            const DeformedPlace& place, std::size_t first, std::size_t last, std::span<Vertex> deformed);
+/// What deforms a mesh at a moment, and where the mesh stands then.
+struct Deformation {
+    std::span<const double> weights;    ///< of the morph targets
+    std::span<const glm::dmat4> joints; ///< as placeOf() takes them; empty without a skin
+    DeformedPlace place;
+};
+
+/// Vertices `first` to `last` of the deformed mesh about its place, all in float64 until they are rounded once. Normals
+/// stay across the surface, and tangents along it.
+/// @param deformed with room for all vertices, and for all details where the deformer has them
+void deform(const Deformer& deformer, const Deformation& deformation, std::size_t first, std::size_t last,
+            MeshVertices& deformed);
 
 /// Gives the triangles of a flat mesh their normals; after all vertices were deformed.
 void setFlatNormals(const Deformer& deformer, std::span<Vertex> deformed);

@@ -42,17 +42,19 @@ std::vector<std::vector<glm::dmat4>> jointsOf(const SceneAnimation& all, const P
     return joints;
 }
 
-DeformedPlace placeOf(const DeformedInstance& instance, const Pose& pose,
+DeformedPlace placeOf(const DeformedMesh& mesh, const DeformedCopy& copy, const Pose& pose,
                       const std::vector<std::vector<glm::dmat4>>& joints) {
-    return instance.skin ? placeOf(instance.deformer, joints[*instance.skin])
-                         : placeOf(instance.deformer, pose.toWorld[instance.node]);
+    if (mesh.skin) {
+        return placeOf(mesh.deformer, joints[*mesh.skin]);
+    }
+    const glm::dmat4& ofNode = pose.toWorld[mesh.node];
+    return placeOf(mesh.deformer, copy.toNode ? ofNode * *copy.toNode : ofNode);
 }
 
 std::vector<Transform> transformsAt(const Moved& moved, std::uint32_t frame) {
     const Pose pose = moved.poseAt(frame);
     const auto joints = jointsOf(*moved.all, pose);
     std::vector<Transform> transforms;
-    transforms.reserve(moved.carried.size() + moved.deformed.size());
     for (const std::size_t i : moved.carried) {
         const CarriedInstance& instance = moved.all->carried[i];
         const glm::dmat4& ofNode = pose.toWorld[instance.node];
@@ -61,14 +63,15 @@ std::vector<Transform> transformsAt(const Moved& moved, std::uint32_t frame) {
             transformOf(glm::dvec3(toWorld * glm::dvec4(instance.origin, 1.0)), glm::dmat3(toWorld)));
     }
     for (const std::size_t i : moved.deformed) {
-        const DeformedPlace place = placeOf(moved.all->deformed[i], pose, joints);
-        transforms.push_back(transformOf(place.position, place.basis));
+        for (const DeformedCopy& copy : moved.all->deformed[i].copies) {
+            const DeformedPlace place = placeOf(moved.all->deformed[i], copy, pose, joints);
+            transforms.push_back(transformOf(place.position, place.basis));
+        }
     }
     return transforms;
 }
 
-std::vector<std::vector<Vertex>> verticesAt(const Moved& moved, std::uint32_t frame,
-                                            host::WorkerPool& workers) {
+std::vector<MeshVertices> verticesAt(const Moved& moved, std::uint32_t frame, host::WorkerPool& workers) {
     const Pose pose = moved.poseAt(frame);
     const auto joints = jointsOf(*moved.all, pose);
     struct Job {
@@ -76,25 +79,29 @@ std::vector<std::vector<Vertex>> verticesAt(const Moved& moved, std::uint32_t fr
         std::size_t first;
     };
     std::vector<Job> jobs;
-    std::vector<std::vector<Vertex>> meshes(moved.deformed.size());
+    std::vector<MeshVertices> meshes(moved.deformed.size());
     for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) {
-        meshes[mesh].resize(moved.all->deformed[moved.deformed[mesh]].deformer.vertices.size());
-        for (std::size_t first = 0; first < meshes[mesh].size(); first += kVerticesPerJob) {
+        const Deformer& deformer = moved.all->deformed[moved.deformed[mesh]].deformer;
+        meshes[mesh].vertices.resize(deformer.vertices.size());
+        meshes[mesh].details.resize(deformer.details.size());
+        for (std::size_t first = 0; first < deformer.vertices.size(); first += kVerticesPerJob) {
             jobs.push_back({mesh, first});
         }
     }
     workers.run(jobs.size(), [&](std::size_t job, std::size_t) {
         const auto [mesh, first] = jobs[job];
-        const DeformedInstance& instance = moved.all->deformed[moved.deformed[mesh]];
-        const RigNode& node = moved.all->rig.nodes[instance.node];
-        deform(instance.deformer, std::span(pose.weights).subspan(node.firstWeight, node.weightCount),
-               instance.skin ? std::span<const glm::dmat4>(joints[*instance.skin])
-                             : std::span<const glm::dmat4>(),
-               placeOf(instance, pose, joints), first, std::min(first + kVerticesPerJob, meshes[mesh].size()),
-               meshes[mesh]);
+        const DeformedMesh& deformed = moved.all->deformed[moved.deformed[mesh]];
+        const RigNode& node = moved.all->rig.nodes[deformed.node];
+        const Deformation deformation{
+            .weights = std::span(pose.weights).subspan(node.firstWeight, node.weightCount),
+            .joints = deformed.skin ? std::span<const glm::dmat4>(joints[*deformed.skin])
+                                    : std::span<const glm::dmat4>(),
+            .place = placeOf(deformed, deformed.copies.front(), pose, joints)};
+        const std::size_t last = std::min(first + kVerticesPerJob, meshes[mesh].vertices.size());
+        deform(deformed.deformer, deformation, first, last, meshes[mesh]);
     });
     workers.run(meshes.size(), [&](std::size_t mesh, std::size_t) {
-        setFlatNormals(moved.all->deformed[moved.deformed[mesh]].deformer, meshes[mesh]);
+        setFlatNormals(moved.all->deformed[moved.deformed[mesh]].deformer, meshes[mesh].vertices);
     });
     return meshes;
 }
@@ -112,11 +119,11 @@ void select(Moved& moved) {
         }
     }
     for (std::size_t i = 0; i < all.deformed.size(); ++i) {
-        const DeformedInstance& instance = all.deformed[i];
+        const DeformedMesh& mesh = all.deformed[i];
         const auto isMoved = [&](std::size_t joint) { return nodes[joint]; };
-        const bool byJoints = instance.skin && std::any_of(all.skins[*instance.skin].joints.begin(),
-                                                           all.skins[*instance.skin].joints.end(), isMoved);
-        if (nodes[instance.node] || byJoints) {
+        const bool byJoints = mesh.skin && std::any_of(all.skins[*mesh.skin].joints.begin(),
+                                                       all.skins[*mesh.skin].joints.end(), isMoved);
+        if (nodes[mesh.node] || byJoints) {
             moved.deformed.push_back(i);
         }
     }
@@ -136,7 +143,9 @@ SceneMotion motionOf(const std::shared_ptr<const SceneAnimation>& animation,
         motion.instances.push_back(animation->carried[i].instance);
     }
     for (const std::size_t i : moved->deformed) {
-        motion.instances.push_back(animation->deformed[i].instance);
+        for (const DeformedCopy& copy : animation->deformed[i].copies) {
+            motion.instances.push_back(copy.instance);
+        }
         motion.meshes.push_back(animation->deformed[i].mesh);
     }
     motion.transforms = [moved](std::uint32_t frame) { return transformsAt(*moved, frame); };
@@ -151,12 +160,14 @@ void show(Scene& scene, const SceneMotion& motion, std::uint32_t frame, host::Wo
         return;
     }
     if (!motion.meshes.empty()) {
-        std::vector<std::vector<Vertex>> vertices = motion.vertices(frame, workers);
+        std::vector<MeshVertices> vertices = motion.vertices(frame, workers);
         for (std::size_t i = 0; i < motion.meshes.size(); ++i) {
             Mesh& mesh = scene.meshes[motion.meshes[i]];
-            mesh.vertices = std::move(vertices[i]);
+            mesh.vertices = std::move(vertices[i].vertices);
+            mesh.details = std::move(vertices[i].details);
             mesh.boundingRadius = boundingRadiusOf(mesh.vertices);
             requireUsable(mesh.vertices, mesh.boundingRadius, mesh.name);
+            requireUsable(mesh.details, mesh.vertices.size(), mesh.name);
         }
     }
     const std::vector<Transform> transforms =

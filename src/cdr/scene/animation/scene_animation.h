@@ -28,9 +28,15 @@ struct CarriedInstance {
     std::optional<glm::dmat4> toNode{}; ///< of a copy
 };
 
-/// An instance whose mesh is its own and deforms.
-struct DeformedInstance {
+/// An instance of a mesh that deforms.
+struct DeformedCopy {
     std::uint32_t instance = 0;
+    std::optional<glm::dmat4> toNode{}; ///< of a copy, which no skin places
+};
+
+/// A mesh that deforms as a node has it, and what shows it there.
+struct DeformedMesh {
+    std::vector<DeformedCopy> copies;
     std::uint32_t mesh = 0;
     std::size_t node = 0;            ///< into Rig::nodes
     std::optional<std::size_t> skin; ///< into SceneAnimation::skins
@@ -43,7 +49,7 @@ struct SceneAnimation {
     std::vector<Skin> skins;
     std::vector<Animation> animations;
     std::vector<CarriedInstance> carried;
-    std::vector<DeformedInstance> deformed;
+    std::vector<DeformedMesh> deformed;
 };
 
 /// Which moment of an animation a frame shows.

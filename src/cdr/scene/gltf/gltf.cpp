@@ -40,6 +40,12 @@ struct PlacedPrimitive {
     std::uint32_t material = 0; ///< index into Scene::materials
 };
 
+/// A primitive that deforms, as a node has it.
+struct DeformedPrimitive {
+    std::size_t deformed = 0;   ///< index into SceneAnimation::deformed
+    std::uint32_t material = 0; ///< index into Scene::materials
+};
+
 /// Whether a transform flattens what it draws; relative to its scale, so small is not flat.
 bool isFlat(const glm::dmat3& linear, const glm::mat3& basis) {
     // Below this the columns differ from a plane by less than float32 can tell.
@@ -109,6 +115,8 @@ class Importer {
     /// A node as each of its copies stands, or as it is where it has none.
     void forEachCopy(const MeshNode& node, const std::function<void(const MeshNode&)>& add);
     void addDeformed(const MeshNode& node, std::size_t index, std::uint32_t object);
+    /// Nothing when the primitive has nothing to draw.
+    std::optional<DeformedPrimitive> readDeformed(const MeshNode& node, std::size_t index);
     /// A primitive of a mesh that was read, decoded.
     const Primitive& decoded(int mesh, std::size_t index, const std::string& where);
     const std::optional<PlacedPrimitive>& use(int meshIndex, std::size_t index);
@@ -129,7 +137,9 @@ class Importer {
     std::map<int, MeshSource> m_sourceMeshes; ///< by mesh, those of the scene
     std::map<int, MeshCopies> m_copies;       ///< by node, where it has some
     std::map<std::pair<int, std::size_t>, std::optional<PlacedPrimitive>>
-        m_imported;                                                     ///< by mesh and primitive
+        m_imported; ///< by mesh and primitive
+    std::map<std::pair<int, std::size_t>, std::optional<DeformedPrimitive>>
+        m_deformed;                                                     ///< by node and primitive
     std::map<std::pair<std::uint32_t, float>, std::uint32_t> m_layered; ///< by material and layer
     std::map<int, double> m_stretch;                                    ///< by mesh, the largest of its nodes
 };
@@ -231,11 +241,12 @@ void Importer::addObject(const MeshNode& node, std::string name) {
     for (std::size_t i = 0; i < primitives.size(); ++i) {
         if (!m_moving->deforms(node, primitives[i])) {
             addRigid(node, i, object);
-        } else if (!node.toNode) {
-            addDeformed(node, i, object);
-        } else {
-            m_sources.notes.add("copies of a mesh that deforms are not drawn",
+        } else if (node.toNode && node.skin && hasJoints(primitives[i])) {
+            // The extension does not say where joints, which no node places, would bring them.
+            m_sources.notes.add("copies of a mesh with a skin are not drawn",
                                 fmt::format("node {}", node.node));
+        } else {
+            addDeformed(node, i, object);
         }
     }
 }
@@ -265,6 +276,17 @@ void Importer::addRigid(const MeshNode& node, std::size_t index, std::uint32_t o
 }
 
 void Importer::addDeformed(const MeshNode& node, std::size_t index, std::uint32_t object) {
+    const auto [found, isNew] = m_deformed.try_emplace({node.node, index});
+    if (isNew) {
+        found->second = readDeformed(node, index);
+    }
+    if (found->second) {
+        m_moving->place(m_scene, found->second->deformed, node,
+                        materialIn(node.layer, found->second->material), object);
+    }
+}
+
+std::optional<DeformedPrimitive> Importer::readDeformed(const MeshNode& node, std::size_t index) {
     const std::string where = placeOf(node.mesh, m_sourceMeshes.at(node.mesh).name, index);
     const Primitive& primitive = decoded(node.mesh, index, where);
     const MaterialUse& material = m_materials.use(primitive.material, groundOf(primitive));
@@ -272,10 +294,11 @@ void Importer::addDeformed(const MeshNode& node, std::size_t index, std::uint32_
     const double stretch = node.skin && hasJoints(primitive) ? 1.0 : m_stretch[node.mesh];
     std::optional<SourcePrimitive> source =
         m_meshes.read(primitive, material.uv, pointRadius(stretch), where);
-    if (source) {
-        m_moving->addDeformed(m_scene, node, primitive, std::move(*source),
-                              materialIn(node.layer, material.index), object, where);
+    if (!source) {
+        return std::nullopt;
     }
+    return DeformedPrimitive{m_moving->addDeformed(m_scene, node, primitive, std::move(*source), where),
+                             material.index};
 }
 
 const Primitive& Importer::decoded(int mesh, std::size_t index, const std::string& where) {

@@ -181,15 +181,19 @@ void requireUsable(const Mesh& mesh, const std::string& what) {
         requireIndices(level.indices, mesh.vertices.size(), what);
     }
     requireClusters(mesh.clusters, mesh.vertices.size(), what);
-    if (!mesh.details.empty() && mesh.details.size() != mesh.vertices.size()) {
-        refuseUse("{}: {} details for {} vertices", what, mesh.details.size(), mesh.vertices.size());
+    requireUsable(mesh.details, mesh.vertices.size(), what);
+    requireUsable(mesh.vertices, mesh.boundingRadius, what);
+}
+
+void requireUsable(std::span<const VertexDetail> details, std::size_t vertices, const std::string& what) {
+    if (!details.empty() && details.size() != vertices) {
+        refuseUse("{}: {} details for {} vertices", what, details.size(), vertices);
     }
-    for (const VertexDetail& detail : mesh.details) {
+    for (const VertexDetail& detail : details) {
         if (!areFinite(detail.tangent) || !areFinite(detail.uv)) {
             refuseUse("{}: its vertices must be finite", what);
         }
     }
-    requireUsable(mesh.vertices, mesh.boundingRadius, what);
 }
 
 void requireUsable(std::span<const Vertex> vertices, float boundingRadius, const std::string& what) {

@@ -36,6 +36,10 @@ CDR_EXPORT void requireUsable(const Mesh& mesh, const std::string& what);
 /// @param boundingRadius object space
 CDR_EXPORT void requireUsable(std::span<const Vertex> vertices, float boundingRadius,
                               const std::string& what);
+/// None, or one for each vertex, finite.
+/// @param vertices how many the mesh has
+CDR_EXPORT void requireUsable(std::span<const VertexDetail> details, std::size_t vertices,
+                              const std::string& what);
 /// As many pixels as its size says, at least one.
 CDR_EXPORT void requireUsable(const Texture& texture, const std::string& what);
 /// Textures that are there, and numbers in the ranges that Material and MaterialDetail name.

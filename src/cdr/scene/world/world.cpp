@@ -176,6 +176,11 @@ MeshHandle World::addMesh(Mesh mesh) {
 
 void World::setVertices(MeshHandle handle, std::vector<Vertex> vertices) {
     m_meshes.places().require(handle);
+    setVertices(handle, std::move(vertices), m_scene.meshes[handle.index].details);
+}
+
+void World::setVertices(MeshHandle handle, std::vector<Vertex> vertices, std::vector<VertexDetail> details) {
+    m_meshes.places().require(handle);
     Mesh& mesh = m_scene.meshes[handle.index];
     const std::string what = nameOf("mesh", handle);
     if (vertices.size() != mesh.vertices.size()) {
@@ -187,7 +192,9 @@ void World::setVertices(MeshHandle handle, std::vector<Vertex> vertices) {
     }
     const float radius = boundingRadiusOf(vertices);
     requireUsable(vertices, radius, what);
+    requireUsable(details, vertices.size(), what);
     mesh.vertices = std::move(vertices);
+    mesh.details = std::move(details);
     mesh.boundingRadius = radius;
     mesh.boxHalfSides.reset();
     m_vertexChanges.add(handle.index, m_scene.meshes.size());

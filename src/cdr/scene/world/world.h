@@ -76,6 +76,8 @@ class CDR_EXPORT World {
     /// drawn with them, and get radii that bound them. Takes time by the number of vertices and of these instances. A mesh
     /// with levels of detail keeps its vertices, since the levels' errors would no longer hold.
     void setVertices(MeshHandle handle, std::vector<Vertex> vertices);
+    /// The same with other details, one per vertex or none.
+    void setVertices(MeshHandle handle, std::vector<Vertex> vertices, std::vector<VertexDetail> details);
     /// No instance may use it.
     void removeMesh(MeshHandle handle);
     /// A material names its texture by TextureHandle::index.

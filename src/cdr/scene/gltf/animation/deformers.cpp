@@ -75,8 +75,9 @@ std::vector<Influence> influencesOf(const std::vector<JointSet>& sets, std::uint
     return influences;
 }
 
-std::vector<MorphDelta> deltasOf(const std::map<std::string, int>& target, const SourcePrimitive& source,
-                                 Accessors& accessors, const std::string& where) {
+std::vector<MorphDelta> deltasOf(const std::map<std::string, int>& target, const Primitive& primitive,
+                                 const SourcePrimitive& source, Accessors& accessors,
+                                 const std::string& where) {
     const auto find = [&](const char* name) -> const Accessor* {
         const auto found = target.find(name);
         return found == target.end()
@@ -85,23 +86,27 @@ std::vector<MorphDelta> deltasOf(const std::map<std::string, int>& target, const
     };
     const Accessor* position = find("POSITION");
     const Accessor* normal = find("NORMAL");
+    const Accessor* tangent =
+        primitive.attributes.contains("TANGENT") && !source.mesh.details.empty() ? find("TANGENT") : nullptr;
     std::vector<MorphDelta> deltas;
     const auto add = [&](std::uint32_t i) {
         const auto of = [&](const Accessor* accessor) {
             return accessor == nullptr ? glm::vec3(0.0f)
                                        : glm::vec3(accessor->vector(source.fileVertices[i]));
         };
-        const MorphDelta delta{i, of(position), of(normal)};
-        const float sum = glm::dot(delta.position, delta.position) + glm::dot(delta.normal, delta.normal);
+        const MorphDelta delta{i, of(position), of(normal), of(tangent)};
+        const float sum = glm::dot(delta.position, delta.position) + glm::dot(delta.normal, delta.normal) +
+                          glm::dot(delta.tangent, delta.tangent);
         if (!std::isfinite(sum)) {
             refuse("{}: a morph target moves vertex {} by more than a float32 holds", where, i);
         }
-        if (delta.position != glm::vec3(0.0f) || delta.normal != glm::vec3(0.0f)) {
+        if (delta.position != glm::vec3(0.0f) || delta.normal != glm::vec3(0.0f) ||
+            delta.tangent != glm::vec3(0.0f)) {
             deltas.push_back(delta);
         }
     };
     const std::vector<std::uint32_t> order =
-        readingOrder(source.fileVertices, bytesApartInFile({position, normal}));
+        readingOrder(source.fileVertices, bytesApartInFile({position, normal, tangent}));
     forEachInOrder(order, source.fileVertices.size(), add);
     if (!order.empty()) {
         std::sort(deltas.begin(), deltas.end(),
@@ -178,14 +183,15 @@ Deformer makeDeformer(const Primitive& primitive, const SourcePrimitive& source,
                       std::size_t joints, Notes& notes, const std::string& where) {
     Deformer deformer;
     deformer.vertices = source.mesh.vertices;
+    deformer.details = source.mesh.details;
     deformer.isFlat = groundOf(primitive) == Ground::surface && !primitive.attributes.contains("NORMAL");
     for (const auto& target : primitive.targets) {
         for (const auto& [name, accessor] : target) {
             if (name != "POSITION" && name != "NORMAL" && name != "TANGENT") {
-                notes.add("morph targets change positions and normals alone", where);
+                notes.add("morph targets change positions, normals and tangents alone", where);
             }
         }
-        deformer.targets.push_back(deltasOf(target, source, accessors, where));
+        deformer.targets.push_back(deltasOf(target, primitive, source, accessors, where));
     }
     if (joints > 0) {
         addInfluences(primitive, source, accessors, joints, notes, where, deformer);

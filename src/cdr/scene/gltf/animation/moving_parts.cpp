@@ -80,9 +80,8 @@ void MovingParts::carry(const MeshNode& node, std::uint32_t instance, const glm:
     }
 }
 
-void MovingParts::addDeformed(Scene& scene, const MeshNode& node, const Primitive& primitive,
-                              SourcePrimitive source, std::uint32_t material, std::uint32_t object,
-                              const std::string& where) {
+std::size_t MovingParts::addDeformed(Scene& scene, const MeshNode& node, const Primitive& primitive,
+                                     SourcePrimitive source, const std::string& where) {
     const auto skin = skinOf(node, primitive);
     const std::size_t joints = skin ? m_made->skins[*skin].joints.size() : 0;
     Deformer deformer = makeDeformer(primitive, source, m_accessors, joints, m_notes, where);
@@ -92,7 +91,7 @@ void MovingParts::addDeformed(Scene& scene, const MeshNode& node, const Primitiv
         deformer.centre = m_made->deformed.back().deformer.centre;
         deformer.anchor = m_made->deformed.back().deformer.anchor;
     }
-    m_made->deformed.push_back({.instance = static_cast<std::uint32_t>(scene.instances.size()),
+    m_made->deformed.push_back({.copies = {},
                                 .mesh = static_cast<std::uint32_t>(scene.meshes.size()),
                                 .node = rigNode,
                                 .skin = skin,
@@ -102,7 +101,15 @@ void MovingParts::addDeformed(Scene& scene, const MeshNode& node, const Primitiv
     mesh.vertices = std::move(source.mesh.vertices);
     mesh.details = std::move(source.mesh.details);
     mesh.indices = std::move(source.mesh.indices);
-    addInstance(scene, m_made->deformed.back().mesh, material, object, glm::dvec3(0.0), glm::mat3(1.0f));
+    return m_made->deformed.size() - 1;
+}
+
+void MovingParts::place(Scene& scene, std::size_t deformed, const MeshNode& node, std::uint32_t material,
+                        std::uint32_t object) {
+    DeformedMesh& mesh = m_made->deformed[deformed];
+    mesh.copies.push_back(
+        {.instance = static_cast<std::uint32_t>(scene.instances.size()), .toNode = node.toNode});
+    addInstance(scene, mesh.mesh, material, object, glm::dvec3(0.0), glm::mat3(1.0f));
 }
 
 std::shared_ptr<const SceneAnimation> MovingParts::finish(Scene& scene) {

@@ -38,9 +38,12 @@ class MovingParts {
     /// Notes that a node carries an instance. @param origin of its mesh, in the node's space
     void carry(const MeshNode& node, std::uint32_t instance, const glm::dvec3& origin);
 
-    /// Adds a mesh of its own, and an instance of it.
-    void addDeformed(Scene& scene, const MeshNode& node, const Primitive& primitive, SourcePrimitive source,
-                     std::uint32_t material, std::uint32_t object, const std::string& where);
+    /// Adds the mesh of a node, which all copies of the node share. @return its index among those that deform.
+    std::size_t addDeformed(Scene& scene, const MeshNode& node, const Primitive& primitive,
+                            SourcePrimitive source, const std::string& where);
+    /// Adds an instance of such a mesh. @param deformed its index. @param node as it is, or as one of its copies
+    void place(Scene& scene, std::size_t deformed, const MeshNode& node, std::uint32_t material,
+               std::uint32_t object);
 
     /// What was collected; null where nothing can move. Brings deformed meshes to their shape at rest.
     std::shared_ptr<const SceneAnimation> finish(Scene& scene);
