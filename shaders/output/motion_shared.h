@@ -36,7 +36,21 @@ struct MotionRecord {
     vec4 shiftRest; // the rest of xyz
 };
 
+// An instance whose mesh has other vertices than in the last frame; push constants. Rows are of object to view space.
+struct DeformedPush {
+    vec4 right; // in w that of the instance's origin
+    vec4 up;
+    vec4 ahead;
+    vec4 rightBefore; // rows to the last camera's coordinates; in w the rest that ahead.w leaves out
+    vec4 upBefore;
+    vec4 aheadBefore;
+    vec2 projection; // clip x and y per unit of right and up, at view distance 1
+    uint id;         // object index + 1
+    uint unused;
+};
+
 #ifdef __cplusplus
+static_assert(sizeof(DeformedPush) == 112);
 static_assert(sizeof(MotionHeader) == 112);
 static_assert(sizeof(MotionRecord) == 80);
 } // namespace cdr::shaders

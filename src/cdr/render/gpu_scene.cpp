@@ -6,6 +6,7 @@
 #include <cdr/render/draw_source.h>
 #include <cdr/render/materials/material_words.h>
 #include <cdr/render/materials/scene_textures.h>
+#include <cdr/render/upload/last_vertices.h>
 #include <cdr/render/upload/scene_meshes.h>
 #include <cdr/shaders/shared.h>
 #include <cdr/visibility/blended.h>
@@ -87,6 +88,9 @@ class GpuScene::State {
     std::uint64_t m_readings = 0; ///< of all instances
     gpu::Retired m_retired;       ///< what frames in flight may still read
     SceneMeshes m_meshes;
+    LastVertices m_lastVertices;
+    bool m_keepsLastVertices = false;
+    std::uint64_t m_verticesRevision = 0;
     SceneTextures m_textures;
     std::vector<MaterialWords> m_materials;
     bool m_isShiny = false;
@@ -108,6 +112,7 @@ GpuScene::State::State(const gpu::Device& device, const scene::Scene& scene)
       m_scene(&scene),
       m_retired(device),
       m_meshes(device),
+      m_lastVertices(device),
       m_textures(device) {
     scene::requireUsable(scene);
     gpu::requireDeviceBytes(device, predictBytes(scene), "scene " + scene.name);
@@ -188,6 +193,15 @@ const gpu::SetLayout& GpuScene::textureLayout() const {
 }
 const gpu::SetLayout& GpuScene::detailLayout() const {
     return m_state->m_textures.detailLayout();
+}
+void GpuScene::keepLastVertices() {
+    m_state->m_keepsLastVertices = true;
+}
+std::uint64_t GpuScene::verticesRevision() const {
+    return m_state->m_verticesRevision;
+}
+const LastVertices& GpuScene::lastVertices() const {
+    return m_state->m_lastVertices;
 }
 VkBuffer GpuScene::details() const {
     return m_state->m_meshes.details().handle();
@@ -285,8 +299,13 @@ bool GpuScene::State::followVertices() {
         all.resize(m_scene->meshes.size());
         std::iota(all.begin(), all.end(), 0u);
     }
+    const std::span<const std::uint32_t> meshes = changed ? *changed : std::span<const std::uint32_t>(all);
     gpu::waitForQueue(m_device); // frames in flight read what is written over
-    return m_meshes.followVertices(*m_scene, changed ? *changed : std::span<const std::uint32_t>(all));
+    ++m_verticesRevision;
+    if (m_keepsLastVertices) {
+        m_lastVertices.keep(m_meshes, *m_scene, meshes);
+    }
+    return m_meshes.followVertices(*m_scene, meshes);
 }
 
 void GpuScene::State::updateVertices() {

@@ -25,6 +25,7 @@ namespace cdr::render {
 struct DrawKind;
 struct DrawSource;
 struct LevelRange;
+class LastVertices;
 struct MaterialWords;
 struct MeshRange;
 
@@ -87,6 +88,13 @@ class CDR_EXPORT GpuScene {
     const gpu::SetLayout& textureLayout() const;
     /// Of the set that DrawKind::detailSet is.
     const gpu::SetLayout& detailLayout() const;
+    /// From now on update() keeps the vertices that meshes had before.
+    void keepLastVertices();
+    /// Another number, larger by one, after each update() that gave meshes other vertices.
+    std::uint64_t verticesRevision() const;
+    /// The vertices before the last of these updates, of meshes that it gave others. Those after it, if the update also uploaded
+    /// all meshes again.
+    const LastVertices& lastVertices() const;
     /// What vertices have beside vertices(), of all meshes; null where no material has detail.
     VkBuffer details() const;
     /// The part of a draw record that the material decides, by material.

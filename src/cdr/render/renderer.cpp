@@ -139,6 +139,9 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
         m_workers.setSchedule(*options.schedule);
     }
     checkedExtent(device, options, m_needs.traits());
+    if (options.motion && live != nullptr) {
+        live->keepLastVertices();
+    }
     m_paths = std::make_unique<DrawPathFactory>(device, m_drawn, chooseFacets(m_drawn, options), options,
                                                 KeptSurfaces{m_needs.shiny, m_needs.emission});
     makePasses();
@@ -304,7 +307,7 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, const Delivery& deliv
     }
     slot.shading.update(m_drawn.scene, camera, slot.view.frustum, slot.view.anchorsView());
     if (slot.motion) {
-        m_passes->motion->update(*slot.motion, slot.view, motion);
+        m_passes->motion->update(*slot.motion, m_drawn, slot.view, motion);
     }
     slot.stats.times.splitMs = watch.lap("split");
     if (slot.shadows) {

@@ -2,6 +2,8 @@
 #include <cdr/measure/truth/object_ray.h>
 #include <cdr/measure/truth/truth_motion.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -23,6 +25,50 @@ std::optional<glm::dvec2> slopesOf(const PlacedCamera& camera, const glm::dvec3&
     return glm::dvec2(seen.x, seen.y) / seen.z;
 }
 
+/// The shares of a triangle's corners in the point of its plane that is nearest to a point.
+glm::dvec3 sharesAt(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& point) {
+    const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double twice = glm::dot(normal, normal);
+    const auto share = [&](const glm::dvec3& a, const glm::dvec3& b) {
+        return glm::dot(normal, glm::cross(b - a, point - a)) / twice;
+    };
+    return {share(corners[1], corners[2]), share(corners[2], corners[0]), share(corners[0], corners[1])};
+}
+
+std::array<glm::dvec3, 3> cornersOf(const scene::Mesh& mesh, std::size_t triangle) {
+    std::array<glm::dvec3, 3> corners{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        corners[c] = glm::dvec3(mesh.vertices[mesh.indices[triangle + c]].position);
+    }
+    return corners;
+}
+
+/// Where a point on a mesh was, object space, when its vertices were elsewhere: by the triangle that it lies on.
+glm::dvec3 pointBefore(const scene::Mesh& now, const scene::Mesh& before, const glm::dvec3& point) {
+    double least = std::numeric_limits<double>::infinity();
+    glm::dvec3 found = point;
+    for (std::size_t triangle = 0; triangle + 2 < now.indices.size(); triangle += 3) {
+        const std::array<glm::dvec3, 3> corners = cornersOf(now, triangle);
+        // Beside a triangle the nearest point of it would do; the least of its shares, made 0, is near enough to choose.
+        const glm::dvec3 inside = glm::max(sharesAt(corners, point), glm::dvec3(0.0));
+        const glm::dvec3 shares = inside / (inside.x + inside.y + inside.z);
+        const double off =
+            glm::length(shares.x * corners[0] + shares.y * corners[1] + shares.z * corners[2] - point);
+        if (off < least) {
+            const std::array<glm::dvec3, 3> was = cornersOf(before, triangle);
+            least = off;
+            found = shares.x * was[0] + shares.y * was[1] + shares.z * was[2];
+        }
+    }
+    return found;
+}
+
+bool haveSamePositions(const scene::Mesh& a, const scene::Mesh& b) {
+    return std::equal(
+        a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
+        [](const scene::Vertex& x, const scene::Vertex& y) { return x.position == y.position; });
+}
+
 std::optional<glm::dvec2> motionAt(const TruthPixel& pixel, const SeenScene& now, const SeenScene& before,
                                    std::size_t instance, const glm::dvec2& slopes) {
     const auto inverseNow = invertBasis(now.scene.instances.basis[instance]);
@@ -32,9 +78,14 @@ std::optional<glm::dvec2> motionAt(const TruthPixel& pixel, const SeenScene& now
     }
     const ObjectRay ray = placeCamera(now.camera, now.scene.instances, instance, inverseNow->worldToObject)
                               .ray(slopes.x, slopes.y);
+    const scene::Mesh& mesh = now.scene.meshes[now.scene.instances.mesh[instance]];
+    const scene::Mesh& meshBefore = before.scene.meshes[before.scene.instances.mesh[instance]];
+    glm::dvec3 point = ray.origin + ray.direction * pixel.distanceView;
+    if (!haveSamePositions(mesh, meshBefore)) {
+        point = pointBefore(mesh, meshBefore, point);
+    }
     return slopesOf(
-        placeCamera(before.camera, before.scene.instances, instance, inverseBefore->worldToObject),
-        ray.origin + ray.direction * pixel.distanceView);
+        placeCamera(before.camera, before.scene.instances, instance, inverseBefore->worldToObject), point);
 }
 
 } // namespace

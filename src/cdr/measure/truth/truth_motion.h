@@ -19,7 +19,8 @@ struct SeenScene {
 /// Not numbers where nothing is seen, or where the surface was not in front of the camera. Shares no code with the
 /// renderer's motion.
 /// @param truth of `now`.
-/// @param before holds the same instances at the same places, each of an object of its own.
+/// @param before holds the same instances at the same places, each of an object of its own. Their meshes have the same triangles, of
+/// which vertices may be elsewhere.
 image::Raster<glm::dvec2> truthMotion(const TruthImage& truth, const SeenScene& now, const SeenScene& before);
 
 } // namespace cdr::measure

@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/render/output/motion_history.h>
+#include <cdr/render/upload/last_vertices.h>
 #include <cdr/scene/world/change_log.h>
 
 #include <fmt/format.h>
@@ -82,6 +83,10 @@ void MotionHistory::look(const DrawnScene& drawn, std::size_t instance, Changed&
     if (isSame && now.generation != 0 && now.transform != before.transform) {
         changed.moved.push_back({now.object, before.transform, now.transform});
     }
+    if (isSame && now.generation != 0 && changed.lastVertices != nullptr &&
+        changed.lastVertices->firstOf(drawn.scene.instances.mesh[instance])) {
+        changed.deformed.push_back({static_cast<std::uint32_t>(instance), before.transform});
+    }
     if (!isSame && before.generation != 0) {
         --m_instances[before.object];
     }
@@ -93,7 +98,7 @@ void MotionHistory::look(const DrawnScene& drawn, std::size_t instance, Changed&
 
 FrameMotion MotionHistory::follow(const DrawnScene& drawn, const scene::Camera& camera) {
     ++m_frame;
-    FrameMotion motion{.cameraBefore = m_camera.value_or(camera), .moved = {}};
+    FrameMotion motion{.cameraBefore = m_camera.value_or(camera), .moved = {}, .deformed = {}};
     m_camera = camera;
     if (!drawn.uploaded.isLive()) {
         return motion;
@@ -103,7 +108,12 @@ FrameMotion MotionHistory::follow(const DrawnScene& drawn, const scene::Camera& 
     const auto places = isFirst ? std::nullopt : changes.since(m_followed);
     m_followed = changes.end();
     m_places.resize(drawn.scene.instances.size());
-    Changed changed;
+    const std::uint64_t verticesBefore = std::exchange(m_vertices, drawn.uploaded.verticesRevision());
+    Changed changed{.moved = {},
+                    .added = {},
+                    .deformed = {},
+                    .lastVertices =
+                        m_vertices == verticesBefore + 1 ? &drawn.uploaded.lastVertices() : nullptr};
     if (places) {
         for (const std::uint32_t instance : *places) {
             look(drawn, instance, changed);
@@ -119,6 +129,7 @@ FrameMotion MotionHistory::follow(const DrawnScene& drawn, const scene::Camera& 
         forget();
         throw;
     }
+    motion.deformed = std::move(changed.deformed);
     for (const std::uint32_t object : changed.added) {
         m_instances.resize(std::max<std::size_t>(m_instances.size(), object + std::size_t{1}));
         ++m_instances[object];

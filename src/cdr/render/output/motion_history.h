@@ -11,6 +11,8 @@
 
 namespace cdr::render {
 
+class LastVertices;
+
 /// An object that is elsewhere than in the last frame, by one of its instances.
 struct MovedObject {
     std::uint32_t object = 0;
@@ -18,10 +20,17 @@ struct MovedObject {
     scene::Transform now;
 };
 
+/// An instance whose mesh has other vertices than in the last frame.
+struct DeformedInstance {
+    std::uint32_t instance = 0;
+    scene::Transform before;
+};
+
 /// What changed between the last frame and this one, as far as it moves what both show.
 struct FrameMotion {
     scene::Camera cameraBefore;
-    std::vector<MovedObject> moved; ///< each object once
+    std::vector<MovedObject> moved;         ///< each object once
+    std::vector<DeformedInstance> deformed; ///< all in GpuScene::lastVertices()
 };
 
 /// Remembers where everything was in the last frame. Takes time by the number of instances that changed.
@@ -45,12 +54,15 @@ class MotionHistory {
     struct Changed {
         std::vector<MovedObject> moved;
         std::vector<std::uint32_t> added; ///< objects, once for each instance
+        std::vector<DeformedInstance> deformed;
+        const LastVertices* lastVertices; ///< null where those kept are not of the last frame
     };
     static Place placeOf(const DrawnScene& drawn, std::size_t instance);
     void look(const DrawnScene& drawn, std::size_t instance, Changed& changed);
 
     std::optional<scene::Camera> m_camera;
     std::uint64_t m_followed = 0; ///< of the scene's changes
+    std::uint64_t m_vertices = 0; ///< GpuScene::verticesRevision() of the last frame
     std::size_t m_frame = 0;
     std::vector<Place> m_places;
     std::vector<std::uint32_t> m_instances; ///< by object: how many it has

@@ -37,7 +37,8 @@ MotionPass::MotionPass(const gpu::Device& device, const gpu::Image& gbuffer)
               .bindings = {vk::DescriptorType::eCombinedImageSampler, vk::DescriptorType::eStorageBuffer,
                            vk::DescriptorType::eStorageBuffer, vk::DescriptorType::eStorageBuffer},
               .format = kMotionFormat,
-              .constants = {}}) {}
+              .constants = {}}),
+      m_deformed(device, m_pass.setLayout(), kMotionFormat) {}
 
 MotionPass::Inputs MotionPass::makeInputs(const ShadingInputs& shading) const {
     Inputs inputs;
@@ -63,7 +64,8 @@ void MotionPass::makeRoom(Inputs& inputs, std::size_t records, std::size_t objec
     }
 }
 
-void MotionPass::update(Inputs& inputs, const FrameView& view, const FrameMotion& motion) const {
+void MotionPass::update(Inputs& inputs, const DrawnScene& drawn, const FrameView& view,
+                        const FrameMotion& motion) const {
     const std::size_t objects = motion.moved.empty() ? 1 : motion.moved.back().object + std::size_t{1};
     makeRoom(inputs, motion.moved.size(), objects);
     const std::size_t covered = inputs.m_table.size() / sizeof(std::uint32_t);
@@ -83,12 +85,17 @@ void MotionPass::update(Inputs& inputs, const FrameView& view, const FrameMotion
     }
     inputs.m_records.flush();
     inputs.m_table.flush();
+    inputs.m_deformed = deformedDraws(drawn, motion, maker);
 }
 
 void MotionPass::record(vk::CommandBuffer primary, const Inputs& inputs) const {
     m_device.beginLabel(primary, "motion");
     gpu::pipelineBarrier(primary, {attachBarrier(m_image)});
     m_pass.record(primary, inputs.m_inputs, m_image);
+    if (!inputs.m_deformed.draws.empty()) {
+        gpu::pipelineBarrier(primary, {chainBarrier(m_image)});
+        m_deformed.record(primary, inputs.m_deformed, inputs.m_inputs.set(), m_image);
+    }
     gpu::pipelineBarrier(
         primary,
         {gpu::imageBarrier(m_image.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,

@@ -2,6 +2,7 @@
 
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/frame_view.h>
+#include <cdr/render/output/deformed_motion.h>
 #include <cdr/render/output/motion_history.h>
 #include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/render/shading/shading_pass.h>
@@ -16,7 +17,7 @@ namespace cdr::render {
 inline constexpr vk::Format kMotionFormat = vk::Format::eR32G32Sfloat;
 
 /// Works out where each pixel's surface was in the last frame, from the G-buffer and from what the CPU says moved. The
-/// geometry pass takes no part in it.
+/// geometry pass takes no part in it, but meshes that deform are drawn once more.
 class MotionPass {
   public:
     /// @param gbuffer of one size with the picture
@@ -29,11 +30,13 @@ class MotionPass {
         gpu::Buffer m_records;                ///< a shaders::MotionHeader and records
         gpu::Buffer m_table;                  ///< by object: 0, or 1 + its record
         std::vector<std::uint32_t> m_inTable; ///< objects that have a record
+        DeformedDraws m_deformed;
     };
     Inputs makeInputs(const ShadingInputs& shading) const;
 
     /// The last frame that used the inputs must have finished.
-    void update(Inputs& inputs, const FrameView& view, const FrameMotion& motion) const;
+    void update(Inputs& inputs, const DrawnScene& drawn, const FrameView& view,
+                const FrameMotion& motion) const;
 
     /// Reads the G-buffer in shader read layout, and leaves image() in transfer source layout.
     void record(vk::CommandBuffer primary, const Inputs& inputs) const;
@@ -50,6 +53,7 @@ class MotionPass {
     const gpu::Image& m_gbuffer;
     gpu::Image m_image;
     FullscreenPass m_pass;
+    DeformedMotion m_deformed;
 };
 
 } // namespace cdr::render

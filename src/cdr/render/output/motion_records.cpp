@@ -35,7 +35,8 @@ glm::dvec2 pixelsOf(const scene::Frustum& lens, const vk::Extent2D& extent) {
 } // namespace
 
 MotionMaker::MotionMaker(const FrameView& view, const scene::Camera& before, vk::Extent2D extent)
-    : m_lens(pixelsOf(view.frustum, extent)),
+    : m_projection(1.0 / view.frustum.tanX, -1.0 / view.frustum.tanY),
+      m_lens(pixelsOf(view.frustum, extent)),
       m_lensBefore(pixelsOf(scene::frustumOf(before, extent.width, extent.height), extent)),
       m_position(view.camera.position),
       m_axes(axesOf(view.camera)),
@@ -71,6 +72,22 @@ shaders::MotionRecord MotionMaker::record(const MovedObject& moved) const {
             .ahead = glm::vec4(rowOf(turn, 2), ahead.x),
             .shift = glm::vec4(glm::vec3(shift), ahead.y),
             .shiftRest = restOf(shift)};
+}
+
+shaders::DeformedPush MotionMaker::push(const DrawSource& source, const scene::Transform& before) const {
+    const glm::dmat3 now = m_axes * glm::dmat3(source.basis);
+    const glm::dvec3 origin = m_axes * (source.position - m_position);
+    const glm::dmat3 was = m_axesBefore * glm::dmat3(before.basis);
+    const glm::vec2 ahead = splitDouble(origin.z);
+    return {.right = glm::vec4(rowOf(now, 0), static_cast<float>(origin.x)),
+            .up = glm::vec4(rowOf(now, 1), static_cast<float>(origin.y)),
+            .ahead = glm::vec4(rowOf(now, 2), ahead.x),
+            .rightBefore = glm::vec4(rowOf(was, 0), ahead.y),
+            .upBefore = glm::vec4(rowOf(was, 1), 0.0f),
+            .aheadBefore = glm::vec4(rowOf(was, 2), 0.0f),
+            .projection = glm::vec2(m_projection),
+            .id = source.id & shaders::kIdMask,
+            .unused = 0};
 }
 
 } // namespace cdr::render

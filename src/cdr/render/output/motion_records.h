@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/render/draw_source.h>
 #include <cdr/render/frame_view.h>
 #include <cdr/render/output/motion_history.h>
 #include <cdr/shaders/motion_shared.h>
@@ -16,9 +17,12 @@ class MotionMaker {
     /// @param objects that the table of records covers
     shaders::MotionHeader header(std::uint32_t objects) const;
     shaders::MotionRecord record(const MovedObject& moved) const;
+    /// @param source of an instance, where it is now. @param before where it was
+    shaders::DeformedPush push(const DrawSource& source, const scene::Transform& before) const;
 
   private:
-    glm::dvec2 m_lens; ///< pixels per unit of right and up at view distance 1
+    glm::dvec2 m_projection; ///< clip x and y per unit of right and up at view distance 1
+    glm::dvec2 m_lens;       ///< pixels per unit of right and up at view distance 1
     glm::dvec2 m_lensBefore;
     glm::dvec3 m_position;
     glm::dmat3 m_axes;       ///< of this camera: world space to right, up and ahead

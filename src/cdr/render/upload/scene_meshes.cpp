@@ -126,12 +126,13 @@ void SceneMeshes::upload(const scene::Scene& scene, const Counts& room) {
     m_used = {};
     m_ranges.clear();
     m_levels.clear();
-    const auto made = [&](std::size_t bytes, vk::BufferUsageFlagBits usage, const char* name) {
+    const auto made = [&](std::size_t bytes, vk::BufferUsageFlags usage, const char* name) {
         return gpu::Buffer(m_device, bytes, usage | vk::BufferUsageFlagBits::eTransferDst,
                            gpu::MemoryUse::deviceOnly, name);
     };
-    m_vertices =
-        made(room.vertices * sizeof(PackedVertex), vk::BufferUsageFlagBits::eVertexBuffer, "scene vertices");
+    m_vertices = made(room.vertices * sizeof(PackedVertex),
+                      vk::BufferUsageFlagBits::eVertexBuffer | vk::BufferUsageFlagBits::eTransferSrc,
+                      "scene vertices");
     m_indices =
         made(room.indices * sizeof(std::uint32_t), vk::BufferUsageFlagBits::eIndexBuffer, "scene indices");
     // Mesh by mesh, since large scenes should not be in memory once more.

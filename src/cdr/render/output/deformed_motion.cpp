@@ -1,0 +1,86 @@
+#include <cdr/gpu/commands.h>
+#include <cdr/render/output/deformed_motion.h>
+#include <cdr/render/upload/last_vertices.h>
+#include <cdr/shaders/output_deformed_motion_frag.h>
+#include <cdr/shaders/output_deformed_motion_vert.h>
+
+namespace cdr::render {
+
+namespace {
+
+constexpr auto kDeformedStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
+constexpr std::uint32_t kBeforeBinding = 1;
+
+/// Of this frame, and of the last one.
+std::vector<vk::VertexInputBindingDescription> bindingsOfBoth() {
+    vk::VertexInputBindingDescription before = vertexBinding();
+    before.binding = kBeforeBinding;
+    return {vertexBinding(), before};
+}
+
+std::vector<vk::VertexInputAttributeDescription> positionsOfBoth() {
+    vk::VertexInputAttributeDescription before = vertexAttributes().front();
+    before.location = 1;
+    before.binding = kBeforeBinding;
+    return {vertexAttributes().front(), before};
+}
+
+} // namespace
+
+DeformedDraws deformedDraws(const DrawnScene& drawn, const FrameMotion& motion, const MotionMaker& maker) {
+    DeformedDraws made;
+    if (motion.deformed.empty()) {
+        return made;
+    }
+    const LastVertices& last = drawn.uploaded.lastVertices();
+    made.vertices = drawn.uploaded.vertices();
+    made.verticesBefore = last.buffer().handle();
+    made.indices = drawn.uploaded.indices();
+    for (const DeformedInstance& deformed : motion.deformed) {
+        const DrawSource& source = drawn.uploaded.sources()[deformed.instance];
+        const DrawKind& kind = drawn.uploaded.kinds()[source.kind];
+        made.draws.push_back({.mesh = kind.mesh,
+                              .firstBefore = last.firstOf(kind.meshIndex).value(),
+                              .push = maker.push(source, deformed.before)});
+    }
+    return made;
+}
+
+DeformedMotion::DeformedMotion(const gpu::Device& device, const gpu::SetLayout& set, vk::Format format)
+    : m_layout(gpu::makePipelineLayout(
+          device, {{set}, {{.stageFlags = kDeformedStages, .size = sizeof(shaders::DeformedPush)}}},
+          "deformed motion layout")),
+      m_pipeline(gpu::makeGraphicsPipeline(device, {.name = "deformed motion",
+                                                    .vertexSpirv = kOutputDeformedMotionVert,
+                                                    .fragmentSpirv = kOutputDeformedMotionFrag,
+                                                    .constants = {},
+                                                    .layout = m_layout,
+                                                    .bindings = bindingsOfBoth(),
+                                                    .attributes = positionsOfBoth(),
+                                                    .colorFormats = {format}})) {}
+
+void DeformedMotion::record(vk::CommandBuffer primary, const DeformedDraws& draws, vk::DescriptorSet set,
+                            const gpu::Image& into) const {
+    const vk::RenderingAttachmentInfo color{.imageView = into.view(),
+                                            .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
+                                            .loadOp = vk::AttachmentLoadOp::eLoad,
+                                            .storeOp = vk::AttachmentStoreOp::eStore};
+    const vk::Extent2D extent = into.options().extent;
+    primary.beginRendering({.renderArea = {{0, 0}, extent},
+                            .layerCount = 1,
+                            .colorAttachmentCount = 1,
+                            .pColorAttachments = &color});
+    gpu::bindFullscreenPipeline(primary, *m_pipeline, extent);
+    primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, set, {});
+    primary.bindIndexBuffer(draws.indices, 0, vk::IndexType::eUint32);
+    for (const DeformedDraws::Draw& draw : draws.draws) {
+        const auto first = static_cast<std::size_t>(draw.mesh.vertexOffset);
+        primary.bindVertexBuffers(0, {draws.vertices, draws.verticesBefore},
+                                  {first * sizeof(PackedVertex), draw.firstBefore * sizeof(PackedVertex)});
+        primary.pushConstants<shaders::DeformedPush>(*m_layout, kDeformedStages, 0, draw.push);
+        primary.drawIndexed(draw.mesh.indexCount, 1, draw.mesh.firstIndex, 0, 0);
+    }
+    primary.endRendering();
+}
+
+} // namespace cdr::render

@@ -1,0 +1,242 @@
+#include "../fixture.h"
+
+#include <cdr/measure/truth/truth_motion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace cdr::render_test {
+
+namespace {
+
+using DeformedMotionTest = RenderTest;
+
+constexpr std::uint32_t kSheetSquares = 4; // a side
+
+/// A square sheet of side 2, whose vertices a wave moves. A second one half as large hangs behind it in the same mesh.
+scene::Mesh sheetAt(double time) {
+    scene::Mesh mesh;
+    for (std::uint32_t layer = 0; layer < 2; ++layer) {
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (std::uint32_t row = 0; row <= kSheetSquares; ++row) {
+            for (std::uint32_t column = 0; column <= kSheetSquares; ++column) {
+                const glm::dvec2 share = glm::dvec2(column, row) / double{kSheetSquares} * 2.0 - 1.0;
+                const glm::dvec3 place(share * (layer == 0 ? 0.7 : 1.4), layer == 0 ? 0.5 : -0.5);
+                const glm::dvec3 wave(0.1 * std::sin(2.0 * time + 3.0 * share.y), 0.05 * std::cos(3.0 * time),
+                                      0.2 * std::sin(time + 2.0 * share.x));
+                mesh.vertices.push_back({.position = glm::vec3(place + wave)});
+                if (row < kSheetSquares && column < kSheetSquares) {
+                    const std::uint32_t corner = first + row * (kSheetSquares + 1) + column;
+                    const std::uint32_t above = corner + kSheetSquares + 1;
+                    for (const std::uint32_t index :
+                         {corner, corner + 1, above, above, corner + 1, above + 1}) {
+                        mesh.indices.push_back(index);
+                    }
+                }
+            }
+        }
+    }
+    mesh.boundingRadius = scene::boundingRadiusOf(mesh.vertices);
+    return mesh;
+}
+
+/// Two sheets of one mesh and a box before one of them, so many units away.
+struct Sheets {
+    explicit Sheets(double distance) : away(distance) {
+        sheet = world.addMesh(sheetAt(0.0));
+        for (std::uint32_t i = 0; i < 2; ++i) {
+            sheets.push_back(world.addInstance(
+                {.mesh = sheet, .material = world.material(0), .object = i, .transform = placeOf(i, 0.0)}));
+        }
+        world.addInstance({.mesh = world.mesh(0),
+                           .material = world.material(0),
+                           .object = 2,
+                           .transform = {.position = {1.6, 0.2, 2.0 - away}, .basis = glm::mat3(0.4f)}});
+    }
+    /// The second one moves as a whole too.
+    scene::Transform placeOf(std::uint32_t i, double time) const {
+        return {.position = {1.5 * i - 1.0, 0.1 * i * time, -away - 0.3 * i * time},
+                .basis = glm::mat3(1.0f)};
+    }
+    void show(double time) {
+        world.setVertices(sheet, sheetAt(time).vertices);
+        world.setTransform(sheets[1], placeOf(1, time));
+    }
+    scene::Camera cameraAt(double time) const {
+        return scene::lookAt({.fovY = 4.0 / away, .nearView = 0.1, .farView = 4.0 * away},
+                             {0.3 * time, 0.2, 0.0}, {0.1 * time, 0.0, -away});
+    }
+
+    double away;
+    scene::World world{boxScene()};
+    scene::MeshHandle sheet;
+    std::vector<scene::InstanceHandle> sheets;
+};
+
+render::RenderOptions motionOptions(const char* technique) {
+    render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
+    options.motion = true;
+    return options;
+}
+
+struct Off {
+    std::size_t compared = 0;
+    std::size_t wrong = 0; ///< by more than a hundredth of a pixel, and half a step of the device's vertices
+    double longest = 0.0;  ///< pixels, of the truth
+};
+
+/// Where the frame and the truth show the same object. Edges of triangles differ where a device rounds vertices.
+Off compare(const render::Frame& frame, std::uint32_t subPixelBits, const measure::SeenScene& now,
+            const measure::SeenScene& before) {
+    const double most = 0.01 + std::ldexp(0.5, -static_cast<int>(subPixelBits));
+    host::WorkerPool workers(2);
+    const measure::TruthImage truth =
+        measure::castTruth(now.scene, now.camera, frame.width(), frame.height(), workers);
+    measure::TruthImage held(frame.width(), frame.height());
+    for (std::uint32_t y = 0; y < frame.height(); ++y) {
+        for (std::uint32_t x = 0; x < frame.width(); ++x) {
+            held.at(x, y) = {.id = frame.id(x, y), .distanceView = frame.distanceView(x, y)};
+        }
+    }
+    const image::Raster<glm::dvec2> exact = measure::truthMotion(held, now, before);
+    Off off;
+    for (std::size_t i = 0; i < held.pixels.size(); ++i) {
+        const double apart = std::abs(held.pixels[i].distanceView - truth.pixels[i].distanceView);
+        if (held.pixels[i].id == 0 || held.pixels[i].id != truth.pixels[i].id || apart > 0.01) {
+            continue;
+        }
+        ++off.compared;
+        off.wrong += glm::length(glm::dvec2(frame.motion.pixels[i]) - exact.pixels[i]) > most ? 1 : 0;
+        off.longest = std::max(off.longest, glm::length(exact.pixels[i]));
+    }
+    return off;
+}
+
+TEST_F(DeformedMotionTest, IsThatOfEachVertex) {
+    for (const char* technique : {"standard", "cdr", "anchored"}) {
+        Sheets sheets(20.0);
+        render::GpuScene onDevice(device(), sheets.world);
+        render::Renderer renderer(device(), onDevice, motionOptions(technique));
+        double last = 0.0;
+        renderer.render(sheets.cameraAt(last));
+        for (const double time : {0.4, 0.4, 1.0}) { // once nothing moves
+            const scene::Scene before = sheets.world.scene();
+            sheets.show(time);
+            const scene::Camera camera = sheets.cameraAt(time);
+            const scene::Camera cameraBefore = sheets.cameraAt(last);
+            const Off off = compare(renderer.render(camera), device().info().subPixelBits,
+                                    {sheets.world.scene(), camera}, {before, cameraBefore});
+            EXPECT_GT(off.compared, 30'000u);
+            EXPECT_LE(off.wrong, off.compared / 2000) << technique << " at " << time;
+            EXPECT_EQ(off.longest > 5.0, time != last) << off.longest;
+            last = time;
+        }
+    }
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+/// The distance of a point in its mesh stays small, however far the mesh is.
+TEST_F(DeformedMotionTest, IsExactAMillionUnitsAway) {
+    Sheets sheets(1e6);
+    render::GpuScene onDevice(device(), sheets.world);
+    render::Renderer renderer(device(), onDevice, motionOptions("anchored"));
+    renderer.render(sheets.cameraAt(0.0));
+    const scene::Scene before = sheets.world.scene();
+    sheets.show(0.5);
+    const scene::Camera camera = sheets.cameraAt(0.5);
+    const scene::Camera cameraBefore = sheets.cameraAt(0.0);
+    const Off off = compare(renderer.render(camera), device().info().subPixelBits,
+                            {sheets.world.scene(), camera}, {before, cameraBefore});
+    EXPECT_GT(off.compared, 30'000u);
+    EXPECT_LE(off.wrong, off.compared / 2000);
+}
+
+TEST_F(DeformedMotionTest, AllWaysToDrawAFrameGiveTheSame) {
+    std::vector<image::Raster<glm::vec2>> motions;
+    for (const render::Submission submission : submissions()) {
+        for (const render::TargetsKind targets : {render::TargetsKind::single, render::TargetsKind::layers}) {
+            Sheets sheets(20.0);
+            render::GpuScene onDevice(device(), sheets.world);
+            render::RenderOptions options = motionOptions("anchored");
+            options.submission = submission;
+            options.targets = targets;
+            options.framesInFlight = 3;
+            options.threads = targets == render::TargetsKind::layers ? 3 : 1;
+            render::Renderer renderer(device(), onDevice, options);
+            for (int frame = 0; frame < 4; ++frame) {
+                sheets.show(0.2 * frame);
+                renderer.submit(sheets.cameraAt(0.1 * frame));
+            }
+            sheets.show(0.8);
+            motions.push_back(renderer.render(sheets.cameraAt(0.4)).motion);
+        }
+    }
+    for (const image::Raster<glm::vec2>& motion : motions) {
+        EXPECT_EQ(motion, motions.front());
+    }
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+/// What stays known is how objects moved: the vertices that the missing frames had are not kept.
+TEST_F(DeformedMotionTest, MissedChangesLeaveTheMotionOfObjects) {
+    Sheets sheets(20.0);
+    render::GpuScene onDevice(device(), sheets.world);
+    render::Renderer each(device(), onDevice, motionOptions("anchored"));
+    render::Renderer missing(device(), onDevice, motionOptions("anchored"));
+    const scene::Camera camera = sheets.cameraAt(0.0);
+    each.render(camera);
+    missing.render(camera);
+    sheets.show(0.2);
+    each.render(camera);
+    sheets.show(0.4);
+    const image::Raster<glm::vec2> known = each.render(camera).motion;
+    const image::Raster<glm::vec2> unknown = missing.render(camera).motion;
+    EXPECT_NE(known, unknown);
+    EXPECT_EQ(unknown.at(120, 135), glm::vec2(0.0f)); // on the sheet that stands still
+    EXPECT_NE(known.at(120, 135), glm::vec2(0.0f));
+    sheets.show(0.6);
+    EXPECT_EQ(missing.render(camera).motion.at(120, 135), each.render(camera).motion.at(120, 135));
+}
+
+/// A new instance takes the place of one that went.
+TEST_F(DeformedMotionTest, WhatIsNewDidNotMove) {
+    Sheets sheets(20.0);
+    render::GpuScene onDevice(device(), sheets.world);
+    render::Renderer renderer(device(), onDevice, motionOptions("anchored"));
+    const scene::Camera camera = sheets.cameraAt(0.0);
+    renderer.render(camera);
+    sheets.world.removeInstance(sheets.sheets[0]);
+    sheets.world.addInstance({.mesh = sheets.sheet,
+                              .material = sheets.world.material(0),
+                              .object = 3,
+                              .transform = sheets.placeOf(0, 0.0)});
+    sheets.world.setVertices(sheets.sheet, sheetAt(0.4).vertices);
+    const render::Frame frame = renderer.render(camera);
+    ASSERT_EQ(frame.id(120, 135), 4u);
+    EXPECT_EQ(frame.motion.at(120, 135), glm::vec2(0.0f));
+    ASSERT_EQ(frame.id(280, 60), 2u);
+    EXPECT_NE(frame.motion.at(280, 60), glm::vec2(0.0f));
+}
+
+/// For the first one there is no room, so all are uploaded again, with their vertices of this frame.
+TEST_F(DeformedMotionTest, MeshesMayComeAtTheSameTime) {
+    Sheets sheets(20.0);
+    render::GpuScene onDevice(device(), sheets.world);
+    render::Renderer renderer(device(), onDevice, motionOptions("anchored"));
+    const scene::Camera camera = sheets.cameraAt(0.0);
+    std::vector<bool> moved;
+    for (int frame = 0; frame < 4; ++frame) {
+        if (frame > 0) {
+            sheets.world.addMesh(scene::makeBox(glm::vec3(1.0f)));
+            sheets.world.setVertices(sheets.sheet, sheetAt(0.4 * frame).vertices);
+        }
+        moved.push_back(renderer.render(camera).motion.at(120, 135) != glm::vec2(0.0f));
+    }
+    EXPECT_EQ(moved, (std::vector<bool>{false, false, true, true}));
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+} // namespace
+
+} // namespace cdr::render_test
