@@ -1,4 +1,3 @@
-#include <cdr/gpu/commands.h>
 #include <cdr/render/output/deformed_motion.h>
 #include <cdr/render/upload/last_vertices.h>
 #include <cdr/shaders/output_deformed_motion_frag.h>

@@ -27,7 +27,7 @@ struct DeformedDraws {
     vk::Buffer indices;
 };
 
-/// What draws them. base::InputError never: they are in the scene, which was checked.
+/// What draws those of a frame.
 DeformedDraws deformedDraws(const DrawnScene& drawn, const FrameMotion& motion, const MotionMaker& maker);
 
 /// Draws deformed instances once more, to add to the motion of each pixel how its vertices moved in their mesh. A fragment
