@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace {
 
@@ -86,6 +87,14 @@ TEST(FindCrossing, TellsFirstFromLastOnASaw) {
     EXPECT_NEAR(crossing->heldLastView, 14.0, 1e-9);
     EXPECT_FALSE(findCrossing(saw, 1000.0, 1.0, 100.0).has_value());
     EXPECT_EQ(findCrossing(saw, 0.5, 1.0, 100.0)->reachedFirstView, 1.0);
+
+    const std::vector<double> several{1000.0, 5.0, 0.5};
+    const auto crossings = findCrossings(saw, several, 1.0, 100.0);
+    ASSERT_EQ(crossings.size(), several.size());
+    EXPECT_FALSE(crossings[0].has_value());
+    EXPECT_EQ(crossings[1]->reachedFirstView, crossing->reachedFirstView);
+    EXPECT_EQ(crossings[1]->heldLastView, crossing->heldLastView);
+    EXPECT_EQ(crossings[2]->reachedFirstView, 1.0);
 }
 
 TEST(ThesisSeparation, RefusesMappingsTheThesisDoesNotKnow) {

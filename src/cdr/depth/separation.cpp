@@ -86,33 +86,45 @@ base::Result<double> tryThesisSeparationView(Mapping mapping, const Cascades& ca
 
 std::optional<Crossing> findCrossing(const std::function<double(double)>& curve, double separation,
                                      double nearView, double farView) {
+    return findCrossings(curve, {&separation, 1}, nearView, farView).front();
+}
+
+std::vector<std::optional<Crossing>> findCrossings(const std::function<double(double)>& curve,
+                                                   std::span<const double> separations, double nearView,
+                                                   double farView) {
     // A cascade spans a ratio of 1.01 at the very least, so this grid steps into each.
     constexpr int kSteps = 200'000;
-    const auto reached = [&](double w) { return curve(w) >= separation; };
     const auto grid = [&](int i) {
         return i == kSteps ? farView
                            : nearView * std::pow(farView / nearView, static_cast<double>(i) / kSteps);
     };
-    int first = -1;
-    int last = -1;
+    struct Steps {
+        int first = -1; ///< the first that reaches the separation
+        int last = -1;  ///< the last below it
+    };
+    std::vector<Steps> found(separations.size());
     for (int i = 0; i <= kSteps; ++i) {
-        const bool here = reached(grid(i));
-        if (here && first < 0) {
-            first = i;
-        }
-        if (!here) {
-            last = i;
+        const double here = curve(grid(i));
+        for (std::size_t s = 0; s < separations.size(); ++s) {
+            const bool isReached = here >= separations[s];
+            found[s].first = isReached && found[s].first < 0 ? i : found[s].first;
+            found[s].last = isReached ? found[s].last : i;
         }
     }
-    if (first < 0) {
-        return std::nullopt;
-    }
-    Crossing crossing;
-    crossing.reachedFirstView = first == 0 ? nearView : bisect(reached, grid(first - 1), grid(first));
-    crossing.heldLastView = last < 0         ? nearView
+    std::vector<std::optional<Crossing>> crossings(separations.size());
+    for (std::size_t s = 0; s < separations.size(); ++s) {
+        const auto& [first, last] = found[s];
+        if (first < 0) {
+            continue;
+        }
+        const auto reached = [&](double w) { return curve(w) >= separations[s]; };
+        crossings[s] = Crossing{
+            .reachedFirstView = first == 0 ? nearView : bisect(reached, grid(first - 1), grid(first)),
+            .heldLastView = last < 0         ? nearView
                             : last == kSteps ? farView
-                                             : bisect(reached, grid(last), grid(last + 1));
-    return crossing;
+                                             : bisect(reached, grid(last), grid(last + 1))};
+    }
+    return crossings;
 }
 
 } // namespace cdr::depth

@@ -10,6 +10,8 @@
 
 #include <functional>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace cdr::depth {
 
@@ -48,5 +50,10 @@ struct Crossing {
 /// @errors What `curve` throws.
 CDR_EXPORT std::optional<Crossing> findCrossing(const std::function<double(double)>& curve, double separation,
                                                 double nearView, double farView);
+/// The same for each of several separations, in their order, by one scan.
+/// @errors What `curve` throws.
+CDR_EXPORT std::vector<std::optional<Crossing>> findCrossings(const std::function<double(double)>& curve,
+                                                              std::span<const double> separations,
+                                                              double nearView, double farView);
 
 } // namespace cdr::depth

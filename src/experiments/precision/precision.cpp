@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace cdr::experiments {
 
@@ -47,16 +48,23 @@ std::optional<double> thesisValue(const std::string& technique, double separatio
 
 using Curve = std::function<double(double distanceView)>;
 
-PrecisionCell makeCell(const std::string& technique, const std::string& format, double separation,
-                       const Curve& curve, const PrecisionOptions& options) {
-    const auto crossing = depth::findCrossing(curve, separation, options.nearView, options.farView);
-    return {.technique = technique,
-            .format = format,
-            .separation = separation,
-            .reachedFirstView =
-                crossing ? crossing->reachedFirstView : std::numeric_limits<double>::infinity(),
-            .heldLastView = crossing ? crossing->heldLastView : options.farView,
-            .thesisView = std::nullopt};
+/// One of each separation.
+std::vector<PrecisionCell> makeCells(const std::string& technique, const std::string& format,
+                                     const Curve& curve, const PrecisionOptions& options) {
+    const auto crossings =
+        depth::findCrossings(curve, options.separations, options.nearView, options.farView);
+    std::vector<PrecisionCell> cells;
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+        const auto& crossing = crossings[i];
+        cells.push_back({.technique = technique,
+                         .format = format,
+                         .separation = options.separations[i],
+                         .reachedFirstView =
+                             crossing ? crossing->reachedFirstView : std::numeric_limits<double>::infinity(),
+                         .heldLastView = crossing ? crossing->heldLastView : options.farView,
+                         .thesisView = std::nullopt});
+    }
+    return cells;
 }
 
 /// The curve of a technique as the thesis computes it; none for techniques it does not have.
@@ -88,10 +96,9 @@ Curve exactCurve(const depth::Technique& technique, depth::DepthFormat format,
 
 void addTable(const std::string& technique, const Curve& curve, const PrecisionOptions& options,
               PrecisionResult& result) {
-    for (const double separation : options.separations) {
-        PrecisionCell cell = makeCell(technique, "d24", separation, curve, options);
-        cell.thesisView = thesisValue(technique, separation, options);
-        result.table.push_back(cell);
+    for (PrecisionCell& cell : makeCells(technique, "d24", curve, options)) {
+        cell.thesisView = thesisValue(technique, cell.separation, options);
+        result.table.push_back(std::move(cell));
     }
 }
 
@@ -112,10 +119,9 @@ PrecisionResult runPrecision(const PrecisionOptions& options) {
     std::vector<Curve> curves;
     for (const auto& [name, technique] : depth::presets()) {
         for (const depth::DepthFormat format : depth::kDepthFormats) {
-            for (const double separation : options.separations) {
-                result.byFormat.push_back(makeCell(name, std::string(nameOf(format)), separation,
-                                                   exactCurve(technique, format, options), options));
-            }
+            const auto cells =
+                makeCells(name, std::string(nameOf(format)), exactCurve(technique, format, options), options);
+            result.byFormat.insert(result.byFormat.end(), cells.begin(), cells.end());
         }
         const std::optional<Curve> thesis = thesisCurve(technique, options);
         if (thesis) {
