@@ -35,6 +35,7 @@ double megabytes(std::uint64_t bytes) {
 Soak::Soak(double seconds, SoakOptions input)
     : m_steps(
           std::max<std::uint64_t>(static_cast<std::uint64_t>(std::llround(seconds * kStepsPerSecond)), 1)),
+      m_measurements(seconds < kShortSeconds ? kShortMeasurements : kMeasurements),
       m_rest(seconds < kShortSeconds ? kShortRest : kRest),
       m_input([&] {
           input.seconds = 1.0 / kStepsPerSecond;
@@ -123,7 +124,7 @@ void Soak::measure(Window& window, Session& session, ViewerModel& model) {
 }
 
 std::uint64_t Soak::stepsBeforeRest() const {
-    const double share = static_cast<double>(m_memory.size()) / static_cast<double>(kMeasurements);
+    const double share = static_cast<double>(m_memory.size()) / static_cast<double>(m_measurements);
     return static_cast<std::uint64_t>(static_cast<double>(m_steps) * (kWarmUp + (1.0 - kWarmUp) * share));
 }
 

@@ -22,8 +22,10 @@ class Soak : public Driver {
     static constexpr double kStepsPerSecond = 60.0;
     /// The share of the steps that warms up.
     static constexpr double kWarmUp = 0.25;
-    /// Times the memory is measured after that, evenly apart, the last at the end.
+    /// Times the memory is measured after that, evenly apart, the last at the end. A soak of less than a minute measures
+    /// less often: its memory says nothing.
     static constexpr std::uint64_t kMeasurements = 10;
+    static constexpr std::uint64_t kShortMeasurements = 4;
     /// The least of so many measurements counts at the beginning and at the end, since noise only adds.
     static constexpr std::ptrdiff_t kCompared = 4;
 
@@ -48,7 +50,7 @@ class Soak : public Driver {
         ViewSettings settings;
         ResizeInput size;
     };
-    bool isDone() const { return m_memory.size() > kMeasurements; }
+    bool isDone() const { return m_memory.size() > m_measurements; }
     std::string growthOf(std::uint64_t Memory::*bytes) const;
     void enter(Phase phase, const Session& session);
     void play(const DrivenViewer& viewer);
@@ -57,7 +59,8 @@ class Soak : public Driver {
     std::uint64_t stepsBeforeRest() const; ///< played before the next measurement
 
     std::uint64_t m_steps;
-    std::uint64_t m_rest; ///< pictures, and then frames, that are drawn before memory is measured
+    std::uint64_t m_measurements; ///< after the warm-up
+    std::uint64_t m_rest;         ///< pictures, and then frames, that are drawn before memory is measured
     std::uint64_t m_done = 0;
     std::uint64_t m_restedFrames = 0;
     SoakInput m_input;
