@@ -16,7 +16,7 @@ struct Shown {
     const char* name;
     std::string arguments;
     std::string script;
-    const char* size = "800x480";
+    const char* size = "560x300";
 
     friend std::ostream& operator<<(std::ostream& out, const Shown& shown) { return out << shown.name; }
 };
@@ -63,7 +63,7 @@ TEST_F(ViewerTest, OpensWhatItCopied) {
     const std::string chosen = "wait-frame\nhold D\nwait-ui 2\nlet D\nclick Draw\nclick occlusion\n"
                                "click occlusion=1\nclick fog\nclick fog=100\nkey V\nwait-frame\n";
     const std::string copies = "command\nkey F12\nwait-ui 3\nquit\n";
-    const RunResult first = play("alley --technique log-fragment/count:4 --size 800x1400", chosen + copies);
+    const RunResult first = play("alley --technique log-fragment/count:4 --size 560x300", chosen + copies);
     const auto line = first.lines("cdr render");
     ASSERT_EQ(line.size(), 1u) << first.out;
     const RunResult second = play(line[0].substr(std::string("cdr render ").size()), "wait-frame\n" + copies);
@@ -71,43 +71,41 @@ TEST_F(ViewerTest, OpensWhatItCopied) {
     EXPECT_EQ(picture("cdr-picture-0002.png"), picture("cdr-picture-0001.png"));
 }
 
-/// As it is printed, except for where the program was built.
+/// As it is printed, except for where the program was built, in a small window.
 TEST_F(ViewerTest, RunsWhatTheReadmePrints) {
     std::ifstream readme(CDR_SOURCE_DIR "/README.md");
     const std::string program = "build/release/bin/cdr-viewer ";
     std::string line;
     while (std::getline(readme, line) && line.find(program) != 0) {
     }
-    const RunResult run =
-        play(line.substr(std::min(program.size(), line.size())), "wait-frame\nstate\nquit\n");
+    const RunResult run = play("--size 560x300 " + line.substr(std::min(program.size(), line.size())),
+                               "wait-frame\nstate\nquit\n");
     ASSERT_EQ(run.lines("scene=orbit").size(), 1u) << line << "\n" << run.out;
     EXPECT_NE(run.out.find("technique=reversed"), std::string::npos);
 }
 
 const std::string kMoved =
-    "hold D\nwait-ui 2\nlet D\nmove 200 200\npress\nmove 215 190\nmove 230 180\nwait-ui 2\n"
+    "hold D\nwait-ui 2\nlet D\nmove 100 150\npress\nmove 115 140\nmove 130 130\nwait-ui 2\n"
     "release\nhold W\nwait-ui 2\nlet W\n";
 
 INSTANTIATE_TEST_SUITE_P(
     Views, CopiedCommand,
     testing::Values(
         Shown{"plain", "afc --technique anchored", ""}, Shown{"moved", "afc --technique anchored", kMoved},
-        Shown{"narrowed", "afc --technique anchored", kMoved + "move 200 200\nhold alt\nscroll 6\nlet alt\n"},
+        Shown{"narrowed", "afc --technique anchored", kMoved + "move 100 150\nhold alt\nscroll 6\nlet alt\n"},
         Shown{"played", "afc --technique anchored", "key space\nwait-frame 12\nkey space\n"},
         Shown{"finished", "alley --technique anchored",
               kMoved + "click Draw\nclick edges\nclick edges=edges\nclick occlusion\nclick occlusion=1\n"
-                       "click fog\nclick fog=100\n",
-              "800x1400"},
+                       "click fog\nclick fog=100\n"},
         Shown{"gpuDriven", "afc --technique logcdr",
               kMoved + "click Draw\nclick submission\n"
-                       "click submission=gpu-driven\n",
-              "800x720"},
+                       "click submission=gpu-driven\n"},
         Shown{"sideBySide", "alley --technique anchored", kMoved + "key G\nkey G shift\n"},
         Shown{"anaglyph", "alley --technique anchored", kMoved + "key G\nkey G\n"},
         Shown{"eyesOfTheLine", "alley --technique cdr --stereo parallel --eye-distance 0.2", kMoved},
         Shown{"split", "afc --compare standard,anchored", kMoved},
         Shown{"splitMoved", "mixed --compare cdr,reversed",
-              "move 226 300\npress\nmove 150 300\nmove 113 300\nwait-ui 2\nrelease\n"}),
+              "move 106 150\npress\nmove 70 150\nmove 53 150\nwait-ui 2\nrelease\n"}),
     [](const auto& view) { return std::string(view.param.name); });
 
 } // namespace

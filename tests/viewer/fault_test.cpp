@@ -16,12 +16,12 @@ using test::Fault;
 
 /// Shows, changes technique and size, and keeps pictures of both.
 constexpr const char* kScript = "wait-frame\nwait-ui 5\nwindow before.png\nkey 6\nwait-frame\nwait-ui 5\n"
-                                "resize 700 500\nwait-state size=352x500\nwait-frame\nwait-ui 3\nstate\n"
+                                "resize 200 150\nwait-state size=200x150\nwait-frame\nwait-ui 3\nstate\n"
                                 "window after.png\nquit\n";
 
 /// Ends what hangs, with a status that no test expects.
 constexpr const char* kViewer =
-    "timeout 280 '" CDR_VIEWER_DRIVE "' --validate --script script --size 800x480 --technique standard cubes";
+    "timeout 280 '" CDR_VIEWER_DRIVE "' --validate --script script --size 240x180 --technique standard cubes";
 
 class ViewerFault : public ViewerTest {
   protected:
@@ -58,7 +58,7 @@ TEST_P(ViewerFatal, EndsInOneLine) {
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     for (const std::string& name : files()) {
         EXPECT_EQ(name, "before.png");
-        EXPECT_EQ(picture(name).width, 800u) << "half written";
+        EXPECT_EQ(picture(name).width, 240u) << "half written";
     }
 }
 
@@ -115,8 +115,8 @@ TEST_P(ViewerMended, GoesOn) {
     ASSERT_EQ(states.size(), 1u);
     EXPECT_EQ(valueOf(states[0], "technique"), "anchored,");
     const image::ImageRgba8 after = picture("after.png");
-    EXPECT_EQ(after.width, 700u);
-    EXPECT_EQ(after.height, 500u);
+    EXPECT_EQ(after.width, 200u);
+    EXPECT_EQ(after.height, 150u);
     EXPECT_GT(brightness(after), 15.0);
 }
 
@@ -141,21 +141,21 @@ std::vector<Fault> passing() {
 INSTANTIATE_TEST_SUITE_P(Surface, ViewerMended, testing::ValuesIn(passing()));
 
 TEST_F(ViewerFault, KeepsThePictureWhenMemoryRunsOut) {
-    // What a window of 800x480 needs was had by then; what 3840x2160 needs is not to be had.
+    // What a window of 240x180 needs was had by then; what 1920x1080 needs is not to be had.
     const RunResult run = suffer(
         {.call = "vkAllocateMemory",
          .device = "render",
          .after = 8,
          .times = test::kForever,
          .result = VK_ERROR_OUT_OF_DEVICE_MEMORY},
-        "wait-frame\nstate\npicture before.png\nresize 3840 2160\nwait-state memory\nwait-ui 3\nstate\n"
+        "wait-frame\nstate\npicture before.png\nresize 1920 1080\nwait-state memory\nwait-ui 3\nstate\n"
         "picture still.png\nquit\n");
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), 2u);
     EXPECT_NE(valueOf(states[1], "notice").find("out of memory"), std::string::npos) << states[1];
-    EXPECT_EQ(valueOf(states[1], "size"), "452x480");
+    EXPECT_EQ(valueOf(states[1], "size"), "240x180");
     EXPECT_EQ(picture("still.png"), picture("before.png"));
 }
 

@@ -8,11 +8,11 @@ namespace cdr::viewer_test {
 
 namespace {
 
-/// With room for the panel, which leaves 640 columns to the picture. In its middle a poster hangs over a sign, in one plane.
-const std::string kPosters = "--size 988x1000 coplanar ";
+/// With room for the panel, which leaves 400 columns to the picture. In its middle a poster hangs over a sign, in one plane.
+const std::string kPosters = "--size 748x500 coplanar ";
 const std::string kOpened = "wait-frame\nwait-ui 3\n";
 const std::string kPickPoster =
-    "move 476 485\nwait-ui 2\npress\nrelease\nwait-ui 2\nwait-frame\nclick Camera\nwait-ui 2\n";
+    "move 278 242\nwait-ui 2\npress\nrelease\nwait-ui 2\nwait-frame\nclick Camera\nwait-ui 2\n";
 const std::string kBehindTheWall = "click 8/layer\ntype -1\nkey enter\nwait-ui 2\nwait-frame\n";
 
 class LayersOfTheViewer : public ViewerTest {
@@ -53,7 +53,7 @@ TEST_F(LayersOfTheViewer, SayWhatIsPickedFromThenOn) {
     const RunResult run =
         play(kPosters + "--technique anchored",
              kOpened + kPickPoster + kBehindTheWall +
-                 "move 476 485\nwait-ui 2\npress\nrelease\nwait-ui 2\nwait-frame\nstate\nquit\n");
+                 "move 278 242\nwait-ui 2\npress\nrelease\nwait-ui 2\nwait-frame\nstate\nquit\n");
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), 1u) << run.out;
     EXPECT_EQ(valueOf(states[0], "under").substr(0, 4), "sign") << states[0];

@@ -10,15 +10,15 @@ namespace {
 
 /// The upper of two boxes that an animation has lifted away from where they lie at rest.
 const std::string kMachine =
-    "--size 800x480 --technique anchored --camera 0 --animation work --time 0.75 " CDR_SOURCE_DIR
+    "--size 560x300 --technique anchored --camera 0 --animation work --time 0.75 " CDR_SOURCE_DIR
     "/tests/assets/machine.glb";
-const std::string kPickRider = "wait-frame\nmove 358 215\npress\nrelease\nwait-frame\n";
+const std::string kPickRider = "wait-frame\nmove 188 134\npress\nrelease\nwait-frame\n";
 
 class MovingPartsOfTheViewer : public ViewerTest {};
 
 TEST_F(MovingPartsOfTheViewer, AreFramedWhereTheyAre) {
     const RunResult run =
-        play(kMachine, kPickRider + "key F\nwait-frame\nmove 226 240\nwait-frame\nwait-ui 2\nstate\nquit\n");
+        play(kMachine, kPickRider + "key F\nwait-frame\nmove 106 150\nwait-frame\nwait-ui 2\nstate\nquit\n");
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), 1u);
     EXPECT_EQ(valueOf(states[0], "picked").substr(0, 6), "rider,") << states[0];

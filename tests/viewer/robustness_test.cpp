@@ -29,13 +29,13 @@ glm::dvec2 pixelOf(const scene::Camera& camera, const glm::dvec3& position, doub
 }
 
 TEST_F(ViewerTest, PicksFromThePictureThatWasClickedOn) {
-    std::string script = "wait-frame 3\nmove 226 240\n";
+    std::string script = "wait-frame 3\nmove 106 150\n";
     constexpr int kClicks = 8;
     for (int i = 0; i < kClicks; ++i) {
         // By the third frame from then the click is answered: one was being drawn, one is the click's own.
         script += "press\nrelease\nwait-frame 3\nstate\nkey X\nwait-ui 1\n";
     }
-    const RunResult run = play("--size 800x480 --technique anchored --play afc", script + "quit\n");
+    const RunResult run = play("--size 560x300 --technique anchored --play afc", script + "quit\n");
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), static_cast<std::size_t>(kClicks));
     int hits = 0;
@@ -48,9 +48,9 @@ TEST_F(ViewerTest, PicksFromThePictureThatWasClickedOn) {
         camera.fovY = scene::radiansOf(std::stod(valueOf(state, "fov")));
         camera = scene::lookAlong(camera, vectorOf(valueOf(state, "clicked-from")),
                                   vectorOf(valueOf(state, "clicked-along")));
-        const glm::dvec2 pixel = pixelOf(camera, vectorOf(valueOf(state, "picked-at")), 452.0, 480.0);
-        EXPECT_NEAR(pixel.x, 226.5, 0.51) << state;
-        EXPECT_NEAR(pixel.y, 240.5, 0.51) << state;
+        const glm::dvec2 pixel = pixelOf(camera, vectorOf(valueOf(state, "picked-at")), 212.0, 300.0);
+        EXPECT_NEAR(pixel.x, 106.5, 0.51) << state;
+        EXPECT_NEAR(pixel.y, 150.5, 0.51) << state;
     }
     EXPECT_GE(hits, 2);
     EXPECT_NE(valueOf(states.front(), "clicked-from"), valueOf(states.back(), "clicked-from"));
@@ -59,7 +59,7 @@ TEST_F(ViewerTest, PicksFromThePictureThatWasClickedOn) {
 TEST_F(ViewerTest, OrbitsWhatItLooksAtWhateverTheScale) {
     for (const std::string& scene : {std::string("cubes"), std::string("afc")}) {
         const RunResult run =
-            play("--size 800x480 --technique standard " + scene, "wait-frame\nstate\nkey O\nstate\nquit\n");
+            play("--size 560x300 --technique standard " + scene, "wait-frame\nstate\nkey O\nstate\nquit\n");
         const auto states = run.lines("scene=");
         ASSERT_EQ(states.size(), 2u);
         const double ahead =
@@ -70,7 +70,7 @@ TEST_F(ViewerTest, OrbitsWhatItLooksAtWhateverTheScale) {
 }
 
 TEST_F(ViewerTest, RecordsOneCameraAtRestAndNothingBeforeAScene) {
-    const RunResult run = play("--size 800x480 --technique standard cubes",
+    const RunResult run = play("--size 560x300 --technique standard cubes",
                                "key R\nkey R\nwait-frame\nkey R\nkey R\nwait-ui 1\nstate\nkey P\nwait-frame\n"
                                "wait-state motion=free\nwait-frame\nstate\nkey R\nkey P\nkey R\nwait-ui 20\n"
                                "key R\nwait-ui 1\nstate\nquit\n");
@@ -83,7 +83,7 @@ TEST_F(ViewerTest, RecordsOneCameraAtRestAndNothingBeforeAScene) {
 }
 
 TEST_F(ViewerTest, RecordsAnewWhileItPlays) {
-    const RunResult run = play("--size 800x480 --technique standard cubes",
+    const RunResult run = play("--size 560x300 --technique standard cubes",
                                "wait-frame\nkey R\nhold D\nwait-ui 60\nlet D\nkey R\nkey P\nwait-state "
                                "motion=recording\nkey R\nwait-state motion=free\nwait-ui 5\nkey R\nwait-ui "
                                "2\nstate\nquit\n");
@@ -99,7 +99,7 @@ TEST_F(ViewerTest, SaysThatAFolderCannotBeWritten) {
     // Root may write into any folder but one that is gone.
     fs::create_directory(folder() / "gone");
     const RunResult run =
-        runShell("(cd gone && rmdir ../gone && '" CDR_VIEWER_DRIVE "' --validate --size 800x480 --script " +
+        runShell("(cd gone && rmdir ../gone && '" CDR_VIEWER_DRIVE "' --validate --size 560x300 --script " +
                      (folder() / "script").string() + " cubes)",
                  folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;
@@ -115,7 +115,7 @@ TEST_F(ViewerTest, SaysThatAFolderCannotBeWritten) {
 TEST_F(ViewerTest, OpensTheSceneAmongWhatIsDropped) {
     fs::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", folder() / "shapes.gltf");
     std::ofstream(folder() / "notes.txt") << "no scene";
-    const RunResult run = play("--size 800x480 --technique standard cubes",
+    const RunResult run = play("--size 560x300 --technique standard cubes",
                                "wait-frame\ndrop notes.txt\nwait-ui 2\nwait-frame\nstate\n"
                                "drop-all notes.txt shapes.gltf\nwait-state shown=shapes.gltf\nstate\nquit\n");
     const auto states = run.lines("scene=");

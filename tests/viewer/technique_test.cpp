@@ -11,10 +11,10 @@ namespace {
 constexpr std::array<const char*, 6> kPresets{"standard", "cdr", "log", "logcdr", "reversed", "anchored"};
 
 /// Small, since validation on a software device is slow; with room for the panel beside the picture.
-const std::string kSmall = "--size 800x480 ";
+const std::string kSmall = "--size 560x300 ";
 
 TEST_F(ViewerTest, ShowsWhatTheCommandLineRenders) {
-    const RunResult run = play("cubes --technique logcdr --size 800x480",
+    const RunResult run = play("cubes --technique logcdr --size 560x300",
                                "wait-frame\npicture shown.png\nwindow window.png\ncommand\nquit\n");
     const auto commands = run.lines("cdr render");
     ASSERT_EQ(commands.size(), 1u);
@@ -26,7 +26,7 @@ TEST_F(ViewerTest, ShowsWhatTheCommandLineRenders) {
     EXPECT_EQ(shown, picture("view.png"));
     // In the window the picture stands at the left, its label over it, the panel beside it.
     const image::ImageRgba8 window = picture("window.png");
-    ASSERT_EQ(window.width, 800u);
+    ASSERT_EQ(window.width, 560u);
     ASSERT_LT(shown.width, window.width);
     image::ImageRgba8 left(shown.width, shown.height);
     for (std::uint32_t y = 0; y < left.height; ++y) {
@@ -92,7 +92,7 @@ TEST_F(ViewerTest, CombosChooseMappingSplitAndFormat) {
     choose("technique/split", "fitted");
     choose("technique/format", "d16");
     const RunResult run =
-        play("--size 800x720 --technique standard cubes", script + "picture end.png\nquit\n");
+        play("--size 560x400 --technique standard cubes", script + "picture end.png\nquit\n");
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), mappings.size() + 3);
     EXPECT_NE(states[2].find("log-fragment/none"), std::string::npos) << states[2];
@@ -110,7 +110,7 @@ TEST_F(ViewerTest, TargetsAndThreadsChangeNothingOfThePicture) {
         script +=
             "click targets\nclick targets=" + targets + "\nwait-frame\nstate\npicture " + targets + ".png\n";
     }
-    const RunResult run = play("--size 800x720 --technique cdr cubes --threads 2", script + "quit\n");
+    const RunResult run = play("--size 560x400 --technique cdr cubes --threads 2", script + "quit\n");
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), 3u);
     EXPECT_EQ(valueOf(states[2], "targets"), "layers");

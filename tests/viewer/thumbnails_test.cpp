@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 namespace cdr::viewer_test {
 
 namespace {
@@ -29,13 +31,17 @@ std::uint64_t distance(const image::ImageRgba8& picture, const image::ImageRgba8
     return sum;
 }
 
-/// Thumbnails are in the order of the list, one for each scene. Each scene, drawn again, is most like its own.
+/// Thumbnails are in the order of the list, one for each scene. Each scene, drawn again, is most like its own. The Earth
+/// takes as long to open as all others together, so it is drawn only with CDR_ALL_CASES.
 TEST(Thumbnails, ShowTheScenesBesideWhichTheyStand) {
     const test::TemporaryFolder folder;
     const image::ImageRgba8 sheet = readPicture(CDR_SOURCE_DIR "/src/viewer/panels/scenes.jpg");
     const auto scenes = scenes::generatedScenes();
     ASSERT_EQ(sheet.width / kWidth * (sheet.height / kHeight), scenes.size());
     for (std::uint32_t scene = 0; scene < scenes.size(); ++scene) {
+        if (scenes[scene] == "earth" && std::getenv("CDR_ALL_CASES") == nullptr) {
+            continue;
+        }
         const RunResult run =
             runShell(fmt::format("'" CDR_PROGRAM
                                  "' render {} --technique anchored --colours bright --size {}x{} -o a.png",

@@ -35,11 +35,11 @@ void keepContactSheet(const std::string& name, const std::vector<image::ImageRgb
 }
 
 TEST_F(ViewerTest, DividerFollowsThePointer) {
-    // 800 pixels less the panel's 348 leave 452 for the picture: the divider begins at 226.
-    const RunResult run = play("--size 800x480 --compare standard,anchored cubes",
-                               "wait-frame\nmove 300 400\nwait-ui 2\nstate\nwindow before.png\n"
-                               "move 226 300\npress\nmove 150 300\nmove 113 300\nwait-ui 2\nrelease\n"
-                               "move 300 400\nwait-frame\nwait-ui 2\nstate\nwindow after.png\nquit\n");
+    // 560 pixels less the panel's 348 leave 212 for the picture: the divider begins at 106.
+    const RunResult run = play("--size 560x300 --compare standard,anchored cubes",
+                               "wait-frame\nmove 150 250\nwait-ui 2\nstate\nwindow before.png\n"
+                               "move 106 150\npress\nmove 70 150\nmove 53 150\nwait-ui 2\nrelease\n"
+                               "move 150 250\nwait-frame\nwait-ui 2\nstate\nwindow after.png\nquit\n");
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), 2u);
     EXPECT_EQ(valueOf(states[0], "divider"), "0.5000");
@@ -48,33 +48,33 @@ TEST_F(ViewerTest, DividerFollowsThePointer) {
     const image::ImageRgba8 before = picture("before.png");
     const image::ImageRgba8 after = picture("after.png");
     // Between the two places of the divider the technique changed, and nothing else did but the labels.
-    EXPECT_GT(difference(before, after, 130, 210), 0.05);
+    EXPECT_GT(difference(before, after, 58, 101), 0.05);
     keepContactSheet("divider.png", {before, after});
 }
 
 TEST_F(ViewerTest, FollowsItsSize) {
     const RunResult run = play(
-        "--size 800x480 cubes",
+        "--size 560x300 cubes",
         "wait-frame\nstate\nresize 1 1\nwait-state size=1x1\nwait-frame\nwait-ui 3\nwindow one.png\nstate\n"
-        "resize 500 400\nwait-state size=500x400\nwait-frame\nwait-ui 3\nwindow small.png\n"
-        "resize 2560 1440\nwait-state size=2212x1440\nwait-frame\nwait-ui 3\n"
-        "window large.png\nstate\nresize 800 480\nwait-state size=452x480\nwait-frame\n"
+        "resize 500 200\nwait-state size=500x200\nwait-frame\nwait-ui 3\nwindow small.png\n"
+        "resize 1280 720\nwait-state size=932x720\nwait-frame\nwait-ui 3\n"
+        "window large.png\nstate\nresize 560 300\nwait-state size=212x300\nwait-frame\n"
         "wait-ui 3\nwindow back.png\nquit\n");
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), 3u);
-    EXPECT_EQ(valueOf(states[0], "size"), "452x480");
+    EXPECT_EQ(valueOf(states[0], "size"), "212x300");
     EXPECT_EQ(picture("one.png").width, 1u);
     EXPECT_EQ(picture("small.png").width, 500u);
     const image::ImageRgba8 large = picture("large.png");
-    EXPECT_EQ(large.width, 2560u);
-    EXPECT_EQ(large.height, 1440u);
+    EXPECT_EQ(large.width, 1280u);
+    EXPECT_EQ(large.height, 720u);
     EXPECT_GT(brightness(large), 15.0);
     EXPECT_GT(brightness(picture("back.png")), 15.0);
 }
 
 TEST_F(ViewerTest, ComesBackFromBeingMinimised) {
     const RunResult run =
-        play("--size 800x480 --technique standard cubes",
+        play("--size 560x300 --technique standard cubes",
              "wait-frame\nwait-ui 3\nwindow before.png\nminimise\nkey 6\nrestore\nwait-frame\nwait-ui 3\n"
              "wait-state technique=anchored\nwait-frame\nwait-ui 3\nwindow after.png\nquit\n");
     EXPECT_EQ(run.status, 0);
@@ -85,7 +85,7 @@ TEST_F(ViewerTest, ComesBackFromBeingMinimised) {
 TEST_F(ViewerTest, OpensWhatIsDropped) {
     fs::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", folder() / "Shapes.GLTF");
     std::ofstream(folder() / "broken.gltf") << "{ not a scene";
-    const RunResult run = play("--size 800x480 --technique standard cubes",
+    const RunResult run = play("--size 560x300 --technique standard cubes",
                                "wait-frame\npicture cubes.png\ndrop Shapes.GLTF\nwait-frame\nstate\n"
                                "picture shapes.png\ndrop broken.gltf\nwait-frame\nwait-ui 2\nstate\n"
                                "picture still.png\nwindow message.png\nquit\n");
@@ -101,8 +101,8 @@ TEST_F(ViewerTest, OpensWhatIsDropped) {
 
 TEST_F(ViewerTest, WheelAndKeysMoveTheCamera) {
     const RunResult run = play(
-        "--size 800x480 --technique standard cubes",
-        "wait-frame\nstate\npicture a.png\nmove 200 200\nhold alt\nscroll 5\nlet alt\nwait-frame\nstate\n"
+        "--size 560x300 --technique standard cubes",
+        "wait-frame\nstate\npicture a.png\nmove 100 150\nhold alt\nscroll 5\nlet alt\nwait-frame\nstate\n"
         "picture b.png\nhold W\nwait-ui 20\nlet W\nwait-frame\nstate\npicture c.png\n"
         "key home\nwait-frame\nstate\npicture d.png\nquit\n");
     const auto states = run.lines("scene=");
@@ -118,9 +118,9 @@ TEST_F(ViewerTest, WheelAndKeysMoveTheCamera) {
 
 TEST_F(ViewerTest, PicksAndMeasures) {
     const RunResult run =
-        play("--size 800x480 --technique anchored cubes",
-             "wait-frame\nmove 226 240\npress\nrelease\nwait-frame\nstate\n"
-             "move 120 130\npress\nrelease\nwait-frame\nwait-ui 2\nstate\nwindow w.png\nquit\n");
+        play("--size 560x300 --technique anchored cubes",
+             "wait-frame\nmove 106 150\npress\nrelease\nwait-frame\nstate\n"
+             "move 40 81\npress\nrelease\nwait-frame\nwait-ui 2\nstate\nwindow w.png\nquit\n");
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), 2u);
     EXPECT_NE(valueOf(states[0], "picked"), "") << states[0];
@@ -131,7 +131,7 @@ TEST_F(ViewerTest, PicksAndMeasures) {
 }
 
 TEST_F(ViewerTest, RecordsAPathAndPlaysIt) {
-    const RunResult run = play("--size 800x480 --technique standard cubes",
+    const RunResult run = play("--size 560x300 --technique standard cubes",
                                "wait-frame\nkey R\nhold D\nwait-ui 20\nlet D\nwait-frame\nkey R\nstate\n"
                                "key home\nwait-frame\nstate\nkey P\nwait-state motion=recording\n"
                                "wait-state motion=free\nwait-frame\nstate\nquit\n");
@@ -143,7 +143,7 @@ TEST_F(ViewerTest, RecordsAPathAndPlaysIt) {
 }
 
 TEST_F(ViewerTest, KeysReachThePanelsAndComeBack) {
-    const RunResult run = play("--size 1280x720 --compare standard,anchored cubes",
+    const RunResult run = play("--size 560x300 --compare standard,anchored cubes",
                                "wait-frame\nkey F4\nwait-ui 3\nwhere targets\nkey F2\nwait-ui 3\nstate\n"
                                "key down\nkey space\nwait-ui 3\nwait-frame\nstate\n"
                                "key escape\nkey V\nhold D\nwait-ui 4\nlet D\nwait-frame\nstate\nquit\n");
@@ -158,32 +158,32 @@ TEST_F(ViewerTest, KeysReachThePanelsAndComeBack) {
 }
 
 TEST_F(ViewerTest, ShowsPicturesOfScenesToChooseFrom) {
-    const RunResult run = play("--size 1280x720 --technique standard cubes",
+    const RunResult run = play("--size 800x600 --technique standard cubes",
                                "wait-frame\nwait-ui 3\nwindow closed.png\nclick scene\nwait-ui 3\nwindow "
-                               "open.png\nclick scene=orbit\nwait-frame\nstate\nquit\n");
-    EXPECT_EQ(valueOf(run.lines("scene=").at(0), "shown"), "orbit");
+                               "open.png\nclick scene=rotation\nwait-frame\nstate\nquit\n");
+    EXPECT_EQ(valueOf(run.lines("scene=").at(0), "shown"), "rotation");
     // Names alone would bring no more than shades of grey.
     EXPECT_GT(colors(picture("open.png")), colors(picture("closed.png")) + 3000);
     keepContactSheet("scenes.png", {picture("closed.png"), picture("open.png")});
 }
 
 TEST_F(ViewerTest, RecordsBothSidesAsAVideo) {
-    const RunResult run = play("--size 801x480 --compare standard,anchored cubes",
-                               "wait-frame\nkey F11\nwait-ui 10\nhold D\nwait-ui 110\nlet D\nkey F11\n"
+    const RunResult run = play("--size 561x300 --compare standard,anchored cubes",
+                               "wait-frame\nkey F11\nwait-ui 10\nhold D\nwait-ui 30\nlet D\nkey F11\n"
                                "wait-ui 2\nstate\nquit\n");
     const std::string notice = valueOf(run.lines("scene=").at(0), "notice");
     if (notice.find("ffmpeg") != std::string::npos) {
         GTEST_SKIP() << notice;
     }
-    // 122 frames of the interface, each a sixtieth of a second.
-    EXPECT_NE(notice.find("cdr-video-0001.mp4 holds 6"), std::string::npos) << notice;
+    // 42 frames of the interface, each a sixtieth of a second.
+    EXPECT_NE(notice.find("cdr-video-0001.mp4 holds 2"), std::string::npos) << notice;
     const RunResult frame = runShell("ffmpeg -loglevel error -i cdr-video-0001.mp4 -frames:v 1 first.png && "
-                                     "ffmpeg -loglevel error -i first.png -vf crop=452:480:0:0 left.png && "
-                                     "ffmpeg -loglevel error -i first.png -vf crop=452:480:452:0 right.png",
+                                     "ffmpeg -loglevel error -i first.png -vf crop=212:300:0:0 left.png && "
+                                     "ffmpeg -loglevel error -i first.png -vf crop=212:300:212:0 right.png",
                                      folder(), environment());
     ASSERT_EQ(frame.status, 0) << frame.err;
-    EXPECT_EQ(picture("first.png").width, 2 * 452u) << "two pictures of 453, the odd column left out";
-    EXPECT_EQ(picture("first.png").height, 480u);
+    EXPECT_EQ(picture("first.png").width, 2 * 212u) << "two pictures of 213, the odd column left out";
+    EXPECT_EQ(picture("first.png").height, 300u);
     // One picture twice would differ by what the codec does to it alone.
     EXPECT_GT(brightness(image::differencePicture(picture("left.png"), picture("right.png"), 1)), 6.0);
 }
@@ -219,7 +219,7 @@ TEST_F(ViewerTest, EveryTabDraws) {
     }
     script += "key F1\nwait-ui 3\nwindow help.png\nstate\nkey F1\nkey tab\nwait-frame\nwait-ui 3\nwindow "
               "plain.png\nquit\n";
-    const RunResult run = play("--size 1280x720 --compare standard,anchored --threads 2 cubes", script);
+    const RunResult run = play("--size 1000x720 --compare standard,anchored --threads 2 cubes", script);
     ASSERT_EQ(run.lines("scene=").size(), 1u);
     EXPECT_EQ(valueOf(run.lines("scene=")[0], "hidden-help"), "0") << "the help needs scrolling";
     names.insert(names.end(), {"help.png", "plain.png"});
@@ -256,14 +256,14 @@ TEST_F(ViewerTest, QuitsAfterSoManyFramesThoughNothingMoves) {
 }
 
 TEST_F(ViewerTest, SurvivesRandomInput) {
-    // A 360th of half an hour; the same options with --soak 1800 are the long one.
-    const RunResult run = runShell("'" CDR_VIEWER_DRIVE "' --validate --size 240x180 --soak 5 --seed 7 cubes",
+    // A 900th of half an hour; the same options with --soak 1800 are the long one.
+    const RunResult run = runShell("'" CDR_VIEWER_DRIVE "' --validate --size 240x180 --soak 2 --seed 7 cubes",
                                    folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
     const auto lines = run.lines("soak: ");
     ASSERT_EQ(lines.size(), 1u) << run.out;
-    EXPECT_NE(lines[0].find("300 steps"), std::string::npos) << lines[0];
+    EXPECT_NE(lines[0].find("soak: 120 steps, "), std::string::npos) << lines[0];
 }
 
 TEST_F(ViewerTest, SaysWhatIsWrongInOneLine) {
@@ -312,13 +312,13 @@ TEST_F(ViewerTest, ListensToTheXServer) {
         << "set -e\n"
            "window=$('" CDR_XDOTOOL "' search --sync --onlyvisible --name cdr-viewer)\n"
            "while [ ! -s run.out ]; do read -t 0.1 <> <(:) || true; done\n"
-           "'" CDR_XDOTOOL "' windowfocus --sync $window mousemove --window $window 200 200\n"
+           "'" CDR_XDOTOOL "' windowfocus --sync $window mousemove --window $window 100 150\n"
            "'" CDR_XDOTOOL "' key 6 keydown alt click 4 click 4 keyup alt\n"
            "while [ ! -s after.png ]; do read -t 0.1 <> <(:) || true; done\n"
            "'" CDR_XDOTOOL "' key ctrl+q\n";
     const RunResult run = runShell(
         "(timeout 280 bash hands & '" CDR_VIEWER_DRIVE
-        "' --validate --size 800x480 --technique standard --script script cubes; status=$?; wait; exit $status)",
+        "' --validate --size 560x300 --technique standard --script script cubes; status=$?; wait; exit $status)",
         folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;
     const auto states = run.lines("scene=");
