@@ -17,7 +17,7 @@ using nlohmann::json;
 TEST(DetailCommand, ComparesEveryModeWithNone) {
     const TemporaryFolder folder;
     const ProgramResult result = runProgram(
-        "--validate detail boulders --frames 2 --size 160x90 --threads 2 --out pictures --json d.json",
+        "--validate detail boulders --frames 1 --size 96x54 --threads 2 --out pictures --json d.json",
         folder.path());
     ASSERT_EQ(result.status, 0) << result.err;
     const json document = json::parse(readText(folder.path() / "d.json"));
@@ -33,7 +33,7 @@ TEST(DetailCommand, ComparesEveryModeWithNone) {
         EXPECT_GT(row.at("execute_ms").get<double>(), 0.0);
         EXPECT_LE(row.at("ci95").at(0).get<double>(), row.at("execute_speedup").get<double>());
         EXPECT_GE(row.at("ci95").at(1).get<double>(), row.at("execute_speedup").get<double>());
-        EXPECT_EQ(row.at("pixels"), 2 * 160 * 90);
+        EXPECT_EQ(row.at("pixels"), 96 * 54);
         EXPECT_EQ(row.at("flip").get<double>() == 0.0, isWhole);
         EXPECT_EQ(row.at("triangles").get<double>() > 3e6, isWhole);
         if (modes.back() != "cascade") {
@@ -52,11 +52,11 @@ TEST(DetailCommand, RenderTakesADetailHoweverSubmitted) {
     const TemporaryFolder folder;
     std::set<std::string> hashes;
     for (const char* how : {"none", "object --submission gpu-driven", "object:0.5 --threads 3"}) {
-        const ProgramResult result =
-            runProgram(std::string("--validate render boulders --size 96x54 --split count:3 --json r.json "
-                                   "--detail ") +
-                           how,
-                       folder.path());
+        const ProgramResult result = runProgram(std::string("--validate render " CDR_SOURCE_DIR
+                                                            "/tests/golden/spheres.gltf --size 96x54 "
+                                                            "--split count:3 --json r.json --detail ") +
+                                                    how,
+                                                folder.path());
         ASSERT_EQ(result.status, 0) << how << ": " << result.err;
         const json row = json::parse(readText(folder.path() / "r.json")).at("results").at(0);
         EXPECT_EQ(row.at("detail"), std::string(how) == "none" ? "none" : "object:0.5");
@@ -69,9 +69,11 @@ TEST(DetailCommand, RenderTakesClusters) {
     const TemporaryFolder folder;
     std::set<std::string> hashes;
     for (const char* how : {"cluster", "cluster:0.5 --threads 3 --targets layers", "none"}) {
-        const ProgramResult result =
-            runProgram(std::string("--validate render boulders --size 96x54 --json r.json --detail ") + how,
-                       folder.path());
+        const ProgramResult result = runProgram(std::string("--validate render " CDR_SOURCE_DIR
+                                                            "/tests/golden/spheres.gltf --size 96x54 "
+                                                            "--json r.json --detail ") +
+                                                    how,
+                                                folder.path());
         ASSERT_EQ(result.status, 0) << how << ": " << result.err;
         const json row = json::parse(readText(folder.path() / "r.json")).at("results").at(0);
         EXPECT_EQ(row.at("detail"), std::string(how) == "none" ? "none" : "cluster:0.5");

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <ostream>
 #include <random>
 #include <string>
@@ -13,11 +12,6 @@
 namespace cdr::cli_test {
 
 namespace {
-
-/// Whether CDR_ALL_CASES asks for all cases instead of some.
-bool takesAll() {
-    return std::getenv("CDR_ALL_CASES") != nullptr;
-}
 
 /// Files that can be read, and hidden ones only where they may stay.
 void expectWholeFiles(const TemporaryFolder& folder, bool mayHide = false) {
@@ -61,7 +55,7 @@ TEST_P(FileFaults, EveryWriteMayFail) {
     constexpr long kMostCalls = 2000;
     std::size_t cases = 0;
     for (const int error : {ENOSPC, EACCES, EIO, ENOENT}) {
-        const long stride = takesAll() ? 1 : 3;
+        const long stride = takesAllCases() ? 1 : 5;
         for (long after = error % stride; after < kMostCalls; after += stride) {
             const TemporaryFolder folder;
             const ProgramResult result = run(after, error, folder);
@@ -107,7 +101,7 @@ TEST(Signals, ARunThatIsInterruptedEndsAsOneThatIsNot) {
     const nlohmann::json wanted = nlohmann::json::parse(readText(whole.path() / "f.json")).at("results");
     std::mt19937 random(17);
     std::uniform_real_distribution<> seconds(0.02, 0.4);
-    const int runs = takesAll() ? 200 : 6;
+    const int runs = takesAllCases() ? 200 : 3;
     const char* const signals[]{"INT", "TERM", "KILL"};
     int interrupted = 0;
     for (int i = 0; i < runs; ++i) {
@@ -132,7 +126,7 @@ TEST(Signals, ARunThatIsInterruptedEndsAsOneThatIsNot) {
 TEST(Signals, PicturesOfARunThatIsInterruptedAreWhole) {
     std::mt19937 random(18);
     std::uniform_real_distribution<> seconds(0.05, 0.6);
-    const int runs = takesAll() ? 200 : 6;
+    const int runs = takesAllCases() ? 200 : 3;
     const char* const signals[]{"INT", "TERM", "KILL"};
     for (int i = 0; i < runs; ++i) {
         const TemporaryFolder folder;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <ostream>
 #include <set>
 #include <sstream>
@@ -227,7 +226,7 @@ class NumericOptions : public testing::TestWithParam<Numbers> {};
 /// Each run gives an answer, or prints one line, ends with status 2 and writes nothing. It has more time than it needs.
 TEST_P(NumericOptions, EveryNumberIsTakenOrRefused) {
     // All take half an hour; every suite runs others of them only when the list changes.
-    const std::size_t stride = std::getenv("CDR_ALL_CASES") != nullptr ? 1 : 37;
+    const std::size_t stride = takesAllCases() ? 1 : 37;
     std::size_t number = 0;
     for (const char* option : GetParam().options) {
         for (const char* value : kNumbers) {
@@ -251,7 +250,7 @@ TEST_P(NumericOptions, EveryNumberIsTakenOrRefused) {
 /// Also where the option would not matter.
 TEST_P(NumericOptions, WhatIsNoFiniteNumberIsRefused) {
     constexpr std::array kNoNumbers{"nan", "-nan", "inf", "-inf", "1e400", "-1e400", "1e", "x", ""};
-    const std::size_t stride = std::getenv("CDR_ALL_CASES") != nullptr ? 1 : 13;
+    const std::size_t stride = takesAllCases() ? 1 : 13;
     std::size_t number = 0;
     for (const char* option : GetParam().options) {
         for (const char* value : kNoNumbers) {

@@ -63,6 +63,10 @@ ProgramResult runProgram(const std::string& arguments, const fs::path& folder,
     return result;
 }
 
+bool takesAllCases() {
+    return std::getenv("CDR_ALL_CASES") != nullptr;
+}
+
 std::vector<std::string> commandNames() {
     const TemporaryFolder folder;
     const ProgramResult result = runProgram("completions fish", folder.path());

@@ -23,6 +23,9 @@ struct ProgramResult {
 ProgramResult runProgram(const std::string& arguments, const std::filesystem::path& folder,
                          const std::string& environment = "");
 
+/// Whether CDR_ALL_CASES asks for all cases instead of some.
+bool takesAllCases();
+
 /// The commands that bare `cdr` lists.
 std::vector<std::string> commandNames();
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <functional>
 #include <map>
 #include <random>
@@ -167,13 +166,12 @@ class KilledAgainAndAgain : public RankKills {
         EXPECT_EQ(readText(at("all.json")), readText(whole.path() / "all.json"));
     }
 
-    static bool takesAll() { return std::getenv("CDR_ALL_CASES") != nullptr; }
-    static int kills() { return takesAll() ? 50 : 6; }
+    static int kills() { return takesAllCases() ? 50 : 3; }
 };
 
 TEST_F(KilledAgainAndAgain, AFlickerRunThatIsKilledEndsAsOneThatIsNot) {
     const std::string arguments =
-        "flicker --frames " + std::string(takesAll() ? "900" : "150") +
+        "flicker --frames " + std::string(takesAllCases() ? "900" : "100") +
         " --size 96x54 --near-object --techniques anchored --fitted-range --format d16 "
         "--flip-every 4 --json all.json --state state";
     const TemporaryFolder whole;
@@ -201,7 +199,7 @@ std::size_t keptIn(const fs::path& state) {
 
 /// As all commands do whose units the ranks keep by one mechanism.
 TEST_F(KilledAgainAndAgain, ACoplanarRunThatIsKilledEndsAsOneThatIsNot) {
-    const std::size_t views = takesAll() ? 1500 : 200;
+    const std::size_t views = takesAllCases() ? 1500 : 100;
     const std::string arguments = "coplanar --frames " + std::to_string(views) +
                                   " --search-views 1 --size 48x27 --techniques anchored --out out "
                                   "--json all.json --state state";
@@ -270,7 +268,7 @@ class KilledRender : public KilledAgainAndAgain {
 
 /// A fitted split keeps to the frames before, those that are kept among them, and 16 bits of depth show where it cut.
 TEST_F(KilledRender, AKilledRenderGoesOnWithItsFrames) {
-    const std::string frames = takesAll() ? "900" : "200";
+    const std::string frames = takesAllCases() ? "900" : "100";
     expectGoesOn(
         "render afc-near --depth standard --split fitted:1,max=2 --format d16 --size 96x54 --frames " +
             frames + " -o f%03d.png --json all.json --state state",
@@ -278,10 +276,10 @@ TEST_F(KilledRender, AKilledRenderGoesOnWithItsFrames) {
 }
 
 TEST_F(KilledRender, AKilledRenderGoesOnWithItsCascades) {
-    const std::string frames = takesAll() ? "400" : "100";
+    const std::string frames = takesAllCases() ? "400" : "100";
     expectGoesOn("render afc-near --technique cdr --ranks cascades --size 96x54 --frames " + frames +
                      " -o f%03d.png --json all.json --state state",
-                 std::stoul(frames), takesAll() ? 20 : 3);
+                 std::stoul(frames), takesAllCases() ? 20 : 3);
 }
 
 } // namespace
