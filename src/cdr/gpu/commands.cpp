@@ -5,6 +5,18 @@
 
 namespace cdr::gpu {
 
+namespace {
+
+/// What was waited for in vain may still be in work, and who waited is about to destroy what it uses.
+void waitBeforeThrowing(const Device& device) {
+    try {
+        vk::Queue(device.queue()).waitIdle();
+    } catch (const vk::Error&) { // the first failure is told
+    }
+}
+
+} // namespace
+
 CommandPool::CommandPool(const Device& device, vk::CommandBufferLevel level, const std::string& name)
     : m_device(device.handle()),
       m_level(level),
@@ -50,18 +62,29 @@ void waitForQueue(const Device& device) {
 }
 
 void waitAndReset(const Device& device, vk::Fence done) {
-    const vk::Result result =
-        vk::Device(device.handle()).waitForFences(done, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
-    vk::resultCheck(result, "vkWaitForFences");
+    try {
+        const vk::Result result =
+            vk::Device(device.handle())
+                .waitForFences(done, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
+        vk::resultCheck(result, "vkWaitForFences");
+    } catch (const vk::Error&) {
+        waitBeforeThrowing(device);
+        throw;
+    }
     vk::Device(device.handle()).resetFences(done);
 }
 
 void waitForTimeline(const Device& device, vk::Semaphore timeline, std::uint64_t value) {
-    const vk::Result result =
-        vk::Device(device.handle())
-            .waitSemaphores({.semaphoreCount = 1, .pSemaphores = &timeline, .pValues = &value},
-                            std::numeric_limits<std::uint64_t>::max());
-    vk::resultCheck(result, "vkWaitSemaphores");
+    try {
+        const vk::Result result =
+            vk::Device(device.handle())
+                .waitSemaphores({.semaphoreCount = 1, .pSemaphores = &timeline, .pValues = &value},
+                                std::numeric_limits<std::uint64_t>::max());
+        vk::resultCheck(result, "vkWaitSemaphores");
+    } catch (const vk::Error&) {
+        waitBeforeThrowing(device);
+        throw;
+    }
 }
 
 void runOnce(const Device& device, const std::function<void(vk::CommandBuffer)>& record) {
