@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -15,6 +17,9 @@ namespace cdr::cli_test {
 namespace {
 
 using test::Fault;
+
+constexpr std::array<long, 3> kErrors{VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_OF_DEVICE_MEMORY,
+                                      VK_ERROR_DEVICE_LOST};
 
 /// A command at its smallest.
 struct Swept {
@@ -57,21 +62,16 @@ void expectWhole(const TemporaryFolder& folder) {
     }
 }
 
-/// Which calls to fail: a few, spread over all, or with CDR_ALL_CASES each.
-std::vector<long> chosenOf(long calls, std::size_t salt) {
-    constexpr long kChosen = 2;
-    std::vector<long> chosen;
+/// Which calls to fail: one, in another part of the run for each error and at another call for each command. With
+/// CDR_ALL_CASES each.
+std::vector<long> chosenOf(long calls, std::size_t error, std::size_t salt) {
     if (takesAllCases()) {
-        for (long i = 0; i < calls; ++i) {
-            chosen.push_back(i);
-        }
-        return chosen;
+        std::vector<long> all(static_cast<std::size_t>(calls));
+        std::iota(all.begin(), all.end(), 0L);
+        return all;
     }
-    for (long i = 0; i < kChosen; ++i) {
-        const long place = (calls * i + static_cast<long>(salt) * 7 % calls) / kChosen;
-        chosen.push_back(std::min(place, calls - 1));
-    }
-    return chosen;
+    const long middle = calls * (2 * static_cast<long>(error) + 1) / (2 * static_cast<long>(kErrors.size()));
+    return {(middle + static_cast<long>(salt)) % calls};
 }
 
 /// Any one call fails once. Then the program prints one line and ends with status 1, or all is as without the failure. Files
@@ -81,14 +81,14 @@ TEST_P(FaultSweep, EveryCallMayFail) {
         GTEST_SKIP() << "the device cannot draw gpu-driven";
     }
     std::size_t cases = 0;
-    for (const long error :
-         {VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_OF_DEVICE_MEMORY, VK_ERROR_DEVICE_LOST}) {
+    for (std::size_t kind = 0; kind < kErrors.size(); ++kind) {
+        const long error = kErrors.at(kind);
         Fault fault{.call = "each", .after = test::kForever, .result = error};
         const TemporaryFolder whole;
         const Run sound = runUnder(fault, whole);
         ASSERT_EQ(sound.result.status, 0) << sound.result.err;
         ASSERT_GT(sound.calls, 0);
-        for (const long after : chosenOf(sound.calls, cases)) {
+        for (const long after : chosenOf(sound.calls, kind, std::string(GetParam().command).size())) {
             fault.after = after;
             const TemporaryFolder folder;
             const Run run = runUnder(fault, folder);
