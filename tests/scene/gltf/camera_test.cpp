@@ -83,7 +83,8 @@ TEST_F(GltfFolder, CamerasThatANodeFlattensAreSaid) {
     document.root["nodes"][2]["scale"] = {1, 0, 1};
     const GltfImport result = load(document);
     EXPECT_EQ(result.cameras.size(), 1u);
-    EXPECT_TRUE(anySays(result.ignored, "node 2: a camera is not used, its transform is not invertible"));
+    EXPECT_TRUE(
+        anySays(result.ignored, "node 2: a camera is not used, because its transform is not invertible"));
 }
 
 TEST_F(GltfFolder, UnsoundCamerasAreRefused) {

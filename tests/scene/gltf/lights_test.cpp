@@ -105,7 +105,8 @@ TEST_F(GltfLights, WhatIsNotUsedIsNoted) {
     EXPECT_TRUE(anySays(import.ignored, "the range of a directional light means nothing"));
     document = lit();
     document.root["nodes"][2]["scale"] = {1, 1, 0};
-    EXPECT_TRUE(anySays(load(document).ignored, "a light is not used, its transform is not invertible"));
+    EXPECT_TRUE(
+        anySays(load(document).ignored, "a light is not used, because its transform is not invertible"));
 }
 
 TEST_F(GltfLights, UnsoundOnesAreRefused) {

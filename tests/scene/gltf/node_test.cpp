@@ -92,7 +92,7 @@ TEST_F(Gltf, FlatteningTransformsAreNotDrawnButKeepTheirObject) {
         const GltfImport result = load(document);
         EXPECT_EQ(result.scene.instances.object, (std::vector<std::uint32_t>{1})) << scale;
         EXPECT_EQ(result.scene.objectNames.size(), 2u);
-        EXPECT_TRUE(anySays(result.ignored, "node 0: not drawn, its transform is not invertible"));
+        EXPECT_TRUE(anySays(result.ignored, "node 0: not drawn, because its transform is not invertible"));
     }
     // Small and very unequal scales are not flat.
     for (const json& scale : {json{1e-9, 1e-9, 1e-9}, json{1e-6, 1, 1e6}}) {

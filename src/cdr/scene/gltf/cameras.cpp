@@ -79,7 +79,7 @@ std::vector<GltfCamera> placeCameras(std::span<const CameraNode> nodes, const Do
                                      .nearView = lens.nearView,
                                      .farView = lens.farView.value_or(kGltfFarRatio * lens.nearView)});
         if (!camera) {
-            notes.add("a camera is not used, its transform is not invertible",
+            notes.add("a camera is not used, because its transform is not invertible",
                       fmt::format("node {}", node.node));
             continue;
         }

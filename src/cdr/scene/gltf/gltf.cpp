@@ -255,7 +255,8 @@ void Importer::addRigid(const MeshNode& node, std::size_t index, std::uint32_t o
     const glm::dmat3 linear(node.toWorld);
     const bool flat = isFlat(linear, glm::mat3(linear));
     if (flat && !m_moving->moves(node)) {
-        m_sources.notes.add("not drawn, its transform is not invertible", fmt::format("node {}", node.node));
+        m_sources.notes.add("not drawn, because its transform is not invertible",
+                            fmt::format("node {}", node.node));
         return;
     }
     const std::optional<PlacedPrimitive>& primitive = use(node.mesh, index);

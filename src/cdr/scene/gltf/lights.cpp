@@ -143,7 +143,7 @@ std::vector<GltfLight> placeLights(std::span<const LightNode> nodes, const json&
         std::optional<GltfLight> light = carriedBy(
             node.toWorld, readLight(itemAt(*extension, "lights", node.light, "light"), where, notes));
         if (!light) {
-            notes.add("a light is not used, its transform is not invertible",
+            notes.add("a light is not used, because its transform is not invertible",
                       fmt::format("node {}", node.node));
             continue;
         }
