@@ -117,6 +117,7 @@ void Command::keepUnits(const std::filesystem::path& state, const std::string& m
 
 scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_t seed,
                                      const scene::GltfChoice& choice) {
+    std::string source = nameOrPath;
     if (scene::isGltfPath(nameOrPath)) {
         reads(nameOrPath);
     } else if (scenes::readsEarth(nameOrPath)) {
@@ -124,6 +125,7 @@ scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_
         readsEarth(files.folder);
         if (!files.model.empty()) {
             reads(files.model);
+            source = files.model.string();
         }
     }
     scene::GltfChoice bounded = choice;
@@ -134,17 +136,18 @@ scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_
             ? scene::openGltf(nameOrPath, bounded, progressOf("parts of " + nameOrPath))
             : scenes::openScene(nameOrPath, seed, bounded);
     m_console.endProgress();
-    note(opened.notes);
+    note(source, opened.notes);
     return std::move(opened.setup);
 }
 
-void Command::note(const std::vector<std::string>& ignored) {
+void Command::note(const std::string& source, const std::vector<std::string>& ignored) {
     if (!m_notes) {
         m_notes.emplace();
     }
     for (const std::string& line : ignored) {
-        m_console.warning("ignored: " + line);
+        m_console.warning(fmt::format("{}: ignored: {}", source, line));
         m_notes->push_back(line);
+        m_notedFiles.push_back(source);
     }
 }
 
@@ -185,6 +188,7 @@ void Command::writeDocument(nlohmann::ordered_json document) const {
     if (m_output.json && ranks().isFirst()) {
         if (m_notes) {
             document["notes"] = *m_notes;
+            document["noted_files"] = m_notedFiles;
         }
         host::writeDocument(*m_output.json, document);
     }

@@ -66,9 +66,10 @@ class Command {
     scene::SceneSetup openScene(const std::string& nameOrPath, std::uint64_t seed,
                                 const scene::GltfChoice& choice = {});
 
-    /// Says what of a file is not drawn: in a line each, on standard error where the command is quiet, and in
-    /// JSON as "notes". A command that opens a scene calls it, if only with no lines.
-    void note(const std::vector<std::string>& ignored);
+    /// Says what of a file is not drawn: in a line each, on standard error where the command is quiet. JSON has the lines as
+    /// "notes" and their files as "noted_files". A command that opens a scene calls it, if only with no lines.
+    /// @param source the file.
+    void note(const std::string& source, const std::vector<std::string>& ignored);
 
     /// The device that the global options name; the first call opens it.
     const OpenedDevice& opened();
@@ -98,6 +99,7 @@ class Command {
     std::vector<std::filesystem::path> m_read;
     std::filesystem::path m_earth; ///< folder of the Earth's pictures; empty where it is not shown
     std::optional<std::vector<std::string>> m_notes; ///< none where no scene was opened
+    std::vector<std::string> m_notedFiles;           ///< of each note
     std::string m_device;                            ///< of this rank, as gpu::Device takes it
     std::optional<OpenedDevice> m_opened;
     std::optional<experiments::KeptRanks> m_kept;

@@ -117,10 +117,12 @@ TEST_P(NotesTest, AreSaidEverywhere) {
     const std::string arguments = std::string(GetParam()) + " --size 32x18 --json r.json";
     const ProgramResult loud = runProgram(arguments, folder.path());
     ASSERT_EQ(loud.status, 0) << loud.err;
-    EXPECT_NE(loud.out.find("ignored: KHR_nobody_has_this: extension not used"), std::string::npos)
+    EXPECT_NE(loud.out.find("m.gltf: ignored: KHR_nobody_has_this: extension not used"), std::string::npos)
         << loud.out;
-    const json notes = json::parse(readText(folder.path() / "r.json")).at("notes");
+    const json document = json::parse(readText(folder.path() / "r.json"));
+    const json& notes = document.at("notes");
     EXPECT_NE(std::find(notes.begin(), notes.end(), "KHR_nobody_has_this: extension not used"), notes.end());
+    EXPECT_EQ(document.at("noted_files"), json(std::vector<std::string>(notes.size(), "m.gltf")));
     const ProgramResult quiet = runProgram("--quiet " + arguments, folder.path());
     EXPECT_EQ(quiet.out, "");
     EXPECT_NE(quiet.err.find("ignored: KHR_nobody_has_this: extension not used"), std::string::npos)
@@ -133,11 +135,37 @@ INSTANTIATE_TEST_SUITE_P(Commands, NotesTest,
                                          "detail m.gltf --frames 1", "effects m.gltf --frames 1",
                                          "focus m.gltf --frames 1 --cameras 1"));
 
+/// Of several files, each note says its own.
+TEST(Notes, SayWhichFileTheyAreAbout) {
+    const TemporaryFolder folder;
+    for (const char* name : {"first.gltf", "second.gltf"}) {
+        writeNotedModel(folder.path() / name);
+    }
+    fs::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", folder.path() / "whole.gltf");
+    for (const char* arguments :
+         {"models first.gltf whole.gltf second.gltf",
+          "pictures --scenes first.gltf,whole.gltf,second.gltf --frames 1 --techniques log"}) {
+        const ProgramResult result =
+            runProgram(arguments + std::string(" --size 16x16 --json r.json"), folder.path());
+        ASSERT_EQ(result.status, 0) << arguments << result.err;
+        const json document = json::parse(readText(folder.path() / "r.json"));
+        ASSERT_EQ(document.at("notes").size(), document.at("noted_files").size()) << arguments;
+        const json& files = document["noted_files"];
+        for (const char* name : {"first.gltf", "second.gltf"}) {
+            EXPECT_NE(result.out.find(std::string(name) + ": ignored: KHR_nobody"), std::string::npos)
+                << result.out;
+            EXPECT_EQ(std::count(files.begin(), files.end(), name) * 2, std::ssize(files)) << files;
+        }
+    }
+}
+
 TEST(Notes, AreAnEmptyListWhereAllIsDrawn) {
     const TemporaryFolder folder;
     const ProgramResult result = runProgram("render cubes --size 32x18 --json r.json", folder.path());
     ASSERT_EQ(result.status, 0) << result.err;
-    EXPECT_EQ(json::parse(readText(folder.path() / "r.json")).at("notes"), json::array());
+    const json document = json::parse(readText(folder.path() / "r.json"));
+    EXPECT_EQ(document.at("notes"), json::array());
+    EXPECT_EQ(document.at("noted_files"), json::array());
 }
 
 TEST(Driver, AMissingOneIsNamedWithItsPackage) {

@@ -88,7 +88,7 @@ scene::SceneSetup openModel(Command& command, const std::string& file, const sce
         chosen.seconds = seconds;
         opened = scene::openGltf(file, chosen);
     }
-    command.note(opened.notes);
+    command.note(file, opened.notes);
     return std::move(opened.setup);
 }
 

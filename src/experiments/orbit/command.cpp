@@ -104,7 +104,7 @@ void run(Command& command, OrbitArguments& arguments) {
     command.readsEarth(arguments.files.folder);
     const scene::OpenedScene opened = scenes::openOrbit(arguments.files);
     const scene::SceneSetup& setup = opened.setup;
-    command.note(opened.notes);
+    command.note(arguments.files.model.string(), opened.notes);
     command.keepUnits(arguments.state);
     const experiments::OrbitRun result =
         experiments::runOrbit(command.device(), setup, options, command.progress(), command.ranks());
