@@ -27,8 +27,7 @@ struct CascadePart {
 
 /// What of a scene decides how a renderer is set up.
 struct SceneTraits {
-    bool blended = false;  ///< it has blended materials
-    bool daylight = false; ///< it has a sky or air
+    bool blended = false; ///< it has blended materials
 };
 
 /// Refuses what several renderers cannot draw together.

@@ -6,6 +6,7 @@
 #include <cdr/render/choose_facets.h>
 #include <cdr/render/output/host_commands.h>
 #include <cdr/render/renderer_setup.h>
+#include <cdr/render/shading/finish.h>
 #include <cdr/visibility/cull_cells.h>
 
 #include <fmt/format.h>
@@ -80,7 +81,7 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
                          const Needs& needs)
     : extent(checkedExtent(device, options, needs.traits())),
       litTargets(makeLitTargets(device, extent, options)),
-      picture(device, pictureOptions(extent, options, needs.traits()),
+      picture(device, pictureOptions(extent, options, needs.traits(), daylightIf(needs.sky || needs.air)),
               litTargets != nullptr ? &litTargets->gbuffer() : nullptr),
       ownTargets(makeOwnTargets(device, drawn, options, {needs.shiny, needs.emission}, picture)),
       targets(std::visit([](const auto& own) -> Targets& { return *own; }, ownTargets)),

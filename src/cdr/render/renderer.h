@@ -122,7 +122,7 @@ class CDR_EXPORT Renderer {
         bool sky = false;
         bool air = false;
 
-        SceneTraits traits() const { return {.blended = blended, .daylight = sky || air}; }
+        SceneTraits traits() const { return {.blended = blended}; }
         bool operator==(const Needs&) const = default;
     };
     enum class Destination { device, hostColor, host };

@@ -82,12 +82,13 @@ void requireShadows(const RenderOptions& options) {
 
 } // namespace
 
-PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, const SceneTraits& scene) {
+PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, const SceneTraits& scene,
+                              Daylight daylight) {
     return {.extent = extent,
             .hasSteps = scene.blended || options.focus.isOn(),
             .antialias = options.effects.antialias,
             .finish = options.effects.finish,
-            .daylight = scene.daylight};
+            .daylight = daylight};
 }
 
 TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options,

@@ -18,7 +18,9 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
 std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions& options,
                                   const SceneTraits& scene);
 
-PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, const SceneTraits& scene);
+/// @param daylight of the scene; it changes no size.
+PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, const SceneTraits& scene,
+                              Daylight daylight = Daylight::absent);
 /// @param emission whether surfaces keep what they emit.
 TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options,
                               bool emission);

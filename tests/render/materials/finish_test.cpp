@@ -60,7 +60,7 @@ TEST_F(FinishTest, PicturesAreFinishedAsInFloat64) {
     }
 }
 
-/// A sky is no lamp: its scene shows highlights whole.
+/// A sky is no lamp: its scene shows highlights whole, whether shading finishes or the pass that smooths edges.
 TEST_F(FinishTest, TheSceneChoosesUnlessTold) {
     scene::Scene scene = brightScene();
     render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
@@ -68,10 +68,14 @@ TEST_F(FinishTest, TheSceneChoosesUnlessTold) {
         options.effects.finish.toneMap = toneMap;
         return hashOf(draw(scene, kCamera, options));
     };
-    EXPECT_EQ(hashWith(render::ToneMap::scene), hashWith(render::ToneMap::none));
-    scene.sky = scene::Sky{};
-    EXPECT_EQ(hashWith(render::ToneMap::scene), hashWith(render::ToneMap::neutral));
-    EXPECT_NE(hashWith(render::ToneMap::scene), hashWith(render::ToneMap::none));
+    for (const render::Antialias antialias : {render::Antialias::none, render::Antialias::edges}) {
+        options.effects.antialias = antialias;
+        scene.sky.reset();
+        EXPECT_EQ(hashWith(render::ToneMap::scene), hashWith(render::ToneMap::none));
+        scene.sky = scene::Sky{};
+        EXPECT_EQ(hashWith(render::ToneMap::scene), hashWith(render::ToneMap::neutral));
+        EXPECT_NE(hashWith(render::ToneMap::scene), hashWith(render::ToneMap::none));
+    }
 }
 
 TEST_F(FinishTest, ExposureOutOfRangeIsRefused) {

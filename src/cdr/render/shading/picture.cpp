@@ -41,7 +41,7 @@ Picture::Picture(const gpu::Device& device, const PictureOptions& options, const
       m_lit(needsLit(options) ? makeLit(device, options) : nullptr) {}
 
 std::unique_ptr<Picture::Lit> Picture::makeLit(const gpu::Device& device, const PictureOptions& options) {
-    const std::array constants = finishConstants(options.finish, daylightIf(options.daylight));
+    const std::array constants = finishConstants(options.finish, options.daylight);
     const bool smooth = options.antialias == Antialias::edges;
     auto lit = std::make_unique<Lit>(
         Lit{.image = {device, litOptions(options.extent), "lit"},

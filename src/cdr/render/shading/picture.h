@@ -2,6 +2,7 @@
 
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/effects.h>
+#include <cdr/render/shading/finish.h>
 #include <cdr/render/shading/fullscreen_pass.h>
 
 #include <cstdint>
@@ -22,8 +23,8 @@ struct PictureOptions {
     /// its format encodes. Antialiasing is such a step.
     bool hasSteps = false;
     Antialias antialias = Antialias::none;
-    Finish finish{};       ///< where there are steps; else shading finishes
-    bool daylight = false; ///< whether the scene has a sky or air
+    Finish finish{};                      ///< where there are steps; else shading finishes
+    Daylight daylight = Daylight::absent; ///< of the scene
 };
 
 /// Whether anything comes between shading and the picture.
