@@ -29,13 +29,13 @@ for header in vulkan/vulkan_core.h fmt/format.h glm/glm.hpp; do
     fi
 done
 
-# install_cdr NAME COMPILER_FLAGS [CMAKE_ARGUMENT...]: cdr::depth to $work/NAME/prefix, and the example to $work/NAME/example;
-# nobody debugs them.
+# install_cdr NAME COMPILER_FLAGS [CMAKE_ARGUMENT...]: cdr::depth to $work/NAME/prefix, and the example to $work/NAME/example.
+# Nobody debugs them, so that debug builds are without -g, which follows the flags given here.
 install_cdr() {
-    local name=$1 at=$work/$1 flags="-DCMAKE_CXX_FLAGS=-I$poison -g0 $2"
+    local name=$1 at=$work/$1 flags="-DCMAKE_CXX_FLAGS=-I$poison $2"
     shift 2
     quiet cmake -G Ninja -S "$source_dir" -B "$at/build" -DCDR_BUILD_RENDER=OFF -DCDR_UNITY_BUILD=ON \
-        -DCDR_WARNINGS_AS_ERRORS=ON -DCMAKE_BUILD_TYPE=Debug "${hidden[@]}" "$flags" "$@"
+        -DCDR_WARNINGS_AS_ERRORS=ON -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG= "${hidden[@]}" "$flags" "$@"
     quiet cmake --build "$at/build"
     quiet cmake --install "$at/build" --prefix "$at/prefix"
     quiet cmake -G Ninja -S "$source_dir/src/examples/depth_only" -B "$at/example" -DCMAKE_BUILD_TYPE=Release \
