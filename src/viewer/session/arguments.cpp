@@ -116,6 +116,14 @@ void addViewerOptions(CLI::App& program, Arguments& arguments) {
     addMeasuringOptions(program, arguments);
 }
 
+std::optional<int> parseViewer(int argc, char** argv, Arguments& arguments) {
+    CLI::App program("Look at scenes under two depth techniques at once. F1 in the window shows the keys.",
+                     "cdr-viewer");
+    addViewerOptions(program, arguments);
+    arguments.isFirstUse = argc <= 1;
+    return parse(program, argc, argv);
+}
+
 std::optional<int> parse(CLI::App& program, int argc, char** argv) {
     try {
         program.parse(argc, argv);

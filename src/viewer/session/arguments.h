@@ -57,6 +57,9 @@ struct Arguments {
 /// Adds the viewer's options to a program, which fills `arguments` when it parses a command line.
 void addViewerOptions(CLI::App& program, Arguments& arguments);
 
+/// Parses the command line of cdr-viewer itself, which has no other options. Returns and throws as parse() does.
+std::optional<int> parseViewer(int argc, char** argv, Arguments& arguments);
+
 /// Parses a command line. Returns an exit status when the program is done, as after --help.
 /// base::InputError for what is wrong with it.
 std::optional<int> parse(CLI::App& program, int argc, char** argv);

@@ -1,5 +1,7 @@
 #include "program.h"
 
+#include "application.h"
+
 #include <cdr/base/error.h>
 #include <cdr/gpu/failure.h>
 #include <cdr/host/standard_streams.h>

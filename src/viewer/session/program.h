@@ -1,10 +1,12 @@
 #pragma once
 
-#include "application.h"
+#include "arguments.h"
 
 #include <functional>
 
 namespace cdr::viewer {
+
+class Driver;
 
 /// Runs the viewer until it closes. base::RunError when the validation layer reported anything, its end included.
 /// @param driver plays input if not null; must outlive the call.

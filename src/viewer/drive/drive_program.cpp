@@ -1,0 +1,97 @@
+#include "drive_program.h"
+
+#include "allocator.h"
+#include "script_player.h"
+#include "soak.h"
+
+#include <CLI/CLI.hpp>
+#include <cdr/host/standard_streams.h>
+#include <experiments/number_checks.h>
+#include <scenes/open_scene.h>
+#include <viewer/session/program.h>
+#include <viewer/session/startup.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cdr::viewer {
+
+namespace {
+
+constexpr double kMaxSoakSeconds = 86'400.0;
+
+/// What is asked of this program beyond the viewer's own options.
+struct DriveArguments {
+    Arguments viewer;
+    std::optional<std::filesystem::path> script;
+    std::optional<double> soakSeconds;
+    std::optional<std::string> largest; ///< window of a soak
+    std::vector<std::string> soakScenes;
+};
+
+void addDriveOptions(CLI::App& program, DriveArguments& arguments) {
+    CLI::Option* script =
+        program.add_option("--script", arguments.script, "Play input from FILE, one step a line");
+    CLI::Option* soak =
+        program
+            .add_option("--soak", arguments.soakSeconds,
+                        "Play random input worth so many seconds, as fast as frames come, and quit")
+            ->check(experiments::numberFrom(1.0, kMaxSoakSeconds))
+            ->excludes(script);
+    program
+        .add_option("--largest", arguments.largest,
+                    "WIDTHxHEIGHT of the largest window of a soak, 1920x1080 unless told")
+        ->needs(soak);
+    const auto generated = scenes::generatedScenes();
+    program
+        .add_option(
+            "--soak-scenes", arguments.soakScenes,
+            "Generated scenes that a soak chooses from, with commas between; cubes,afc,rotation,mixed unless told")
+        ->delimiter(',')
+        ->check(CLI::IsMember(std::vector<std::string>(generated.begin(), generated.end())))
+        ->needs(soak);
+}
+
+void run(const DriveArguments& arguments) {
+    if (arguments.soakSeconds) {
+        keepFreeMemoryLow();
+        SoakOptions input{.seed = arguments.viewer.seed};
+        if (arguments.largest) {
+            Arguments window;
+            window.size = *arguments.largest;
+            input.largest = windowSize(window);
+        }
+        if (!arguments.soakScenes.empty()) {
+            input.scenes = arguments.soakScenes;
+        }
+        Soak soak(*arguments.soakSeconds, input);
+        runViewer(arguments.viewer, &soak);
+        host::printOutput(soak.report() + "\n");
+    } else if (arguments.script) {
+        ScriptPlayer player(readScript(*arguments.script));
+        runViewer(arguments.viewer, &player);
+    } else {
+        runViewer(arguments.viewer);
+    }
+}
+
+} // namespace
+
+int runDriveProgram(int argc, char** argv) {
+    return exitStatusOf("cdr-viewer-drive", [&] {
+        DriveArguments arguments;
+        CLI::App program("The viewer, driven by a script or by random input instead of a person: for tests.",
+                         "cdr-viewer-drive");
+        addViewerOptions(program, arguments.viewer);
+        addDriveOptions(program, arguments);
+        if (const auto status = parse(program, argc, argv)) {
+            return *status;
+        }
+        run(arguments);
+        return 0;
+    });
+}
+
+} // namespace cdr::viewer
