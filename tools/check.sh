@@ -27,6 +27,7 @@ check_all() {
     tools/test.sh --preset asan
     tools/test.sh --preset tsan
     tools/build.sh --in-batches release
+    tools/build.sh release -- --target cdr_benchmarks
     if has_valgrind; then check_memory; fi
     for driver in mesa swiftshader; do
         tools/drivers.sh "$driver" ctest --preset release --parallel "$(nproc)" \
