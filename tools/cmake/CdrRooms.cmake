@@ -87,12 +87,13 @@ function(cdr_room name)
     endif()
 endfunction()
 
-# cdr_test(NAME [DRIVER] [SUITES] [EXCLUDE REGEX] [BATCHES COUNT] LIBRARIES target...): every .cpp of the folder and its subfolders as one
-# GoogleTest program. CTest runs each case in a process of its own, or with SUITES each suite. SUITES is for programs whose
-# cases share what is slow to make, such as a device. DRIVER labels them as needing a Vulkan driver. BATCHES divides a large
-# folder.
+# cdr_test(NAME [DRIVER] [SUITES] [OWN_HEADERS] [EXCLUDE REGEX] [BATCHES COUNT] LIBRARIES target...): every .cpp of the folder
+# and its subfolders as one GoogleTest program. CTest runs each case in a process of its own, or with SUITES each suite. SUITES
+# is for programs whose cases share what is slow to make, such as a device. DRIVER labels them as needing a Vulkan driver.
+# OWN_HEADERS is for rooms that need no package: their tests do without the headers that tests/CMakeLists.txt compiles once.
+# BATCHES compiles all folders in so many batches, which is faster than one for each folder: see cdr_shared_batches.
 function(cdr_test name)
-    cmake_parse_arguments(TEST "DRIVER;SUITES" "EXCLUDE;BATCHES" "LIBRARIES" ${ARGN})
+    cmake_parse_arguments(TEST "DRIVER;SUITES;OWN_HEADERS" "EXCLUDE;BATCHES" "LIBRARIES" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
     if(TEST_EXCLUDE)
         list(FILTER sources EXCLUDE REGEX "${TEST_EXCLUDE}")
@@ -106,13 +107,15 @@ function(cdr_test name)
     target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main cdr_options cdr_test_compile)
     target_compile_definitions(${name} PRIVATE
         CDR_ASSETS_DIR="${PROJECT_SOURCE_DIR}/../shared/assets" CDR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    if(NOT TEST_OWN_HEADERS)
+        target_precompile_headers(${name} REUSE_FROM cdr_test_headers)
+    endif()
     # For `ctest -L NAME`.
     set_property(DIRECTORY PROPERTY LABELS ${name})
     # Long, since a slow machine is no reason to fail.
     set(properties TIMEOUT 1500)
     if(TEST_DRIVER)
         list(APPEND properties LABELS driver)
-        target_precompile_headers(${name} REUSE_FROM cdr_driver_test_headers)
     endif()
     if(NOT TEST_SUITES)
         gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 300 PROPERTIES ${properties})
