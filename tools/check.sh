@@ -42,7 +42,8 @@ check_all() {
     ((windows == 0 || windows == 3)) || return 1 # 3: it said what is missing
     CDR_ALL_CASES=1 build/release/bin/test_cli --gtest_brief=1 \
         --gtest_filter='*FaultSweep*:*FileFaults*:*NumericOptions*:Signals*:*Killed*'
-    CDR_ALL_CASES=1 build/release/bin/test_render --gtest_brief=1 --gtest_filter='WorldTest.*:WorldSoakTest.*'
+    CDR_ALL_CASES=1 build/release/bin/test_render --gtest_brief=1 \
+        --gtest_filter='WorldTest.*:WorldSoakTest.*:SharedPipelinesTest.*:OcclusionCullingTest.*'
     CDR_ALL_CASES=1 ctest --preset release --tests-regex '^(Documents|Package)$'
     tools/fuzz.sh
     check_mpich

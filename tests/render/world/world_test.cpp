@@ -1,10 +1,10 @@
+#include "../../support/all_cases.h"
 #include "../fixture.h"
 #include "editor.h"
 
 #include <cdr/base/error.h>
 
 #include <array>
-#include <cstdlib>
 #include <memory>
 #include <numeric>
 #include <random>
@@ -38,14 +38,10 @@ render::RenderOptions optionsFor(const char* technique, Submission submission, T
 
 using WorldTest = OwnPipelinesTest;
 
-bool takesAll() {
-    return std::getenv("CDR_ALL_CASES") != nullptr;
-}
-
 /// The rule of live worlds: after any edits, drawn in any way, the picture is that of a scene that is built from scratch.
 /// Blended fragments are counted, so each is drawn once. Groups of renderers take turns and so lag behind by a batch.
 TEST_F(WorldTest, AnyEditsGiveThePictureOfASceneBuiltAnew) {
-    const int batches = takesAll() ? 28 : 14; // each kind of tables with each group
+    const int batches = test::takesAllCases() ? 28 : 14; // each kind of tables with each group
     constexpr int kEdits = 500;
     World world;
     Editor editor(2013, world);
@@ -174,7 +170,7 @@ std::string describe(const render::RenderOptions& options) {
 
 /// The same rule for renderers of random options, seen from changing places. CDR_ALL_CASES takes more seeds.
 TEST_F(WorldTest, RenderersOfAnyOptionsShowAnyEdits) {
-    const std::uint64_t seeds = takesAll() ? 40 : 3;
+    const std::uint64_t seeds = test::takesAllCases() ? 40 : 3;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         std::mt19937_64 random(seed);
         World world;
@@ -227,7 +223,7 @@ TEST_F(WorldTest, EachEditIsShownAtOnce) {
         renderers.push_back(std::make_unique<render::Renderer>(
             device(), onDevice, optionsFor("anchored", submission, TargetsKind::single, 2, 2)));
     }
-    const std::size_t edits = takesAll() ? 150 : 80;
+    const std::size_t edits = test::takesAllCases() ? 150 : 80;
     for (std::size_t edit = 0; edit < edits; ++edit) {
         editor.editEvenly();
         const std::string wanted =
