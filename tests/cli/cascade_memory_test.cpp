@@ -81,9 +81,11 @@ TEST(CascadeMemory, ARankHoldsWhatItsCascadesTouch) {
     const std::string render =
         "render squares.gltf --depth anchored --split count:8 --size 320x180 --eye 0,0,0 "
         "--target 0,0,-1 --fov 40 --near 5 --far 327680 --hash --ranks cascades -o ";
-    // The launcher's ranks share a machine, so lavapipe draws with one thread in each; here too.
+    // The launcher's ranks share a machine, so lavapipe draws with one thread in each; here too. glibc would reserve 64 MiB of
+    // addresses more for each thread that finds the heap in use, which depends on the load.
     const auto limited = [](long megabytes) {
-        return "LP_NUM_THREADS=1 sh -c 'ulimit -v " + std::to_string(megabytes * 1024) + "; exec \"$@\"' sh";
+        return "LP_NUM_THREADS=1 MALLOC_ARENA_MAX=1 sh -c 'ulimit -v " + std::to_string(megabytes * 1024) +
+               "; exec \"$@\"' sh";
     };
     // What a process takes besides textures depends on the machine. So the least limit that suffices is searched for, up or
     // down from what one machine needed.
