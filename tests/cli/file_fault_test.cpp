@@ -55,7 +55,7 @@ TEST_P(FileFaults, EveryWriteMayFail) {
     constexpr long kMostCalls = 2000;
     std::size_t cases = 0;
     for (const int error : {ENOSPC, EACCES, EIO, ENOENT}) {
-        const long stride = takesAllCases() ? 1 : 5;
+        const long stride = takesAllCases() ? 1 : 4;
         for (long after = error % stride; after < kMostCalls; after += stride) {
             const TemporaryFolder folder;
             const ProgramResult result = run(after, error, folder);

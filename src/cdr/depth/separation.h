@@ -51,6 +51,7 @@ struct Crossing {
 CDR_EXPORT std::optional<Crossing> findCrossing(const std::function<double(double)>& curve, double separation,
                                                 double nearView, double farView);
 /// The same for each of several separations, in their order, by one scan.
+/// @units Scene units, view distances.
 /// @errors What `curve` throws.
 CDR_EXPORT std::vector<std::optional<Crossing>> findCrossings(const std::function<double(double)>& curve,
                                                               std::span<const double> separations,
