@@ -101,6 +101,8 @@ TEST_F(PointsTest, UnlitOnesShowWhatTheyEmit) {
     const scene::SceneSetup dark = survey(0.06);
     host::WorkerPool workers(2);
     render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    options.width /= 2;
+    options.height /= 2;
     options.translucency.method = render::Translucency::sorted;
     for (const scene::AlphaMode alpha : {scene::AlphaMode::opaque, scene::AlphaMode::blend}) {
         for (scene::Material& material : setup.scene.materials) {
