@@ -1,4 +1,5 @@
 #include "../fixture.h"
+#include "held.h"
 
 #include <cdr/measure/truth/truth_motion.h>
 
@@ -93,12 +94,7 @@ Off compare(const render::Frame& frame, std::uint32_t subPixelBits, const measur
     host::WorkerPool workers(2);
     const measure::TruthImage truth =
         measure::castTruth(now.scene, now.camera, frame.width(), frame.height(), workers);
-    measure::TruthImage held(frame.width(), frame.height());
-    for (std::uint32_t y = 0; y < frame.height(); ++y) {
-        for (std::uint32_t x = 0; x < frame.width(); ++x) {
-            held.at(x, y) = {.id = frame.id(x, y), .distanceView = frame.distanceView(x, y)};
-        }
-    }
+    const measure::TruthImage held = heldBy(frame);
     const image::Raster<glm::dvec2> exact = measure::truthMotion(held, now, before);
     Off off;
     for (std::size_t i = 0; i < held.pixels.size(); ++i) {

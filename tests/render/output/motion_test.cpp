@@ -1,6 +1,7 @@
 #include "../fixture.h"
 #include "../host/host_side.h"
 #include "../host/read_image.h"
+#include "held.h"
 
 #include <cdr/base/error.h>
 #include <cdr/measure/truth/truth_motion.h>
@@ -67,12 +68,7 @@ class MotionTest : public RenderTest {
         host::WorkerPool workers(2);
         const measure::TruthImage truth =
             measure::castTruth(now.scene, now.camera, frame.width(), frame.height(), workers);
-        measure::TruthImage held(frame.width(), frame.height());
-        for (std::uint32_t y = 0; y < frame.height(); ++y) {
-            for (std::uint32_t x = 0; x < frame.width(); ++x) {
-                held.at(x, y) = {.id = frame.id(x, y), .distanceView = frame.distanceView(x, y)};
-            }
-        }
+        const measure::TruthImage held = heldBy(frame);
         const image::Raster<glm::dvec2> ofTruth = measure::truthMotion(truth, now, before);
         const image::Raster<glm::dvec2> ofHeld = measure::truthMotion(held, now, before);
         std::set<std::uint32_t> moving; // ids
