@@ -7,11 +7,18 @@ namespace cdr::gpu {
 
 namespace {
 
-/// What was waited for in vain may still be in work, and who waited is about to destroy what it uses.
-void waitBeforeThrowing(const Device& device) {
+/// Where a wait fails, what it was for may still be in work, and who waited is about to destroy what that uses. So the queue
+/// is waited for first.
+/// @param call names it in messages
+void waitOrFinish(const Device& device, const char* call, const std::function<vk::Result()>& wait) {
     try {
-        vk::Queue(device.queue()).waitIdle();
-    } catch (const vk::Error&) { // the first failure is told
+        vk::resultCheck(wait(), call);
+    } catch (const vk::Error&) {
+        try {
+            vk::Queue(device.queue()).waitIdle();
+        } catch (const vk::Error&) { // the first failure is told
+        }
+        throw;
     }
 }
 
@@ -62,29 +69,19 @@ void waitForQueue(const Device& device) {
 }
 
 void waitAndReset(const Device& device, vk::Fence done) {
-    try {
-        const vk::Result result =
-            vk::Device(device.handle())
-                .waitForFences(done, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
-        vk::resultCheck(result, "vkWaitForFences");
-    } catch (const vk::Error&) {
-        waitBeforeThrowing(device);
-        throw;
-    }
-    vk::Device(device.handle()).resetFences(done);
+    const vk::Device handle(device.handle());
+    waitOrFinish(device, "vkWaitForFences", [&] {
+        return handle.waitForFences(done, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
+    });
+    handle.resetFences(done);
 }
 
 void waitForTimeline(const Device& device, vk::Semaphore timeline, std::uint64_t value) {
-    try {
-        const vk::Result result =
-            vk::Device(device.handle())
-                .waitSemaphores({.semaphoreCount = 1, .pSemaphores = &timeline, .pValues = &value},
-                                std::numeric_limits<std::uint64_t>::max());
-        vk::resultCheck(result, "vkWaitSemaphores");
-    } catch (const vk::Error&) {
-        waitBeforeThrowing(device);
-        throw;
-    }
+    waitOrFinish(device, "vkWaitSemaphores", [&] {
+        return vk::Device(device.handle())
+            .waitSemaphores({.semaphoreCount = 1, .pSemaphores = &timeline, .pValues = &value},
+                            std::numeric_limits<std::uint64_t>::max());
+    });
 }
 
 void runOnce(const Device& device, const std::function<void(vk::CommandBuffer)>& record) {

@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <vector>
 
 namespace cdr::measure {
 
@@ -69,8 +70,24 @@ bool haveSamePositions(const scene::Mesh& a, const scene::Mesh& b) {
         [](const scene::Vertex& x, const scene::Vertex& y) { return x.position == y.position; });
 }
 
-std::optional<glm::dvec2> motionAt(const TruthPixel& pixel, const SeenScene& now, const SeenScene& before,
-                                   std::size_t instance, const glm::dvec2& slopes) {
+/// A scene that was seen twice.
+struct SeenTwice {
+    const SeenScene& now;
+    const SeenScene& before;
+    std::vector<bool> deforms; ///< by mesh
+};
+
+SeenTwice compared(const SeenScene& now, const SeenScene& before) {
+    SeenTwice seen{.now = now, .before = before, .deforms = {}};
+    for (std::size_t mesh = 0; mesh < now.scene.meshes.size(); ++mesh) {
+        seen.deforms.push_back(!haveSamePositions(now.scene.meshes[mesh], before.scene.meshes[mesh]));
+    }
+    return seen;
+}
+
+std::optional<glm::dvec2> motionAt(const TruthPixel& pixel, const SeenTwice& seen, std::size_t instance,
+                                   const glm::dvec2& slopes) {
+    const auto& [now, before, deforms] = seen;
     const auto inverseNow = invertBasis(now.scene.instances.basis[instance]);
     const auto inverseBefore = invertBasis(before.scene.instances.basis[instance]);
     if (!inverseNow || !inverseBefore) {
@@ -78,11 +95,10 @@ std::optional<glm::dvec2> motionAt(const TruthPixel& pixel, const SeenScene& now
     }
     const ObjectRay ray = placeCamera(now.camera, now.scene.instances, instance, inverseNow->worldToObject)
                               .ray(slopes.x, slopes.y);
-    const scene::Mesh& mesh = now.scene.meshes[now.scene.instances.mesh[instance]];
-    const scene::Mesh& meshBefore = before.scene.meshes[before.scene.instances.mesh[instance]];
+    const std::uint32_t mesh = now.scene.instances.mesh[instance];
     glm::dvec3 point = ray.origin + ray.direction * pixel.distanceView;
-    if (!haveSamePositions(mesh, meshBefore)) {
-        point = pointBefore(mesh, meshBefore, point);
+    if (deforms[mesh]) {
+        point = pointBefore(now.scene.meshes[mesh], before.scene.meshes[mesh], point);
     }
     return slopesOf(
         placeCamera(before.camera, before.scene.instances, instance, inverseBefore->worldToObject), point);
@@ -98,6 +114,7 @@ image::Raster<glm::dvec2> truthMotion(const TruthImage& truth, const SeenScene& 
     }
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     image::Raster<glm::dvec2> motion(truth.width, truth.height, glm::dvec2(kNone));
+    const SeenTwice seen = compared(now, before);
     const PixelSlopes slopes = pixelSlopes(now.camera, truth.width, truth.height);
     // The picture's height is 2 tan(fovY / 2) in slopes, for either lens.
     const double perSlope = pixelsPerSlope(before.camera, truth.height);
@@ -107,8 +124,7 @@ image::Raster<glm::dvec2> truthMotion(const TruthImage& truth, const SeenScene& 
             if (pixel.id == 0) {
                 continue;
             }
-            const auto was =
-                motionAt(pixel, now, before, instanceOf.at(pixel.id), {slopes.x[x], slopes.y[y]});
+            const auto was = motionAt(pixel, seen, instanceOf.at(pixel.id), {slopes.x[x], slopes.y[y]});
             if (was) {
                 motion.at(x, y) = {0.5 * truth.width + was->x * perSlope - (x + 0.5),
                                    0.5 * truth.height - was->y * perSlope - (y + 0.5)};

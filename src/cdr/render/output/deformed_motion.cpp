@@ -38,6 +38,9 @@ DeformedDraws deformedDraws(const DrawnScene& drawn, const FrameMotion& motion, 
     for (const DeformedInstance& deformed : motion.deformed) {
         const DrawSource& source = drawn.uploaded.sources()[deformed.instance];
         const DrawKind& kind = drawn.uploaded.kinds()[source.kind];
+        if (kind.mesh.indexCount == 0) {
+            continue; // no vertices may be kept at all
+        }
         made.draws.push_back({.mesh = kind.mesh,
                               .firstBefore = last.firstOf(kind.meshIndex).value(),
                               .push = maker.push(source, deformed.before)});
