@@ -397,29 +397,55 @@ TEST(FittedSplit, DegenerateInputs) {
     }
 }
 
-TEST(MergeIntervals, TheTwoSortsAgree) {
-    Random random(11);
-    auto intervals = random.objects(20'000, 0.01, 1e9);
+/// As mergeIntervals() says it, one step after the other.
+std::vector<Interval> mergedPlainly(std::vector<Interval> intervals, double nearView, double farView,
+                                    double rounding) {
+    std::erase_if(intervals, [&](const Interval& i) {
+        return !(i.nearView <= farView && i.farView >= nearView && i.nearView <= i.farView);
+    });
     for (Interval& interval : intervals) {
-        interval.farView = interval.nearView + 1e-3 * (interval.farView - interval.nearView);
+        interval = {std::max(interval.nearView, nearView), std::min(interval.farView, farView)};
     }
-    std::vector<Interval> expected = intervals;
-    std::sort(expected.begin(), expected.end(),
-              [](const auto& a, const auto& b) { return a.nearView < b.nearView; });
-    const auto merged = mergeIntervals(intervals, 0.1, 1e8, 0.0);
-    ASSERT_GT(merged.size(), 3u);
-    std::size_t m = 0;
-    for (const Interval& interval : expected) {
-        if (interval.farView < 0.1 || interval.nearView > 1e8) {
-            continue;
+    std::sort(intervals.begin(), intervals.end(),
+              [](const Interval& a, const Interval& b) { return a.nearView < b.nearView; });
+    std::vector<Interval> merged;
+    for (const Interval& interval : intervals) {
+        if (!merged.empty() && interval.nearView <= merged.back().farView * (1.0 + 2.0 * rounding)) {
+            merged.back().farView = std::max(merged.back().farView, interval.farView);
+        } else {
+            merged.push_back(interval);
         }
-        while (m < merged.size() && merged[m].farView < std::max(interval.nearView, 0.1)) {
-            ++m;
-        }
-        ASSERT_LT(m, merged.size());
-        EXPECT_LE(merged[m].nearView, std::max(interval.nearView, 0.1));
-        EXPECT_GE(merged[m].farView, std::min(interval.farView, 1e8));
     }
+    return merged;
+}
+
+/// Few and many, thin and thick, spread over one decade and over eleven.
+TEST(MergeIntervals, AnyAreMergedAsByAPlainSort) {
+    Random random(11);
+    std::size_t most = 0;
+    for (const int count : {1, 2, 100, 1'600, 20'000}) {
+        for (const double last : {0.1, 1e9}) {
+            for (const double thickness : {0.0, 1e-7, 1e-4, 1e-2, 1.0}) {
+                auto intervals = random.objects(count, 0.01, last);
+                for (Interval& interval : intervals) {
+                    interval.farView = interval.nearView + thickness * (interval.farView - interval.nearView);
+                }
+                intervals.push_back({kNan, 1.0});
+                for (const double rounding : {0.0, 1e-6}) {
+                    const auto expected = mergedPlainly(intervals, 0.02, 1e8, rounding);
+                    most = std::max(most, expected.size());
+                    auto given = intervals;
+                    const auto merged = mergeIntervals(given, 0.02, 1e8, rounding);
+                    ASSERT_EQ(merged.size(), expected.size()) << count << " " << last << " " << thickness;
+                    for (std::size_t i = 0; i < merged.size(); ++i) {
+                        ASSERT_EQ(merged[i].nearView, expected[i].nearView);
+                        ASSERT_EQ(merged[i].farView, expected[i].farView);
+                    }
+                }
+            }
+        }
+    }
+    EXPECT_GT(most, 10'000u);
 }
 
 } // namespace

@@ -48,13 +48,67 @@ void radixSort(std::span<Interval> intervals) {
     }
 }
 
+bool beginsBefore(const Interval& a, const Interval& b) {
+    return a.nearView < b.nearView;
+}
+
 void sortByNear(std::span<Interval> intervals) {
     if (intervals.size() < kRadixSmallest) {
-        std::sort(intervals.begin(), intervals.end(),
-                  [](const Interval& a, const Interval& b) { return a.nearView < b.nearView; });
+        std::sort(intervals.begin(), intervals.end(), beginsBefore);
     } else {
         radixSort(intervals);
     }
+}
+
+/// Divides what begins in [first, last] evenly, in ascending order.
+class Buckets {
+  public:
+    static constexpr std::size_t kCount = 1024;
+
+    Buckets(double first, double last) : m_first(first), m_perView(kCount / (last - first)) {}
+
+    /// Whether distances can be told apart by them.
+    bool areUsable() const { return std::isfinite(m_perView) && m_perView > 0.0; }
+
+    /// The last one is that of all distances beyond.
+    std::size_t of(double view) const {
+        return static_cast<std::size_t>(std::min((view - m_first) * m_perView, double{kCount}));
+    }
+
+  private:
+    double m_first;
+    double m_perView;
+};
+
+/// Replaces intervals that begin in one bucket and end in a later one by one interval: each of them holds the last of their
+/// beginnings, so they overlap. Sorts the others. Most of a crowded scene is replaced, in one pass.
+/// @return how many intervals are left, in ascending order.
+std::size_t joinAndSort(std::span<Interval> intervals) {
+    const auto [first, last] = std::minmax_element(intervals.begin(), intervals.end(), beginsBefore);
+    const Buckets buckets(first->nearView, last->nearView);
+    if (!buckets.areUsable()) {
+        sortByNear(intervals);
+        return intervals.size();
+    }
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    std::array<Interval, Buckets::kCount> joined;
+    joined.fill({kNone, -kNone});
+    std::size_t others = 0;
+    for (const Interval& interval : intervals) {
+        const std::size_t bucket = buckets.of(interval.nearView);
+        if (buckets.of(interval.farView) > bucket) {
+            Interval& into = joined[bucket];
+            into = {std::min(into.nearView, interval.nearView), std::max(into.farView, interval.farView)};
+        } else {
+            intervals[others++] = interval;
+        }
+    }
+    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(others);
+    const auto end = std::copy_if(joined.begin(), joined.end(), middle,
+                                  [](const Interval& interval) { return interval.nearView < kNone; });
+    sortByNear({intervals.begin(), middle});
+    std::inplace_merge(intervals.begin(), middle, end, beginsBefore);
+    return static_cast<std::size_t>(end - intervals.begin());
 }
 
 } // namespace
@@ -78,10 +132,12 @@ std::vector<Interval> mergeIntervals(std::span<Interval> intervals, double nearV
             intervals[kept++] = {std::max(interval.nearView, nearView), std::min(interval.farView, farView)};
         }
     }
-    const std::span<Interval> inside = intervals.first(kept);
-    sortByNear(inside);
+    if (kept == 0) {
+        return {};
+    }
+    kept = joinAndSort(intervals.first(kept));
     std::vector<Interval> merged;
-    for (const Interval& interval : inside) {
+    for (const Interval& interval : intervals.first(kept)) {
         if (!merged.empty() && interval.nearView <= merged.back().farView * (1.0 + 2.0 * rounding)) {
             merged.back().farView = std::max(merged.back().farView, interval.farView);
         } else {

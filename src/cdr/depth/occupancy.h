@@ -23,9 +23,8 @@ CDR_EXPORT double thinnest(std::span<const Interval> intervals);
 
 /// Sorts intervals, cuts them to [nearView, farView], and merges those that overlap or lie closer together
 /// than their ends round. The result ascends, with a gap between any two. Intervals outside the range, or
-/// with an end that is not a number, are left out. A radix sort takes about a millisecond for 100,000
-/// intervals.
-/// @param intervals reordered.
+/// with an end that is not a number, are left out.
+/// @param intervals overwritten.
 /// @param rounding by which share of a view distance ends may be wrong.
 CDR_EXPORT std::vector<Interval> mergeIntervals(std::span<Interval> intervals, double nearView,
                                                 double farView, double rounding);

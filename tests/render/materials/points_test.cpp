@@ -1,4 +1,5 @@
 #include "../fixture.h"
+#include "../snapping.h"
 
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/measure/truth/layered_truth.h>
@@ -65,12 +66,14 @@ TEST_F(PointsTest, CloudsAlmostAtOnePlaceAreToldApart) {
         }
     }
     setup.scene.objectNames.emplace_back("second hill");
-    const auto wrongOf = [&](const char* technique) {
-        const render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
-        return wrongIn(draw(setup.scene, camera, options), setup.scene, camera);
+    host::WorkerPool workers(2);
+    const auto idsOf = [&](const char* technique) {
+        return draw(setup.scene, camera, smallOptions(depth::parseTechnique(technique))).ids();
     };
-    EXPECT_GT(wrongOf("standard").wrong, 100u);
-    EXPECT_EQ(wrongOf("anchored").wrong, 0u);
+    const image::ImageU32 standard = idsOf("standard");
+    const auto truth = measure::castTruth(setup.scene, camera, standard.width, standard.height, workers);
+    EXPECT_GT(measure::countWrong(standard, truth).wrong, 100u);
+    EXPECT_EQ(wrongBeyond(idsOf("anchored"), truth, snapReach(device())), 0u);
 }
 
 TEST_F(PointsTest, ThePictureIsTheSameForAllSubmissions) {

@@ -142,9 +142,12 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
         const DrawKind& kind = kinds[kindIndex];
         state.bind(kind, span);
         if (m_batching == Batching::pushConstants) {
-            m_pushConstants(
-                commands, m_pipelines.layout(), static_cast<VkShaderStageFlags>(GeometryPipelines::kStages),
-                shaders::kPushedRecordOffset, sizeof(shaders::DrawRecord), &recording.records[first]);
+            // Made twice, since a graphics card's memory is slow to read.
+            const DrawSource& source = sources[instances[first]];
+            const shaders::DrawRecord pushed = records.make(source, materials[source.material]);
+            m_pushConstants(commands, m_pipelines.layout(),
+                            static_cast<VkShaderStageFlags>(GeometryPipelines::kStages),
+                            shaders::kPushedRecordOffset, sizeof(pushed), &pushed);
         }
         const LevelRange indices =
             clusters.indexCount > 0
