@@ -99,10 +99,15 @@ TEST(CascadeMemory, ARankHoldsWhatItsCascadesTouch) {
         return isDrawn;
     };
     long limit = 1200;
+    constexpr long kMost = 3000;
     const bool isTooMuch = suffices(limit);
+    if (!isTooMuch && !suffices(kMost)) {
+        GTEST_SKIP() << "the driver itself reserves more than " << kMost
+                     << " MiB of addresses, as those of graphics cards do";
+    }
     do {
         limit += isTooMuch ? -kStep : kStep;
-        ASSERT_TRUE(limit > 600 && limit < 3000);
+        ASSERT_TRUE(limit > 600 && limit < kMost);
     } while (suffices(limit) == isTooMuch);
     const long tooLittle = isTooMuch ? limit : limit - kStep;
     const ProgramResult four = runProgram(render + "four.png", folder.path(),

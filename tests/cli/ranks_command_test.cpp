@@ -37,14 +37,14 @@ std::vector<int> usualCounts() {
     return takesAllCases() ? std::vector<int>{1, 2, 4} : std::vector<int>{3};
 }
 
-/// Whether so many ranks leave the files that one process leaves.
-void expectSameFiles(const std::string& arguments, std::size_t fileCount,
+/// Whether so many ranks leave the files that one process leaves. A command may leave more where the device draws more wrong.
+void expectSameFiles(const std::string& arguments, std::size_t leastFiles,
                      const std::vector<int>& counts = usualCounts()) {
     const TemporaryFolder alone;
     const ProgramResult one = runProgram(arguments, alone.path());
     ASSERT_EQ(one.status, 0) << one.err;
     const auto expected = filesIn(alone.path());
-    EXPECT_EQ(expected.size(), fileCount);
+    EXPECT_GE(expected.size(), leastFiles);
     for (const int ranks : counts) {
         const TemporaryFolder folder;
         const ProgramResult several = runAsRanks(ranks, arguments, folder.path());
