@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <barrier>
 #include <numeric>
@@ -58,6 +59,23 @@ TEST_P(WorkerPoolThreads, RethrowsTheFirstFailureByJobAndGoesOn) {
     int runs = 0;
     pool.run(1, [&](std::size_t, std::size_t) { ++runs; });
     EXPECT_EQ(runs, 1);
+}
+
+/// Jobs that wait for each other need as many workers. Others wake late, and find the batch gone or the next one.
+TEST_P(WorkerPoolThreads, RunsFewJobsAtTheSameTime) {
+    WorkerPool pool(GetParam());
+    const std::size_t jobs = std::min<std::size_t>(GetParam(), 3);
+    std::barrier together(static_cast<std::ptrdiff_t>(jobs));
+    for (std::size_t batch = 0; batch < 1'000; ++batch) {
+        std::vector<std::size_t> runs(jobs, 0);
+        pool.run(jobs, [&](std::size_t job, std::size_t) {
+            together.arrive_and_wait();
+            runs[job] += batch + job;
+        });
+        for (std::size_t job = 0; job < jobs; ++job) {
+            ASSERT_EQ(runs[job], batch + job);
+        }
+    }
 }
 
 TEST_P(WorkerPoolThreads, RunsNoJobs) {

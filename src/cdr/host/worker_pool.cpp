@@ -69,10 +69,9 @@ void WorkerPool::run(std::size_t jobs, const Job& body) {
             const std::lock_guard lock(m_mutex);
             m_batch = &batch;
             ++m_batchNumber;
-            m_busyWorkers = m_threads.size();
         }
         // After the lock is released, since workers that wake need it.
-        m_batchPosted.notify_all();
+        wake(jobs - 1);
     }
     if (m_schedule) {
         for (const ScheduledJob& each : scheduleOf(*m_schedule, jobs, threads())) {
@@ -83,11 +82,21 @@ void WorkerPool::run(std::size_t jobs, const Job& body) {
     }
     if (shared) {
         std::unique_lock lock(m_mutex);
+        m_batch = nullptr; // no job is left for workers that wake later
         m_workersIdle.wait(lock, [this] { return m_busyWorkers == 0; });
-        m_batch = nullptr;
     }
     if (batch.error) {
         std::rethrow_exception(batch.error);
+    }
+}
+
+void WorkerPool::wake(std::size_t jobs) {
+    if (jobs >= m_threads.size()) {
+        m_batchPosted.notify_all();
+        return;
+    }
+    for (std::size_t i = 0; i < jobs; ++i) {
+        m_batchPosted.notify_one();
     }
 }
 
@@ -97,6 +106,7 @@ void WorkerPool::serve(const std::stop_token& stop, std::size_t worker) {
     while (m_batchPosted.wait(lock, stop, [&] { return m_batch != nullptr && m_batchNumber != served; })) {
         served = m_batchNumber;
         Batch& batch = *m_batch;
+        ++m_busyWorkers;
         lock.unlock();
         batch.work(worker);
         lock.lock();

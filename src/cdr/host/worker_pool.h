@@ -59,6 +59,8 @@ class CDR_EXPORT WorkerPool {
 
   private:
     struct Batch;
+    /// As many workers as there are jobs for them.
+    void wake(std::size_t jobs);
     void serve(const std::stop_token& stop, std::size_t worker);
 
     Trace* m_trace = nullptr;
@@ -68,7 +70,7 @@ class CDR_EXPORT WorkerPool {
     std::condition_variable m_workersIdle;
     Batch* m_batch = nullptr;
     std::size_t m_batchNumber = 0;
-    std::size_t m_busyWorkers = 0;
+    std::size_t m_busyWorkers = 0; ///< that took part in the batch and have not left it
     std::vector<std::jthread> m_threads;
 };
 
