@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -65,6 +66,28 @@ TEST(ShadowTruth, BackgroundAndWhatFacesAwayAreSaid) {
     EXPECT_EQ(truth.at(100, 0).id, 0u);
     EXPECT_EQ(truth.at(100, 50).reach, Reach::away); // the cube's front, which lies along the light
     EXPECT_EQ(truth.at(100, 50).id, 2u);
+}
+
+TEST(ShadowTruth, OutsideItsConeOrRangeALightIsAway) {
+    scene::Scene scene = floorAndCube(5.0);
+    const scene::Camera camera = makePlainCamera();
+    const ShadowImage whole = castShadows(scene, camera, 200, 100);
+    const auto count = [](const ShadowImage& truth, Reach reach) {
+        return std::count_if(truth.pixels.begin(), truth.pixels.end(),
+                             [reach](const measure::ShadowPixel& pixel) { return pixel.reach == reach; });
+    };
+    EXPECT_GT(count(whole, Reach::reached), 1000);
+    scene.lights.front().cone =
+        scene::LightCone{.direction = {0.0, -1.0, 0.0}, .outer = std::atan(4.0 / 7.0)};
+    const ShadowImage spot = castShadows(scene, camera, 200, 100);
+    EXPECT_EQ(count(spot, Reach::shadowed),
+              count(whole, Reach::shadowed)); // all of the shadow is in the cone
+    EXPECT_LT(count(spot, Reach::reached), count(whole, Reach::reached) / 4);
+    EXPECT_GT(count(spot, Reach::reached), 0);
+    scene.lights.front().cone.reset();
+    scene.lights.front().range = 6.9; // of 7 to the floor
+    const ShadowImage near = castShadows(scene, camera, 200, 100);
+    EXPECT_EQ(count(near, Reach::shadowed), 0);
 }
 
 TEST(ShadowTruth, FarFromTheOriginItIsTheSame) {

@@ -47,7 +47,7 @@ class LightViewTest : public testing::Test {
         return render::receiverSlices(m_camera, frustum(), render::seenSpheres(m_camera, m_visible));
     }
     std::vector<LightView> viewsOf(const glm::dvec3& lightFromCamera, const ReceiverSlice& slice) const {
-        return render::lightViews(m_camera.position + lightFromCamera, m_camera.position, slice,
+        return render::lightViews({.position = m_camera.position + lightFromCamera}, m_camera.position, slice,
                                   frustum().footprintSlope, kTexels);
     }
     /// Texels of the map and normalised depth, as the device works them out but in float64.

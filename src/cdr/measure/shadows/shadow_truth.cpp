@@ -29,6 +29,13 @@ std::vector<std::uint32_t> solidInstances(const scene::Scene& scene) {
     return solid;
 }
 
+/// Whether a light's cone and range let some light through. @param way from a point to the light.
+bool shinesAlong(const scene::PointLight& light, const glm::dvec3& way) {
+    const double distance = glm::length(way);
+    return !(light.range && distance >= *light.range) &&
+           !(light.cone && -glm::dot(light.cone->direction, way) <= std::cos(light.cone->outer) * distance);
+}
+
 } // namespace
 
 ShadowTruthCaster::ShadowTruthCaster(const scene::Scene& scene, std::span<const Shape> shapes)
@@ -92,7 +99,7 @@ bool ShadowTruthCaster::reaches(const glm::dvec3& camera, const glm::dvec3& from
 }
 
 ShadowPixel ShadowTruthCaster::pixelAt(const scene::Camera& camera, const glm::dvec2& slope,
-                                       const glm::dvec2& step, const glm::dvec3& light) const {
+                                       const glm::dvec2& step, const scene::PointLight& light) const {
     const auto rayAt = [&](const glm::dvec2& at) {
         return Ray{camera.position, glm::dvec3(0.0), camera.right * at.x + camera.up * at.y - camera.back};
     };
@@ -112,10 +119,10 @@ ShadowPixel ShadowTruthCaster::pixelAt(const scene::Camera& camera, const glm::d
         return other.direction * at - point;
     };
     const glm::dvec3 normal = glm::cross(aside({step.x, 0.0}), aside({0.0, step.y}));
-    const glm::dvec3 way = (light - camera.position) - point;
+    const glm::dvec3 way = (light.position - camera.position) - point;
     const double towardsCamera = -glm::dot(normal, point);
     const double towardsLight = glm::dot(normal, way) * (towardsCamera < 0.0 ? -1.0 : 1.0);
-    if (!(towardsLight > kLeastCosine * glm::length(normal) * glm::length(way))) {
+    if (!(towardsLight > kLeastCosine * glm::length(normal) * glm::length(way)) || !shinesAlong(light, way)) {
         pixel.reach = Reach::away;
         return pixel;
     }
@@ -136,7 +143,7 @@ ShadowImage ShadowTruthCaster::cast(const scene::Camera& camera, std::uint32_t w
         const auto y = static_cast<std::uint32_t>(row);
         for (std::uint32_t x = 0; x < width; ++x) {
             truth.at(x, y) =
-                pixelAt(camera, {slopes.x[x], slopes.y[y]}, {pixel, pixel}, m_scene->lights[light].position);
+                pixelAt(camera, {slopes.x[x], slopes.y[y]}, {pixel, pixel}, m_scene->lights[light]);
         }
     });
     return truth;

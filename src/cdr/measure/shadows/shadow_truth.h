@@ -19,7 +19,7 @@ enum class Reach : std::uint8_t {
     nothing,  ///< background
     reached,  ///< the surface faces the light, and nothing lies between
     shadowed, ///< it faces the light, and something does
-    away      ///< it faces away, or lies so nearly along the light that it gets less than a thousandth of it
+    away      ///< it faces away, gets less than a thousandth of the light, or is outside its cone or range
 };
 
 /// A pixel's surface and a light.
@@ -74,7 +74,7 @@ class ShadowTruthCaster {
     /// @param point less the camera's position. @param way from there to a light.
     bool isFree(const glm::dvec3& camera, const glm::dvec3& point, const glm::dvec3& way) const;
     ShadowPixel pixelAt(const scene::Camera& camera, const glm::dvec2& slope, const glm::dvec2& step,
-                        const glm::dvec3& light) const;
+                        const scene::PointLight& light) const;
 
     const scene::Scene* m_scene;
     std::vector<Caster> m_casters; ///< by instance

@@ -1,3 +1,4 @@
+#include <cdr/render/shadows/light_shape.h>
 #include <cdr/render/shadows/light_view.h>
 
 #include <algorithm>
@@ -133,7 +134,7 @@ shaders::LightLens LightView::lens() const {
     return lens;
 }
 
-std::vector<LightView> lightViews(const glm::dvec3& light, const glm::dvec3& camera,
+std::vector<LightView> lightViews(const scene::PointLight& light, const glm::dvec3& camera,
                                   const ReceiverSlice& slice, double footprintSlope,
                                   std::uint32_t mostTexels) {
     LightView view;
@@ -141,10 +142,14 @@ std::vector<LightView> lightViews(const glm::dvec3& light, const glm::dvec3& cam
     view.farView = slice.farView;
     const TexelLimits limits{.finest = kPixelsPerTexel * footprintSlope * slice.nearView, .most = mostTexels};
     std::vector<LightView> views;
-    const glm::dvec3 way = (camera - light) + slice.middle;
+    if (!isInRange(light, camera, slice)) {
+        return views;
+    }
+    const glm::dvec3 way = (camera - light.position) + slice.middle;
     const double distance = glm::length(way);
     const auto add = [&](const glm::dvec3& shift) {
-        if (std::optional<LightView> made = withMap(view, slice, shift, limits)) {
+        const std::optional<LightView> made = withMap(view, slice, shift, limits);
+        if (made && isInCone(light, *made)) {
             views.push_back(*made);
         }
     };
@@ -157,7 +162,7 @@ std::vector<LightView> lightViews(const glm::dvec3& light, const glm::dvec3& cam
         add(view.origin - camera);
         return views;
     }
-    view.origin = light;
+    view.origin = light.position;
     view.wOffset = 0.0;
     view.wPerUnit = 1.0;
     for (int side = 0; side < 6; ++side) {
@@ -165,7 +170,7 @@ std::vector<LightView> lightViews(const glm::dvec3& light, const glm::dvec3& cam
         view.ahead[side / 2] = side % 2 == 0 ? 1.0 : -1.0;
         view.right = across(view.ahead);
         view.up = glm::cross(view.ahead, view.right);
-        const glm::dvec3 shift = light - camera;
+        const glm::dvec3 shift = light.position - camera;
         if (!isBeside(view, slice.view, shift) && !isBeside(view, slice.boxes, shift)) {
             add(shift);
         }

@@ -44,11 +44,11 @@ struct LightView {
 inline constexpr std::uint32_t kMapBorder = 2;
 
 /// The views of a light that show a slice's surfaces: one from a distance, else one for each side of the light that faces
-/// some. None where the slice's surfaces fill no space.
+/// some. None where the slice's surfaces fill no space, or where the light's cone and range leave them dark.
 /// @param camera position that the slice is relative to.
 /// @param footprintSlope scene::Frustum: no texel is much smaller than a pixel.
 /// @param mostTexels of a side of a map.
-std::vector<LightView> lightViews(const glm::dvec3& light, const glm::dvec3& camera,
+std::vector<LightView> lightViews(const scene::PointLight& light, const glm::dvec3& camera,
                                   const ReceiverSlice& slice, double footprintSlope,
                                   std::uint32_t mostTexels);
 } // namespace cdr::render

@@ -1,5 +1,6 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/shadows/divided_view.h>
+#include <cdr/render/shadows/light_shape.h>
 #include <cdr/render/shadows/receiver_push.h>
 #include <cdr/render/shadows/receiver_slices.h>
 #include <cdr/render/shadows/shadow_pass.h>
@@ -71,17 +72,18 @@ void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::Vi
     slot.views.clear();
     std::vector<std::size_t> lightOf;
     const std::size_t lights = std::min(m_scene.scene.lights.size(), kMostShadowLights);
-    for (std::size_t light = 0; light < lights; ++light) {
+    for (std::size_t i = 0; i < lights; ++i) {
+        const scene::PointLight& light = m_scene.scene.lights[i];
         for (const ReceiverSlice& slice : slices) {
-            for (const LightView& whole :
-                 lightViews(m_scene.scene.lights[light].position, view.camera.position, slice,
-                            view.frustum.footprintSlope, m_options.mostTexels)) {
-                const std::vector<LightView> views =
+            for (const LightView& whole : lightViews(light, view.camera.position, slice,
+                                                     view.frustum.footprintSlope, m_options.mostTexels)) {
+                std::vector<LightView> views =
                     isPlain ? std::vector{whole}
                             : dividedView(whole, slice, view.camera.position, view.frustum.footprintSlope);
+                std::erase_if(views, [&](const LightView& part) { return !isInCone(light, part); });
                 slot.views.insert(slot.views.end(), views.begin(), views.end());
             }
-            lightOf.resize(slot.views.size(), light);
+            lightOf.resize(slot.views.size(), i);
         }
     }
     slot.casters.prepare(slot.views, workers);

@@ -44,12 +44,6 @@ TranslucentShadows::TranslucentShadows(const gpu::Device& device, const DrawnSce
     growReceivers();
 }
 
-std::vector<LightView> TranslucentShadows::viewsOf(const ReceiverSlice& slice, std::size_t light,
-                                                   const FrameView& view, std::uint32_t mostTexels) const {
-    return lightViews(m_scene.scene.lights[light].position, view.camera.position, slice,
-                      view.frustum.footprintSlope, mostTexels);
-}
-
 std::uint32_t TranslucentShadows::mostTexels(std::span<const ReceiverSlice> slices,
                                              const FrameView& view) const {
     const std::size_t lights = std::min(m_scene.scene.lights.size(), kMostShadowLights);
@@ -57,7 +51,11 @@ std::uint32_t TranslucentShadows::mostTexels(std::span<const ReceiverSlice> slic
     for (const ReceiverSlice& slice : slices) {
         std::size_t maps = 0;
         for (std::size_t light = 0; light < lights; ++light) {
-            maps += viewsOf(slice, light, view, m_options.mostTexels).size();
+            // Of all directions: what a light's cone spares does not change the texels of the rest.
+            const scene::PointLight all{.position = m_scene.scene.lights[light].position};
+            maps += lightViews(all, view.camera.position, slice, view.frustum.footprintSlope,
+                               m_options.mostTexels)
+                        .size();
         }
         along = std::max(along, mapsAlong(maps));
     }
@@ -86,7 +84,8 @@ void TranslucentShadows::prepare(const FrameView& view, const visibility::Visibl
         drawn.firstMap = static_cast<std::uint32_t>(m_views.size());
         for (std::size_t light = 0; light < std::min(m_scene.scene.lights.size(), kMostShadowLights);
              ++light) {
-            const std::vector<LightView> views = viewsOf(slice, light, view, most);
+            const std::vector<LightView> views = lightViews(m_scene.scene.lights[light], view.camera.position,
+                                                            slice, view.frustum.footprintSlope, most);
             m_views.insert(m_views.end(), views.begin(), views.end());
             m_lights.resize(m_views.size(), light);
         }

@@ -42,8 +42,6 @@ class TranslucentShadows {
   private:
     /// Of a side of a map, so that those of each slice fit into the image.
     std::uint32_t mostTexels(std::span<const ReceiverSlice> slices, const FrameView& view) const;
-    std::vector<LightView> viewsOf(const ReceiverSlice& slice, std::size_t light, const FrameView& view,
-                                   std::uint32_t mostTexels) const;
     void placeMaps();
     void growReceivers();
 
