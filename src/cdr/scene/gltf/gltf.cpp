@@ -242,9 +242,10 @@ void Importer::addObject(const MeshNode& node, std::string name) {
         if (!m_moving->deforms(node, primitives[i])) {
             addRigid(node, i, object);
         } else if (node.toNode && node.skin && hasJoints(primitives[i])) {
-            // The extension does not say where joints, which no node places, would bring them.
-            m_sources.notes.add("copies of a mesh with a skin are not drawn",
-                                fmt::format("node {}", node.node));
+            m_sources.notes.add(
+                "copies of a mesh with a skin are not drawn: no node places its joints, and the "
+                "extension does not say what does",
+                fmt::format("node {}", node.node));
         } else {
             addDeformed(node, i, object);
         }
