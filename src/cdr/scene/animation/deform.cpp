@@ -49,6 +49,12 @@ void morph(const Deformer& deformer, std::span<const double> weights, std::size_
             point.tangent += weights[target] * glm::dvec4(glm::dvec3(delta->tangent), 0.0);
         }
     }
+    if (deformer.derivedTangents && !deformer.isFlat) {
+        for (Point& point : points) {
+            const glm::dvec3 normal = normalizedOr(point.normal, glm::dvec3(0.0));
+            point.tangent -= glm::dvec4(normal * glm::dot(normal, glm::dvec3(point.tangent)), 0.0);
+        }
+    }
 }
 
 glm::dmat4 blended(const Deformer& deformer, std::span<const glm::dmat4> joints, std::size_t vertex) {

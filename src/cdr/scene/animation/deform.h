@@ -30,6 +30,7 @@ struct Deformer {
     std::vector<Vertex> vertices;      ///< about the mesh's origin
     std::vector<VertexDetail> details; ///< one per vertex, or empty
     bool isFlat = false; ///< three vertices for each triangle in turn, whose normal follows from its corners
+    bool derivedTangents = false; ///< tangents that morph targets keep at a right angle to normals
     std::vector<std::vector<MorphDelta>> targets; ///< only vertices that they move, ascending
     std::vector<std::size_t> firstInfluence;      ///< by vertex, and the end; empty without a skin
     std::vector<Influence> influences;            ///< vertex by vertex

@@ -108,6 +108,7 @@ std::optional<SourcePrimitive> MeshImporter::readTriangles(const Primitive& prim
     if (uv.tangents != UvPlaces::Tangents::none && attributes.tangent == nullptr) {
         const std::vector<std::uint32_t> before = source.mesh.indices;
         addTangents(source.mesh, primitive, uv.tangents, where);
+        source.derived = uv.tangents;
         source.fileVertices.resize(source.mesh.vertices.size());
         for (std::size_t i = 0; i < before.size(); ++i) { // a vertex may have become several
             source.fileVertices[source.mesh.indices[i]] = source.fileVertices[before[i]];

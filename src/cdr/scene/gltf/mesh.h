@@ -23,6 +23,8 @@ struct SourcePrimitive {
     SourceMesh mesh;
     std::vector<std::uint32_t> fileVertices; ///< by vertex of the mesh: which one of the file's it is
     std::size_t fileVertexCount = 0;
+    UvPlaces::Tangents derived =
+        UvPlaces::Tangents::none; ///< the place that tangents which the file lacks follow
 };
 
 /// Lengths in a mesh's space.

@@ -3,6 +3,7 @@
 #include "../bytes/reading_order.h"
 #include "../checks.h"
 #include "../draco/decompressor.h"
+#include "morphed_tangents.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,9 @@ namespace cdr::scene::gltf {
 namespace {
 
 constexpr std::size_t kJointsPerSet = 4;
+
+/// Of a vertex, while targets get the deltas of tangents: two sums, the mesh in full, deltas as they grow, and tables.
+constexpr std::uint64_t kDeltaBytes = 256;
 
 /// Sets of four joints: JOINTS_0, JOINTS_1 and so on, as long as they follow each other.
 std::size_t jointSets(const Primitive& primitive) {
@@ -86,8 +90,9 @@ std::vector<MorphDelta> deltasOf(const std::map<std::string, int>& target, const
     };
     const Accessor* position = find("POSITION");
     const Accessor* normal = find("NORMAL");
-    const Accessor* tangent =
-        primitive.attributes.contains("TANGENT") && !source.mesh.details.empty() ? find("TANGENT") : nullptr;
+    const bool hasTangents = primitive.attributes.contains("TANGENT") && !source.mesh.details.empty() &&
+                             source.derived == UvPlaces::Tangents::none;
+    const Accessor* tangent = hasTangents ? find("TANGENT") : nullptr;
     std::vector<MorphDelta> deltas;
     const auto add = [&](std::uint32_t i) {
         const auto of = [&](const Accessor* accessor) {
@@ -176,7 +181,7 @@ PrimitiveBytes predictDeformer(const Primitive& primitive, Accessors& accessors)
     return {.kept = 2 * mesh.kept + vertices * (sizeof(std::size_t) +
                                                 jointSets(primitive) * kJointsPerSet * sizeof(Influence) +
                                                 primitive.targets.size() * sizeof(MorphDelta)),
-            .passing = mesh.passing};
+            .passing = std::max(mesh.passing, primitive.targets.empty() ? 0 : vertices * kDeltaBytes)};
 }
 
 Deformer makeDeformer(const Primitive& primitive, const SourcePrimitive& source, Accessors& accessors,
@@ -192,6 +197,10 @@ Deformer makeDeformer(const Primitive& primitive, const SourcePrimitive& source,
             }
         }
         deformer.targets.push_back(deltasOf(target, primitive, source, accessors, where));
+    }
+    if (source.derived != UvPlaces::Tangents::none && !deformer.targets.empty()) {
+        deformer.derivedTangents = true;
+        addTangentDeltas(deformer, source.mesh.indices, source.derived);
     }
     if (joints > 0) {
         addInfluences(primitive, source, accessors, joints, notes, where, deformer);
