@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,41 @@ render::RenderOptions smallPicture(const char* technique) {
     options.technique = depth::parseTechnique(technique);
     return options;
 }
+
+/// A scene that is ready for any number of pictures. The true picture of a frame is cast once.
+class ReadyScene {
+  public:
+    ReadyScene(const gpu::Device& device, const scene::SceneSetup& setup)
+        : m_device(&device),
+          m_setup(&setup),
+          m_onDevice(device, setup.scene),
+          m_certifier(setup.scene, m_workers) {}
+
+    render::Frame render(std::uint32_t frame, const render::RenderOptions& options) const {
+        return render::Renderer(*m_device, m_setup->scene, m_onDevice, options)
+            .render(m_setup->path.at(frame));
+    }
+    measure::Certificate certify(const render::Frame& frame, const render::RenderOptions& options) {
+        const measure::DrawnFrame drawn = drawnFrame(frame, options, m_device->info().subPixelBits);
+        return m_certifier.certify(drawn, m_workers);
+    }
+    const measure::TruthImage& truth(std::uint32_t frame, const render::RenderOptions& size) {
+        measure::TruthImage& truth = m_truths[frame];
+        if (truth.pixels.empty()) {
+            truth = measure::castTruth(m_setup->scene, m_setup->path.at(frame), size.width, size.height,
+                                       m_workers);
+        }
+        return truth;
+    }
+
+  private:
+    host::WorkerPool m_workers{2};
+    const gpu::Device* m_device;
+    const scene::SceneSetup* m_setup;
+    render::GpuScene m_onDevice;
+    measure::Certifier m_certifier;
+    std::map<std::uint32_t, measure::TruthImage> m_truths;
+};
 
 class CertifiedFrameTest : public test::DeviceTest {
   protected:
@@ -53,14 +89,12 @@ class CertifiedFrameTest : public test::DeviceTest {
     }
 
     /// Certifies, repairs, and expects the truth in every pixel. @return what was wrong before.
-    std::uint64_t expectRightOnceRepaired(const scene::SceneSetup& setup, std::uint32_t frameNumber,
-                                          const render::RenderOptions& options) {
-        render::Frame frame = render(setup.scene, setup.path.at(frameNumber), options);
-        const measure::Certificate certificate = certify(setup.scene, frame, options);
+    static std::uint64_t expectRightOnceRepaired(ReadyScene& scene, std::uint32_t frameNumber,
+                                                 const render::RenderOptions& options) {
+        render::Frame frame = scene.render(frameNumber, options);
+        const measure::Certificate certificate = scene.certify(frame, options);
         EXPECT_EQ(certificate.refused, 0u);
-        host::WorkerPool workers(2);
-        const measure::TruthImage truth =
-            measure::castTruth(setup.scene, frame.camera, frame.width(), frame.height(), workers);
+        const measure::TruthImage& truth = scene.truth(frameNumber, options);
         EXPECT_EQ(certificate.wrong, wrongIn(frame, truth));
         putRight(frame, certificate);
         EXPECT_EQ(wrongIn(frame, truth), 0u);
@@ -69,20 +103,23 @@ class CertifiedFrameTest : public test::DeviceTest {
 };
 
 TEST_F(CertifiedFrameTest, IsRightInEveryPixelOfEveryPreset) {
-    const std::vector<scene::SceneSetup> setups{scenes::makeAfc(2013), scenes::makeMixed(),
-                                                scenes::makeLadder(2013), scenes::makeBoulders(2013)};
+    const std::vector<scene::SceneSetup> setups{
+        scenes::makeAfc(2013), scenes::makeMixed(), scenes::makeLadder(2013),
+        scenes::makeBoulders(2013, {.boulders = 60, .shapes = 3, .subdivisions = 4})};
     for (const scene::SceneSetup& setup : setups) {
+        ReadyScene scene(device(), setup);
         for (const depth::NamedTechnique& preset : depth::presets()) {
             SCOPED_TRACE(setup.scene.name + " " + preset.name);
             const render::RenderOptions options = smallPicture(preset.name.c_str());
-            expectRightOnceRepaired(setup, 0, options);
-            expectRightOnceRepaired(setup, setup.path.frames / 3, options);
+            expectRightOnceRepaired(scene, 0, options);
+            expectRightOnceRepaired(scene, setup.path.frames / 3, options);
         }
     }
 }
 
 TEST_F(CertifiedFrameTest, IsRightOnBothSurfacePathsAndWithSnappedVertices) {
     const scene::SceneSetup setup = scenes::makeAfc(2013);
+    ReadyScene scene(device(), setup);
     for (const char* technique : {"anchored", "standard"}) {
         render::RenderOptions options = smallPicture(technique);
         for (const render::SurfacePath surface :
@@ -92,7 +129,7 @@ TEST_F(CertifiedFrameTest, IsRightOnBothSurfacePathsAndWithSnappedVertices) {
                              std::to_string(snapBits));
                 options.surface = surface;
                 options.snapBits = snapBits;
-                const std::uint64_t wrong = expectRightOnceRepaired(setup, 90, options);
+                const std::uint64_t wrong = expectRightOnceRepaired(scene, 90, options);
                 EXPECT_GE(wrong, snapBits > 0 ? 20u : 0u);
             }
         }
@@ -146,19 +183,20 @@ TEST_F(CertifiedFrameTest, IsRefusedWhereTheDepthFormatIsCoarserThanStated) {
     render::RenderOptions stated = smallPicture("reversed");
     render::RenderOptions drawn = stated;
     drawn.technique.format = depth::DepthFormat::d16;
-    const render::Frame frame = render(setup.scene, setup.path.at(90), drawn);
-    EXPECT_GT(certify(setup.scene, frame, stated).refused, 0u);
-    expectRightOnceRepaired(setup, 90, drawn);
+    ReadyScene scene(device(), setup);
+    EXPECT_GT(scene.certify(scene.render(90, drawn), stated).refused, 0u);
+    expectRightOnceRepaired(scene, 90, drawn);
 }
 
 TEST_F(CertifiedFrameTest, IsRefusedWhereVerticesAreSnappedMoreThanStated) {
     const scene::SceneSetup setup = scenes::makeAfc(2013);
     render::RenderOptions options = smallPicture("anchored");
     options.snapBits = 1;
-    const render::Frame frame = render(setup.scene, setup.path.at(90), options);
-    EXPECT_EQ(certify(setup.scene, frame, options).refused, 0u);
+    ReadyScene scene(device(), setup);
+    const render::Frame frame = scene.render(90, options);
+    EXPECT_EQ(scene.certify(frame, options).refused, 0u);
     options.snapBits = 0;
-    EXPECT_GT(certify(setup.scene, frame, options).refused, 0u);
+    EXPECT_GT(scene.certify(frame, options).refused, 0u);
 }
 
 /// A repaired pixel is lit as one that was drawn.
