@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Builds cdr::depth as an engine author does, without any other package, and installs it. Builds and runs an example of it
-# outside the source tree, with and without exceptions, by CMake and by pkg-config. Then installs cdr::render from a build of
-# all, and compiles each installed header alone. Builds and runs the examples as debug programs, from static libraries and from
-# shared ones. The examples print what their page says, and headers.txt names what is installed for an engine to include.
+# outside the source tree, by CMake and by pkg-config. Then installs cdr::render from a build of all, and compiles each
+# installed header alone. Builds and runs the examples as debug programs, from static libraries and from shared ones. The
+# examples print what their page says, and headers.txt names what is installed for an engine to include.
 # Usage: package_test.sh SOURCE_DIR [BUILD_DIR]
 set -euo pipefail
 
@@ -40,9 +40,6 @@ pc_dir=$(dirname "$(find "$work/plain/prefix" -name cdr.pc)")
 read -ra flags < <(PKG_CONFIG_PATH=$pc_dir pkg-config --define-prefix --cflags --libs cdr)
 quiet c++ -std=c++20 "-I$poison" "$source_dir/src/examples/depth_only/"{main,draw_anchored}.cpp "${flags[@]}" -o "$work/by_pkg_config"
 expect_output "$("$work/by_pkg_config")"
-
-install_cdr no-exceptions "-fno-exceptions -fno-rtti"
-expect_output "$("$work/no-exceptions/example/depth_only")"
 
 if (($# < 2)); then
     echo "render: not installed, this build's libraries need more of the linker"

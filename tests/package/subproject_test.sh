@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Adds cdr's folder to an engine's build, by add_subdirectory and by FetchContent: only the library is built. Then configures
-# cdr itself without what can be left out, and looks which programs remain.
+# Adds cdr's folder to an engine's build, by add_subdirectory and by FetchContent: only the library is built, without exceptions
+# too. Then configures cdr itself without what can be left out, and looks which programs remain.
 # Usage: subproject_test.sh SOURCE_DIR
 set -euo pipefail
 
@@ -16,7 +16,8 @@ fail() {
 
 for by in add_subdirectory FetchContent; do
     quiet cmake -G Ninja -S "$source_dir/tests/package/subproject" -B "$work/$by" -DCMAKE_BUILD_TYPE=Debug \
-        "-DCDR_BY=$by" "-DCDR_SOURCE=$source_dir" -DCDR_UNITY_BUILD=ON
+        -DCMAKE_CXX_FLAGS_DEBUG= "-DCMAKE_CXX_FLAGS=-fno-exceptions -fno-rtti" "-DCDR_BY=$by" "-DCDR_SOURCE=$source_dir" \
+        -DCDR_WARNINGS_AS_ERRORS=ON -DCDR_UNITY_BUILD=ON
 done
 # What the engine does not link is not built, and its own program lands where it says.
 quiet cmake --build "$work/add_subdirectory"
