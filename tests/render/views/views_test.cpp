@@ -36,11 +36,9 @@ class ViewsTest : public RenderTest {
         m_onDevice.emplace(device(), m_scene);
     }
 
-    /// Each view's frame is the one of a renderer of its own.
-    void expectMono(const std::vector<scene::Camera>& cameras, const render::RenderOptions& options) {
-        const std::string where = nameOf(options.technique) + " " + nameOf(options.targets) + " " +
-                                  std::string(nameOf(options.submission));
-        std::vector<std::string> mono;
+    /// Draws each view by a renderer of its own.
+    void drawMono(const std::vector<scene::Camera>& cameras, const render::RenderOptions& options) {
+        m_mono.clear();
         m_cascades.clear();
         m_draws.clear();
         for (const scene::Camera& camera : cameras) {
@@ -50,10 +48,16 @@ class ViewsTest : public RenderTest {
                 m_cascades = frame.cascades;
             }
             ASSERT_EQ(frame.cascades, m_cascades) << "the scene is not one that all see alike";
-            mono.push_back(hashOf(frame));
+            m_mono.push_back(hashOf(frame));
             m_draws.push_back(frame.stats.draws);
         }
-        EXPECT_NE(mono.front(), mono.back());
+        EXPECT_NE(m_mono.front(), m_mono.back());
+    }
+
+    /// Each view's frame is that of drawMono().
+    void expectMono(const std::vector<scene::Camera>& cameras, const render::RenderOptions& options) {
+        const std::string where = nameOf(options.technique) + " " + nameOf(options.targets) + " " +
+                                  std::string(nameOf(options.submission));
         for (const std::size_t threads : {1u, 2u}) {
             render::RenderOptions own = options;
             own.threads = threads;
@@ -62,12 +66,16 @@ class ViewsTest : public RenderTest {
                 const std::vector<Frame> views = renderer.render(cameras);
                 ASSERT_EQ(views.size(), cameras.size());
                 for (std::size_t i = 0; i < views.size(); ++i) {
-                    EXPECT_EQ(hashOf(views[i]), mono[i]) << where << ", view " << i << ", " << threads;
+                    EXPECT_EQ(hashOf(views[i]), m_mono[i]) << where << ", view " << i << ", " << threads;
                     EXPECT_EQ(views[i].cascades, m_cascades) << where;
                     EXPECT_EQ(views[i].camera, cameras[i]);
                 }
             }
         }
+    }
+    void drawAndExpectMono(const std::vector<scene::Camera>& cameras, const render::RenderOptions& options) {
+        ASSERT_NO_FATAL_FAILURE(drawMono(cameras, options));
+        expectMono(cameras, options);
     }
 
     std::vector<scene::Camera> eyes(scene::StereoMode mode) {
@@ -84,14 +92,16 @@ class ViewsTest : public RenderTest {
 
     scene::Scene m_scene;
     std::optional<render::GpuScene> m_onDevice;
+    std::vector<std::string> m_mono; ///< what each view's frame holds
     depth::Cascades m_cascades;
     std::vector<std::size_t> m_draws;
 };
 
-/// All techniques, targets and submissions, one and two threads.
+/// All techniques, targets and submissions, one and two threads. The mono picture is the same for all targets and submissions.
 TEST_F(ViewsTest, EachEyeIsTheMonoPictureToTheBit) {
     for (const scene::StereoMode mode : scene::kStereoModes) {
         for (const auto& [name, technique] : depth::presets()) {
+            ASSERT_NO_FATAL_FAILURE(drawMono(eyes(mode), viewOptions(technique)));
             for (const char* targets : {"single", "accumulate", "pool:3", "layers", "one-pass"}) {
                 for (const render::Submission submission : submissions()) {
                     render::RenderOptions options = viewOptions(technique);
@@ -108,12 +118,12 @@ TEST_F(ViewsTest, EachEyeIsTheMonoPictureWithWhateverElseIsDrawn) {
     render::RenderOptions plain = viewOptions(depth::parseTechnique("anchored"));
     std::vector<render::RenderOptions> all(5, plain);
     all[0].occlusionCulling = true;
-    all[1].shadows.method = render::ShadowMethod::anchored;
+    all[1].shadows = {.method = render::ShadowMethod::anchored, .mostTexels = 128};
     all[2].surface = render::SurfacePath::visibility;
     all[3].effects.antialias = render::Antialias::edges;
     all[4].motion = true;
     for (const render::RenderOptions& options : all) {
-        expectMono(eyes(scene::StereoMode::toedIn), options);
+        drawAndExpectMono(eyes(scene::StereoMode::toedIn), options);
     }
 }
 
@@ -121,17 +131,17 @@ TEST_F(ViewsTest, EachSideOfACubeIsTheMonoPicture) {
     const auto sides = scene::cubeSides(rigOf(scene::StereoMode::parallel).centre);
     render::RenderOptions options = viewOptions(depth::parseTechnique("anchored/count:4"));
     options.width = options.height = 64;
-    expectMono({sides.begin(), sides.end()}, options);
+    drawAndExpectMono({sides.begin(), sides.end()}, options);
     options.submission = render::Submission::primaries;
     options.technique = depth::parseTechnique("cdr");
-    expectMono({sides.begin(), sides.end()}, options);
+    drawAndExpectMono({sides.begin(), sides.end()}, options);
 }
 
 /// Each view draws what it sees, not what the others see too.
 TEST_F(ViewsTest, EachViewDrawsNoMoreThanAlone) {
     const std::vector<scene::Camera> cameras = eyes(scene::StereoMode::toedIn);
     const render::RenderOptions options = viewOptions(depth::parseTechnique("anchored"));
-    expectMono(cameras, options);
+    drawAndExpectMono(cameras, options);
     ViewsRenderer renderer(device(), m_scene, *m_onDevice, options, 2);
     const auto stats = renderer.draw(cameras);
     EXPECT_EQ(stats[0].draws, m_draws[0]);
