@@ -51,11 +51,17 @@ class TranslucencyTest : public RenderTest {
         return measure::castLayers(scene, camera, width, height, workers);
     }
 
+    /// The sheets' is cast once.
+    const measure::LayeredTruth& truthOfSheets() {
+        static const measure::LayeredTruth truth = truthOf(m_sheets.scene, m_camera);
+        return truth;
+    }
+
     /// How a sheets frame compares with the truth, once it has covered enough to mean anything.
     void expectCounted(const render::RenderOptions& options) {
         const render::Frame frame = draw(m_sheets.scene, m_camera, options);
         const measure::LayerDifference difference =
-            measure::compareLayers(frame.color, frame.fragmentCounts, m_truth);
+            measure::compareLayers(frame.color, frame.fragmentCounts, truthOfSheets());
         EXPECT_GT(difference.translucent, kWidth * kHeight / 5);
         EXPECT_EQ(difference.miscounted, 0u)
             << nameOf(options.technique) << " " << nameOf(options.targets) << " "
@@ -64,7 +70,6 @@ class TranslucencyTest : public RenderTest {
 
     scene::SceneSetup m_sheets = scenes::makeSheets(2013);
     scene::Camera m_camera = m_sheets.path.at(0);
-    measure::LayeredTruth m_truth = truthOf(m_sheets.scene, m_camera);
 };
 
 /// The fragment count is exact where no sheet is lost at a boundary and none is drawn twice.
