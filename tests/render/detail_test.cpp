@@ -138,7 +138,7 @@ TEST_F(DetailRenderTest, IsOneImageHoweverDrawn) {
                 << " " << nameOf(options.batching) << " " << options.threads;
             EXPECT_EQ(frame.stats.draws, draws);
         };
-        render::RenderOptions options = optionsOf("count:5", detail);
+        render::RenderOptions options = quarterOf(optionsOf("count:5", detail));
         for (const render::Submission submission : submissions()) {
             for (const render::TargetsKind targets :
                  {render::TargetsKind::single, render::TargetsKind::accumulate, render::TargetsKind::pool,
@@ -171,7 +171,7 @@ TEST_F(DetailRenderTest, TheGpuDrivenPathChoosesAlikeWithEveryTechnique) {
     const render::GpuScene gpuScene(device(), setup.scene);
     for (const auto& [name, technique] : depth::presets()) {
         for (const Detail& detail : {kByObject, kByCascade}) {
-            render::RenderOptions options = optionsOf("none", detail);
+            render::RenderOptions options = quarterOf(optionsOf("none", detail));
             options.technique = technique;
             render::Renderer host(device(), setup.scene, gpuScene, options);
             options.submission = render::Submission::gpuDriven;
@@ -262,7 +262,7 @@ TEST_F(DetailRenderTest, ClustersAreOneImageHoweverDrawn) {
              {render::Submission::secondaries, render::Submission::primaries}) {
             for (const std::size_t threads : {1u, 3u, 16u}) {
                 for (const bool occlusionCulling : {false, true}) {
-                    render::RenderOptions options = optionsOf("count:5", detail);
+                    render::RenderOptions options = quarterOf(optionsOf("count:5", detail));
                     options.submission = submission;
                     options.targets = targets;
                     options.threads = threads;

@@ -76,6 +76,21 @@ inline render::RenderOptions smallOptions(const depth::Technique& technique) {
             .threads = 1};
 }
 
+/// The same for a quarter of the pixels.
+inline render::RenderOptions quarterOf(render::RenderOptions options) {
+    options.width /= 2;
+    options.height /= 2;
+    return options;
+}
+
+/// For what no size of the picture changes.
+inline render::RenderOptions tinyOptions(const depth::Technique& technique) {
+    render::RenderOptions options = smallOptions(technique);
+    options.width = 96;
+    options.height = 54;
+    return options;
+}
+
 /// One hash over everything a frame holds, pixel by pixel.
 inline std::string hashOf(const render::Frame& frame) {
     return host::sha256Of(frame.color.pixels) + host::sha256Of(frame.gbuffer.pixels);

@@ -15,14 +15,6 @@ namespace {
 
 using SharedPipelinesTest = OwnPipelinesTest;
 
-/// How large a picture is changes no pipeline.
-render::RenderOptions tinyOptions(const depth::Technique& technique) {
-    render::RenderOptions options = smallOptions(technique);
-    options.width = 96;
-    options.height = 54;
-    return options;
-}
-
 /// How many pipelines the device made so far.
 std::uint64_t pipelinesMade(const gpu::Device& device) {
     const gpu::PipelineObjects& objects = gpu::pipelineObjects(device);
@@ -108,7 +100,7 @@ TEST_F(SharedPipelinesTest, AddingToAWorldWhatItHasTheKindOfMakesNone) {
     for (const render::Submission submission : submissions()) {
         scene::World world(scene);
         render::GpuScene onDevice(device(), world);
-        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+        render::RenderOptions options = tinyOptions(depth::parseTechnique("anchored"));
         options.submission = submission;
         render::Renderer renderer(device(), onDevice, options);
         renderer.draw({});
@@ -138,7 +130,7 @@ TEST_F(SharedPipelinesTest, APreparedRendererKeepsItsPasses) {
         scene::World world(boxScene());
         const scene::MeshHandle mesh = world.mesh(0);
         render::GpuScene onDevice(device(), world);
-        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+        render::RenderOptions options = tinyOptions(depth::parseTechnique("anchored"));
         options.submission = submission;
         options.prepareFor = {
             .shine = true, .blended = true, .emission = true, .lights = 7, .shapedLights = true};
@@ -203,7 +195,7 @@ TEST_F(SharedPipelinesTest, ARendererThatIsPreparedForMaterialsMakesNone) {
         for (const render::Translucency method : render::kTranslucencies) {
             scene::World world(scene);
             render::GpuScene onDevice(device(), world);
-            render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+            render::RenderOptions options = tinyOptions(depth::parseTechnique("anchored"));
             options.submission = submission;
             options.translucency.method = method;
             options.prepareFor.materials = materials;
@@ -233,7 +225,7 @@ TEST_F(SharedPipelinesTest, ARendererThatIsPreparedForMaterialsMakesNone) {
 }
 
 TEST_F(SharedPipelinesTest, PreparingForTooManyLightsIsRefused) {
-    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    render::RenderOptions options = tinyOptions(depth::parseTechnique("anchored"));
     options.prepareFor.lights = render::kMostPreparedLights + 1;
     EXPECT_THROW(draw(boxScene(), {}, options), base::InputError);
 }

@@ -44,7 +44,8 @@ TEST_F(PointsTest, EachModeIsSeenWhereTheTruthSeesIt) {
 TEST_F(PointsTest, LooksAsFloat64Truth) {
     const scene::SceneSetup setup = survey(0.06);
     const scene::Camera camera = setup.path.at(0);
-    const render::Frame frame = draw(setup.scene, camera, smallOptions(depth::parseTechnique("anchored")));
+    const render::Frame frame =
+        draw(setup.scene, camera, quarterOf(smallOptions(depth::parseTechnique("anchored"))));
     host::WorkerPool workers(2);
     const image::ImageRgba8 wanted =
         pictureOf(measure::castLayers(setup.scene, camera, frame.width(), frame.height(), workers));
@@ -78,7 +79,7 @@ TEST_F(PointsTest, CloudsAlmostAtOnePlaceAreToldApart) {
 
 TEST_F(PointsTest, ThePictureIsTheSameForAllSubmissions) {
     const scene::SceneSetup setup = survey({});
-    render::RenderOptions options = smallOptions(depth::parseTechnique("cdr"));
+    render::RenderOptions options = tinyOptions(depth::parseTechnique("cdr"));
     const std::string wanted = hashOf(draw(setup.scene, setup.path.at(0), options));
     for (const render::Submission submission : submissions()) {
         options.submission = submission;
@@ -103,9 +104,7 @@ TEST_F(PointsTest, UnlitOnesShowWhatTheyEmit) {
     const scene::Camera camera = setup.path.at(0);
     const scene::SceneSetup dark = survey(0.06);
     host::WorkerPool workers(2);
-    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
-    options.width /= 2;
-    options.height /= 2;
+    render::RenderOptions options = quarterOf(smallOptions(depth::parseTechnique("anchored")));
     options.translucency.method = render::Translucency::sorted;
     for (const scene::AlphaMode alpha : {scene::AlphaMode::opaque, scene::AlphaMode::blend}) {
         for (scene::Material& material : setup.scene.materials) {
@@ -124,7 +123,7 @@ TEST_F(PointsTest, UnlitOnesShowWhatTheyEmit) {
 /// What shows in each path shows in all: see ModelTest for surfaces that are lit.
 TEST_F(PointsTest, WhatUnlitOnesEmitIsTheSameInEveryPath) {
     const scene::SceneSetup setup = glowing(survey({}));
-    render::RenderOptions options = smallOptions(depth::parseTechnique("cdr"));
+    render::RenderOptions options = tinyOptions(depth::parseTechnique("cdr"));
     const std::string wanted = hashOf(draw(setup.scene, setup.path.at(0), options));
     for (const char* targets : {"accumulate", "pool:2", "layers"}) {
         options.targets = render::parseTargets(targets);
@@ -142,7 +141,7 @@ TEST_F(PointsTest, WhatUnlitOnesEmitIsTheSameInEveryPath) {
 
 TEST_F(PointsTest, UnlitOnesMayGlowLater) {
     const scene::SceneSetup setup = glowing(survey({}));
-    const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    const render::RenderOptions options = tinyOptions(depth::parseTechnique("anchored"));
     scene::Scene dark = setup.scene;
     for (scene::Material& material : dark.materials) {
         material.detail = {};

@@ -37,6 +37,10 @@ scene::SceneSetup wallAndBox() {
     return setup;
 }
 
+RenderOptions fewPixels(const std::string& technique) {
+    return quarterOf(smallOptions(depth::parseTechnique(technique)));
+}
+
 class OcclusionCullingTest : public RenderTest {
   protected:
     static RenderOptions culling(RenderOptions options) {
@@ -71,15 +75,14 @@ class OcclusionCullingTest : public RenderTest {
 
 TEST_F(OcclusionCullingTest, LeavesOutMostOfATownAndNoneOfThePicture) {
     for (const char* name : {"standard", "cdr", "log", "logcdr", "reversed", "anchored"}) {
-        const std::size_t hidden =
-            expectSamePictures(m_city, smallOptions(depth::parseTechnique(name)), kStep);
+        const std::size_t hidden = expectSamePictures(m_city, fewPixels(name), kStep);
         EXPECT_GT(hidden, 2'500u) << name; // of 10 frames
     }
 }
 
 TEST_F(OcclusionCullingTest, HoldsForEveryFormatThatIsCoarse) {
     for (const char* name : {"standard", "log"}) {
-        RenderOptions options = smallOptions(depth::parseTechnique(name));
+        RenderOptions options = fewPixels(name);
         options.technique.format = depth::DepthFormat::d16;
         expectSamePictures(m_city, options, kStep);
         expectSamePictures(scenes::openScene("mixed", 1).setup, options, 1);
@@ -98,7 +101,7 @@ TEST_F(OcclusionCullingTest, KeepsWhatACoarseBufferShowsThroughAWall) {
 }
 
 TEST_F(OcclusionCullingTest, HoldsForAllTargetsThreadsSubmissionsAndSurfaces) {
-    RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    RenderOptions options = fewPixels("anchored");
     options.technique.split = depth::SplitCount{3};
     for (const char* targets : {"accumulate", "pool", "layers", "one-pass"}) {
         options.targets = render::parseTargets(targets);
@@ -120,7 +123,7 @@ TEST_F(OcclusionCullingTest, HoldsForAVisibilityBuffer) {
     if (texels > vk::PhysicalDevice(device().physical()).getProperties().limits.maxTexelBufferElements) {
         GTEST_SKIP() << "the device reads too few facets";
     }
-    RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    RenderOptions options = fewPixels("anchored");
     options.surface = render::SurfacePath::visibility;
     EXPECT_GT(expectSamePictures(m_city, options, kStep), 2'500u);
 }
@@ -134,7 +137,7 @@ TEST_F(OcclusionCullingTest, HoldsGpuDriven) {
                                  std::uint32_t step) {
         const render::GpuScene gpuScene(device(), setup.scene);
         for (const std::string& name : names) {
-            RenderOptions options = smallOptions(depth::parseTechnique(name));
+            RenderOptions options = fewPixels(name);
             options.submission = render::Submission::gpuDriven;
             const std::size_t hidden = expectSamePictures(setup, gpuScene, options, step);
             EXPECT_TRUE(&setup != &m_city || hidden > 2'500u) << name << " " << hidden;
@@ -147,7 +150,7 @@ TEST_F(OcclusionCullingTest, HoldsGpuDriven) {
         expectAlike(scenes::openScene(name, 2013).setup,
                     test::takesAllCases() ? techniques : std::vector{techniques[++turn]}, 90);
     }
-    RenderOptions coarse = smallOptions(depth::parseTechnique("standard"));
+    RenderOptions coarse = fewPixels("standard");
     coarse.technique.format = depth::DepthFormat::d16;
     coarse.submission = render::Submission::gpuDriven;
     EXPECT_EQ(expectSamePictures(wallAndBox(), coarse, 1), 0u);
@@ -156,7 +159,7 @@ TEST_F(OcclusionCullingTest, HoldsGpuDriven) {
 }
 
 TEST_F(OcclusionCullingTest, HoldsWhereVerticesAreSnapped) {
-    RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    RenderOptions options = fewPixels("anchored");
     options.snapBits = 4;
     EXPECT_GT(expectSamePictures(m_city, options, kStep), 2'500u);
 }
@@ -164,7 +167,7 @@ TEST_F(OcclusionCullingTest, HoldsWhereVerticesAreSnapped) {
 TEST_F(OcclusionCullingTest, HoldsWhereNothingHidesMuch) {
     for (const char* name : {"rotation", "afc", "orbit"}) {
         const scene::SceneSetup setup = scenes::openScene(name, 2013).setup;
-        expectSamePictures(setup, smallOptions(depth::parseTechnique("anchored")), 60);
+        expectSamePictures(setup, fewPixels("anchored"), 60);
     }
 }
 
@@ -216,7 +219,7 @@ TEST_F(OcclusionCullingTest, ShowsWhatAWallUncoversInTheSameFrame) {
 }
 
 TEST_F(OcclusionCullingTest, FramesInFlightAreTheSame) {
-    RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    RenderOptions options = fewPixels("anchored");
     options.framesInFlight = 3;
     for (const render::Submission submission : submissions()) {
         options.submission = submission;
