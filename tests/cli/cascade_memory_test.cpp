@@ -1,5 +1,4 @@
-#include "../support/launched.h"
-#include "program.h"
+#include "rank_test.h"
 
 #include <cdr/host/file.h>
 #include <cdr/image/codec.h>
@@ -68,11 +67,10 @@ void writeTexturedSquares(const std::filesystem::path& folder) {
     host::writeText(folder / "squares.gltf", gltf.dump());
 }
 
+using CascadeMemory = RankTest;
+
 /// Under a limit of the address space that one process exceeds, four ranks draw its picture.
-TEST(CascadeMemory, ARankHoldsWhatItsCascadesTouch) {
-    if (std::string(CDR_MPIEXEC).empty()) {
-        GTEST_SKIP() << "built without MPI (libopenmpi-dev, openmpi-bin)";
-    }
+TEST_F(CascadeMemory, ARankHoldsWhatItsCascadesTouch) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     GTEST_SKIP() << "a sanitizer takes terabytes of the address space";
 #endif

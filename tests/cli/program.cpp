@@ -26,6 +26,23 @@ std::string readText(const fs::path& path) {
     return text.str();
 }
 
+std::vector<std::string> linesIn(const fs::path& path) {
+    std::vector<std::string> lines;
+    std::istringstream stream(readText(path));
+    for (std::string line; std::getline(stream, line);) {
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+void writeLines(const fs::path& path, const std::vector<std::string>& lines, const std::string& cutOff) {
+    std::string text;
+    for (const std::string& line : lines) {
+        text += line + "\n";
+    }
+    host::writeText(path, text + cutOff);
+}
+
 const gpu::DeviceInfo& deviceInfo() {
     static const gpu::DeviceInfo info = [] {
         const gpu::Instance instance;
@@ -61,10 +78,6 @@ ProgramResult runProgram(const std::string& arguments, const fs::path& folder,
     fs::remove(log + ".out");
     fs::remove(log + ".err");
     return result;
-}
-
-bool takesAllCases() {
-    return std::getenv("CDR_ALL_CASES") != nullptr;
 }
 
 std::vector<std::string> commandNames() {

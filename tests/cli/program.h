@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../support/all_cases.h"
 #include "../support/temporary_folder.h"
 
 #include <cdr/gpu/device.h>
@@ -23,9 +24,6 @@ struct ProgramResult {
 ProgramResult runProgram(const std::string& arguments, const std::filesystem::path& folder,
                          const std::string& environment = "");
 
-/// Whether CDR_ALL_CASES asks for all cases instead of some.
-bool takesAllCases();
-
 /// The commands that bare `cdr` lists.
 std::vector<std::string> commandNames();
 
@@ -44,9 +42,16 @@ bool canDrawGpuDriven();
 constexpr const char* kNoD24 = "left out: d24, which the device lacks";
 constexpr const char* kNoGpuDriven = "left out: gpu-driven submission, which the device lacks";
 
+using test::takesAllCases;
 using test::TemporaryFolder;
 
 std::string readText(const std::filesystem::path& path);
+
+/// Those of a text file, without their ends.
+std::vector<std::string> linesIn(const std::filesystem::path& path);
+/// Each line with its end, and then a text.
+void writeLines(const std::filesystem::path& path, const std::vector<std::string>& lines,
+                const std::string& cutOff = "");
 
 /// By name, every file of a folder; JSON without what measures time.
 std::map<std::string, std::string> filesIn(const std::filesystem::path& folder);

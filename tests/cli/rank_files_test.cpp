@@ -1,5 +1,4 @@
-#include "../support/launched.h"
-#include "program.h"
+#include "rank_test.h"
 
 #include <cdr/host/file.h>
 
@@ -16,11 +15,12 @@ namespace fs = std::filesystem;
 const fs::path kModelFolder = CDR_SOURCE_DIR "/tests/assets";
 
 /// Three ranks, each in a folder of its own, 0, 1 and 2, as on nodes that see other files.
-class RankFiles : public testing::Test {
+class RankFiles : public RankTest {
   protected:
     void SetUp() override {
-        if (std::string(CDR_MPIEXEC).empty()) {
-            GTEST_SKIP() << "built without MPI (libopenmpi-dev, openmpi-bin)";
+        RankTest::SetUp();
+        if (IsSkipped()) {
+            return;
         }
         for (const char* rank : {"0", "1", "2"}) {
             fs::create_directory(at(rank));

@@ -1,5 +1,4 @@
-#include "../support/launched.h"
-#include "program.h"
+#include "rank_test.h"
 
 #include <cdr/host/file.h>
 
@@ -22,14 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A run over ranks, or of one process, whose processes say their numbers in files pid.RANK, or pid.
-class RankKills : public testing::Test {
+class RankKills : public RankTest {
   protected:
-    void SetUp() override {
-        if (std::string(CDR_MPIEXEC).empty()) {
-            GTEST_SKIP() << "built without MPI (libopenmpi-dev, openmpi-bin)";
-        }
-    }
-
     /// @param ranks 0 for one process that no launcher starts.
     /// @param signalling as the function of that name says; empty for a run that is left alone.
     ProgramResult run(unsigned ranks, const std::string& arguments,

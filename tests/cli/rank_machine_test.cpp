@@ -1,5 +1,4 @@
-#include "../support/launched.h"
-#include "program.h"
+#include "rank_test.h"
 
 #include <cdr/host/file.h>
 #include <cdr/host/thread_placement.h>
@@ -20,14 +19,8 @@ namespace fs = std::filesystem;
 
 using CpuList = std::vector<std::size_t>;
 
-class RankMachine : public testing::Test {
+class RankMachine : public RankTest {
   protected:
-    void SetUp() override {
-        if (std::string(CDR_MPIEXEC).empty()) {
-            GTEST_SKIP() << "built without MPI (libopenmpi-dev, openmpi-bin)";
-        }
-    }
-
     /// For tests that bind ranks apart.
     static bool hasOneCpu() { return host::allowedCpus().size() < 2; }
 };

@@ -1,5 +1,4 @@
-#include "../support/launched.h"
-#include "program.h"
+#include "rank_test.h"
 
 #include <cdr/host/base64.h>
 #include <cdr/host/file.h>
@@ -12,7 +11,6 @@
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,13 +32,11 @@ struct Kept {
     friend std::ostream& operator<<(std::ostream& out, const Kept& kept) { return out << kept.arguments; }
 };
 
-class RankState : public testing::TestWithParam<Kept> {
+class RankState : public RankTest, public testing::WithParamInterface<Kept> {
   protected:
     void SetUp() override {
-        if (std::string(CDR_MPIEXEC).empty()) {
-            GTEST_SKIP() << "built without MPI (libopenmpi-dev, openmpi-bin)";
-        }
-        if (std::string(GetParam().arguments).starts_with("orbit") &&
+        RankTest::SetUp();
+        if (!IsSkipped() && std::string(GetParam().arguments).starts_with("orbit") &&
             !fs::exists(CDR_SOURCE_DIR "/.cache/orbit-data")) {
             GTEST_SKIP() << "the Earth of the scene orbit is not installed; tools/setup.sh fetches it";
         }
@@ -76,21 +72,9 @@ class RankState : public testing::TestWithParam<Kept> {
                                   std::regex("\"make_levels_ms\": [^,\n]+"), "");
     }
 
-    Lines stateLines() const {
-        Lines lines;
-        std::istringstream stream(readText(state()));
-        for (std::string line; std::getline(stream, line);) {
-            lines.push_back(line);
-        }
-        return lines;
-    }
-
+    Lines stateLines() const { return linesIn(state()); }
     void writeState(const Lines& lines, const std::string& cutOff = "") const {
-        std::string text;
-        for (const std::string& line : lines) {
-            text += line + "\n";
-        }
-        host::writeText(state(), text + cutOff);
+        writeLines(state(), lines, cutOff);
     }
 
     void expectRefused(int ranks, const std::string& line, const std::string& more = "--state s") const {
@@ -232,21 +216,7 @@ class RankReportState : public testing::Test {
     fs::path unfinished() const {
         return at(".r." + host::sha256Of(fs::canonical(at(".")).string() + "/s").substr(0, 12) + ".new");
     }
-    Lines stateLines() const {
-        Lines lines;
-        std::istringstream stream(readText(at("s")));
-        for (std::string line; std::getline(stream, line);) {
-            lines.push_back(line);
-        }
-        return lines;
-    }
-    void writeState(const Lines& lines) const {
-        std::string text;
-        for (const std::string& line : lines) {
-            text += line + "\n";
-        }
-        host::writeText(at("s"), text);
-    }
+    Lines stateLines() const { return linesIn(at("s")); }
     /// With times.
     std::map<std::string, std::string> reportFiles() const {
         std::map<std::string, std::string> files;
@@ -304,7 +274,7 @@ TEST_F(RankReportState, MakesOnlyTheSectionsThatAreMissing) {
     // As a run that was killed leaves it: the first lines, and in the folder more than they say.
     fs::rename(at("r"), unfinished());
     host::writeText(unfinished() / "pictures/half.png", "half a picture");
-    writeState(Lines(lines.begin(), lines.end() - 2));
+    writeLines(at("s"), Lines(lines.begin(), lines.end() - 2));
     const ProgramResult second = report(2);
     EXPECT_EQ(second.status, first.status) << second.err;
     EXPECT_FALSE(fs::exists(unfinished()));

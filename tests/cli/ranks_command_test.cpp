@@ -1,6 +1,5 @@
 #include "../support/fault.h"
-#include "../support/launched.h"
-#include "program.h"
+#include "rank_test.h"
 
 #include <cdr/host/file.h>
 
@@ -23,14 +22,7 @@ ProgramResult runAsRanks(int ranks, const std::string& arguments, const fs::path
     return runProgram(arguments, folder, test::launched(CDR_MPIEXEC, ranks));
 }
 
-class RanksCommand : public testing::Test {
-  protected:
-    void SetUp() override {
-        if (std::string(CDR_MPIEXEC).empty()) {
-            GTEST_SKIP() << "built without MPI (libopenmpi-dev, openmpi-bin)";
-        }
-    }
-};
+using RanksCommand = RankTest;
 
 /// The numbers of ranks that divide what all commands divide by one mechanism: one of them, or all with CDR_ALL_CASES.
 std::vector<int> usualCounts() {

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <map>
 #include <set>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,23 +18,6 @@ namespace cdr::cli_test {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::string> linesIn(const fs::path& path) {
-    std::vector<std::string> lines;
-    std::istringstream stream(readText(path));
-    for (std::string line; std::getline(stream, line);) {
-        lines.push_back(line);
-    }
-    return lines;
-}
-
-void writeLines(const fs::path& path, const std::vector<std::string>& lines) {
-    std::string text;
-    for (const std::string& line : lines) {
-        text += line + "\n";
-    }
-    host::writeText(path, text);
-}
 
 /// A run that keeps its frames, and what it has left.
 class RenderState : public testing::Test {
