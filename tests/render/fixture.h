@@ -84,11 +84,20 @@ inline render::RenderOptions quarterOf(render::RenderOptions options) {
 }
 
 /// For what no size of the picture changes.
-inline render::RenderOptions tinyOptions(const depth::Technique& technique) {
+inline render::RenderOptions thumbnailOptions(const depth::Technique& technique) {
     render::RenderOptions options = smallOptions(technique);
     options.width = 96;
     options.height = 54;
     return options;
+}
+
+/// Of all presets.
+inline std::vector<depth::Technique> presetTechniques() {
+    std::vector<depth::Technique> all;
+    for (const depth::NamedTechnique& preset : depth::presets()) {
+        all.push_back(preset.technique);
+    }
+    return all;
 }
 
 /// One hash over everything a frame holds, pixel by pixel.

@@ -23,7 +23,7 @@ std::uint64_t pipelinesMade(const gpu::Device& device) {
 
 /// Options that have a pipeline of each pass, between them.
 std::vector<render::RenderOptions> optionsOfAllPasses() {
-    render::RenderOptions plain = tinyOptions(depth::parseTechnique("anchored"));
+    render::RenderOptions plain = thumbnailOptions(depth::parseTechnique("anchored"));
     plain.motion = true;
     render::RenderOptions lit = plain;
     lit.effects = {
@@ -34,7 +34,7 @@ std::vector<render::RenderOptions> optionsOfAllPasses() {
     culled.shadows.method = render::ShadowMethod::anchored;
     render::RenderOptions facets = plain;
     facets.surface = render::SurfacePath::visibility;
-    render::RenderOptions focused = tinyOptions(depth::parseTechnique("cdr"));
+    render::RenderOptions focused = thumbnailOptions(depth::parseTechnique("cdr"));
     focused.targets = render::TargetsKind::layers;
     focused.focus = {.distance = 10.0, .aperture = 0.1};
     std::vector<render::RenderOptions> all{plain, lit, culled, facets, focused};
@@ -100,7 +100,7 @@ TEST_F(SharedPipelinesTest, AddingToAWorldWhatItHasTheKindOfMakesNone) {
     for (const render::Submission submission : submissions()) {
         scene::World world(scene);
         render::GpuScene onDevice(device(), world);
-        render::RenderOptions options = tinyOptions(depth::parseTechnique("anchored"));
+        render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
         options.submission = submission;
         render::Renderer renderer(device(), onDevice, options);
         renderer.draw({});
@@ -130,7 +130,7 @@ TEST_F(SharedPipelinesTest, APreparedRendererKeepsItsPasses) {
         scene::World world(boxScene());
         const scene::MeshHandle mesh = world.mesh(0);
         render::GpuScene onDevice(device(), world);
-        render::RenderOptions options = tinyOptions(depth::parseTechnique("anchored"));
+        render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
         options.submission = submission;
         options.prepareFor = {
             .shine = true, .blended = true, .emission = true, .lights = 7, .shapedLights = true};
@@ -195,7 +195,7 @@ TEST_F(SharedPipelinesTest, ARendererThatIsPreparedForMaterialsMakesNone) {
         for (const render::Translucency method : render::kTranslucencies) {
             scene::World world(scene);
             render::GpuScene onDevice(device(), world);
-            render::RenderOptions options = tinyOptions(depth::parseTechnique("anchored"));
+            render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
             options.submission = submission;
             options.translucency.method = method;
             options.prepareFor.materials = materials;
@@ -225,7 +225,7 @@ TEST_F(SharedPipelinesTest, ARendererThatIsPreparedForMaterialsMakesNone) {
 }
 
 TEST_F(SharedPipelinesTest, PreparingForTooManyLightsIsRefused) {
-    render::RenderOptions options = tinyOptions(depth::parseTechnique("anchored"));
+    render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
     options.prepareFor.lights = render::kMostPreparedLights + 1;
     EXPECT_THROW(draw(boxScene(), {}, options), base::InputError);
 }
@@ -234,7 +234,7 @@ TEST_F(SharedPipelinesTest, PreparingForTooManyLightsIsRefused) {
 TEST_F(SharedPipelinesTest, ASecondRendererOfTheSameOptionsMakesNoPipelines) {
     const scene::SceneSetup setup = scenes::makeAfc(1);
     const render::GpuScene gpuScene(device(), setup.scene);
-    const auto options = tinyOptions(depth::parseTechnique("anchored"));
+    const auto options = thumbnailOptions(depth::parseTechnique("anchored"));
     const scene::Camera camera = setup.path.at(7);
     auto first = std::make_unique<render::Renderer>(device(), setup.scene, gpuScene, options);
     const std::string picture = hashOf(first->render(camera));

@@ -1,9 +1,8 @@
 #include "../fixture.h"
+#include "../steps.h"
 
 #include <cdr/base/error.h>
 #include <cdr/measure/truth/layered_truth.h>
-
-#include <cstdlib>
 
 namespace cdr::render_test {
 
@@ -22,19 +21,6 @@ scene::Scene brightScene() {
 }
 
 const scene::Camera kCamera = scene::lookAt({.fovY = 0.9}, {1.0, 2.0, 5.0}, glm::dvec3(0.0));
-
-/// The largest difference to the truth, inside of surfaces and of background, 8-bit steps.
-int largestStepTo(const measure::LayeredTruth& truth, const measure::TruthFinish& finish,
-                  const image::ImageRgba8& picture) {
-    const image::ImageRgba8 wanted = pictureOf(truth, finish);
-    int largest = 0;
-    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-        for (std::size_t c = 0; truth.pixels[i].isInner && c < 3; ++c) {
-            largest = std::max(largest, std::abs(int{wanted.pixels[i][c]} - int{picture.pixels[i][c]}));
-        }
-    }
-    return largest;
-}
 
 /// Shading finishes the picture itself; the pass that smooths edges does so in its place. A visibility buffer's background
 /// is cleared, and comes from the CPU.

@@ -1,4 +1,5 @@
 #include "../fixture.h"
+#include "../steps.h"
 
 #include <cdr/base/error.h>
 #include <cdr/measure/compare/flip_difference.h>
@@ -42,11 +43,7 @@ class ModelTest : public RenderTest {
         std::size_t count = 0;
         for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
             if (truth.pixels[i].isInner) {
-                int largest = 0;
-                for (std::size_t c = 0; c < 3; ++c) {
-                    largest = std::max(largest, std::abs(int{a.pixels[i][c]} - int{b.pixels[i][c]}));
-                }
-                sum += largest;
+                sum += largestStep(a.pixels[i], b.pixels[i]);
                 ++count;
             }
         }

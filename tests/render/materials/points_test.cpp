@@ -79,7 +79,7 @@ TEST_F(PointsTest, CloudsAlmostAtOnePlaceAreToldApart) {
 
 TEST_F(PointsTest, ThePictureIsTheSameForAllSubmissions) {
     const scene::SceneSetup setup = survey({});
-    render::RenderOptions options = tinyOptions(depth::parseTechnique("cdr"));
+    render::RenderOptions options = thumbnailOptions(depth::parseTechnique("cdr"));
     const std::string wanted = hashOf(draw(setup.scene, setup.path.at(0), options));
     for (const render::Submission submission : submissions()) {
         options.submission = submission;
@@ -123,7 +123,7 @@ TEST_F(PointsTest, UnlitOnesShowWhatTheyEmit) {
 /// What shows in each path shows in all: see ModelTest for surfaces that are lit.
 TEST_F(PointsTest, WhatUnlitOnesEmitIsTheSameInEveryPath) {
     const scene::SceneSetup setup = glowing(survey({}));
-    render::RenderOptions options = tinyOptions(depth::parseTechnique("cdr"));
+    render::RenderOptions options = thumbnailOptions(depth::parseTechnique("cdr"));
     const std::string wanted = hashOf(draw(setup.scene, setup.path.at(0), options));
     for (const char* targets : {"accumulate", "pool:2", "layers"}) {
         options.targets = render::parseTargets(targets);
@@ -141,7 +141,7 @@ TEST_F(PointsTest, WhatUnlitOnesEmitIsTheSameInEveryPath) {
 
 TEST_F(PointsTest, UnlitOnesMayGlowLater) {
     const scene::SceneSetup setup = glowing(survey({}));
-    const render::RenderOptions options = tinyOptions(depth::parseTechnique("anchored"));
+    const render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
     scene::Scene dark = setup.scene;
     for (scene::Material& material : dark.materials) {
         material.detail = {};

@@ -1,9 +1,10 @@
 #include "../fixture.h"
+#include "../steps.h"
 
 #include <cdr/base/error.h>
 #include <cdr/measure/truth/layered_truth.h>
 
-#include <cstdlib>
+#include <algorithm>
 
 namespace cdr::render_test {
 
@@ -22,15 +23,7 @@ class AirTest : public RenderTest {
         host::WorkerPool workers(2);
         const measure::LayeredTruth truth =
             measure::castLayers(scene, camera, options.width, options.height, workers);
-        const image::ImageRgba8 wanted = pictureOf(truth, {});
-        const image::ImageRgba8 picture = draw(scene, camera, options).color;
-        int largest = 0;
-        for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-            for (std::size_t c = 0; truth.pixels[i].isInner && c < 3; ++c) {
-                largest = std::max(largest, std::abs(int{wanted.pixels[i][c]} - int{picture.pixels[i][c]}));
-            }
-        }
-        return largest;
+        return largestStepTo(truth, {}, draw(scene, camera, options).color);
     }
 };
 

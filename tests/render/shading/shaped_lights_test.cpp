@@ -1,4 +1,5 @@
 #include "../fixture.h"
+#include "../steps.h"
 
 #include <cdr/measure/shadows/shadow_truth.h>
 #include <cdr/measure/shadows/wrong_shadows.h>
@@ -77,11 +78,7 @@ class ShapedLightsTest : public RenderTest {
         const image::ImageRgba8 wanted = pictureOf(truth);
         std::pair<std::size_t, std::size_t> counts{};
         for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-            int largest = 0;
-            for (std::size_t c = 0; c < 3; ++c) {
-                largest =
-                    std::max(largest, std::abs(int{wanted.pixels[i][c]} - int{frame.color.pixels[i][c]}));
-            }
+            const int largest = largestStep(wanted.pixels[i], frame.color.pixels[i]);
             counts.first += truth.pixels[i].isInner && largest > 2 ? 1 : 0;
             counts.second += truth.pixels[i].isInner ? 1 : 0;
         }

@@ -1,11 +1,11 @@
 #include "../fixture.h"
+#include "../steps.h"
 
 #include <cdr/measure/truth/layered_truth.h>
 #include <cdr/render/materials/material_words.h>
 #include <scenes/sheets.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace cdr::render_test {
 
@@ -166,14 +166,7 @@ TEST_F(ShineTest, LayersOfALensShineToo) {
     const Frame plain = draw(scene, kShineCamera, options);
     options.focus = {.distance = 5.0, .aperture = 1e-6};
     const Frame layered = draw(scene, kShineCamera, options);
-    int largest = 0;
-    for (std::size_t i = 0; i < plain.color.pixels.size(); ++i) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            largest =
-                std::max(largest, std::abs(int{plain.color.pixels[i][c]} - int{layered.color.pixels[i][c]}));
-        }
-    }
-    EXPECT_LE(largest, 1); // half floats
+    EXPECT_LE(largestStep(plain.color, layered.color), 1); // half floats
     EXPECT_NE(hashOf(plain), hashOf(drawSlab({})));
 }
 

@@ -1,4 +1,5 @@
 #include "../fixture.h"
+#include "../steps.h"
 
 #include <cdr/base/error.h>
 #include <cdr/measure/truth/truth_shading.h>
@@ -12,14 +13,6 @@ namespace cdr::render_test {
 namespace {
 
 class TruthShadingTest : public RenderTest {};
-
-int largestStep(const image::Rgba8& a, const image::Rgba8& b) {
-    int largest = 0;
-    for (std::size_t c = 0; c < a.size(); ++c) {
-        largest = std::max(largest, std::abs(int{a[c]} - int{b[c]}));
-    }
-    return largest;
-}
 
 /// Two programs that share no line light the same surfaces alike.
 void expectAlike(const render::Frame& frame, const scene::Scene& scene, const scene::Camera& camera) {

@@ -1,10 +1,8 @@
 #include "../fixture.h"
+#include "../steps.h"
 
 #include <cdr/measure/truth/layered_truth.h>
 #include <scenes/sheets.h>
-
-#include <algorithm>
-#include <cstdlib>
 
 namespace cdr::render_test {
 
@@ -43,17 +41,6 @@ class TranslucentShadowsTest : public RenderTest {
         options.width = 64;
         options.height = 36;
         return options;
-    }
-
-    /// Between two pictures of one size.
-    static int largestStep(const render::Frame& a, const render::Frame& b) {
-        int largest = 0;
-        for (std::size_t i = 0; i < a.color.pixels.size(); ++i) {
-            for (std::size_t c = 0; c < 4; ++c) {
-                largest = std::max(largest, std::abs(int{a.color.pixels[i][c]} - int{b.color.pixels[i][c]}));
-            }
-        }
-        return largest;
     }
 
     scene::SceneSetup m_sheets = scenes::makeSheets(2013);
@@ -149,7 +136,7 @@ TEST_F(TranslucentShadowsTest, WithoutLightsOrSheetsNoMapIsDrawn) {
         const render::Frame frame = draw(dark, m_camera, options);
         EXPECT_EQ(frame.stats.shadows.maps, 0u);
         // Weighted sums are halves, and slices add them in another order.
-        EXPECT_LE(largestStep(frame, draw(dark, m_camera, unshadowed)),
+        EXPECT_LE(largestStep(frame.color, draw(dark, m_camera, unshadowed).color),
                   method == Translucency::sorted ? 0 : 1);
         EXPECT_EQ(draw(m_sheets.scene, away, options).stats.translucency.draws, 0u);
     }

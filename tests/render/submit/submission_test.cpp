@@ -20,10 +20,7 @@ render::RenderOptions tinyOptions(const depth::Technique& technique) {
 }
 
 std::vector<depth::Technique> techniquesToSubmit() {
-    std::vector<depth::Technique> all;
-    for (const depth::NamedTechnique& preset : depth::presets()) {
-        all.push_back(preset.technique);
-    }
+    std::vector<depth::Technique> all = presetTechniques();
     all.push_back(
         depth::Technique{depth::Mapping::standard, depth::parseSplit("count:7"), depth::DepthFormat::d16});
     return all;

@@ -26,10 +26,7 @@ render::RenderOptions tinyOptions(const depth::Technique& technique, const Targe
 
 /// The presets, and one that cuts everything in view into many cascades.
 std::vector<depth::Technique> techniques() {
-    std::vector<depth::Technique> all;
-    for (const depth::NamedTechnique& preset : depth::presets()) {
-        all.push_back(preset.technique);
-    }
+    std::vector<depth::Technique> all = presetTechniques();
     all.push_back(
         depth::Technique{depth::Mapping::standard, depth::parseSplit("count:7"), depth::DepthFormat::d32f});
     return all;

@@ -20,10 +20,7 @@ depth::Technique countOf(depth::Mapping mapping, unsigned cascades) {
 
 /// Every preset, and both anchored mappings over four even cascades.
 std::vector<depth::Technique> techniquesToBlend() {
-    std::vector<depth::Technique> all;
-    for (const depth::NamedTechnique& preset : depth::presets()) {
-        all.push_back(preset.technique);
-    }
+    std::vector<depth::Technique> all = presetTechniques();
     all.push_back(countOf(depth::Mapping::anchored, 4));
     all.push_back(countOf(depth::Mapping::anchoredReversed, 4));
     return all;

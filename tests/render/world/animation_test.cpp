@@ -1,4 +1,5 @@
 #include "../fixture.h"
+#include "../output/held.h"
 
 #include <cdr/measure/certify/certifier.h>
 #include <cdr/measure/compare/flip_difference.h>
@@ -144,12 +145,7 @@ TEST_F(AnimationTest, MotionFollowsNodes) {
         const scene::Camera now = opened.setup.path.at(number);
         moving.show(number, workers);
         const render::Frame frame = renderer.render(now);
-        measure::TruthImage held(frame.width(), frame.height());
-        for (std::uint32_t y = 0; y < frame.height(); ++y) {
-            for (std::uint32_t x = 0; x < frame.width(); ++x) {
-                held.at(x, y) = {.id = frame.id(x, y), .distanceView = frame.distanceView(x, y)};
-            }
-        }
+        const measure::TruthImage held = heldBy(frame);
         const auto exact = measure::truthMotion(held, {moving.world().scene(), now}, {sceneBefore, before});
         for (const std::uint32_t id : kRigidIds) {
             std::size_t pixels = 0;
