@@ -1,5 +1,6 @@
 // Two eyes against one, of the same size for each eye. Frames take turns, and what is reported is the median of the ratios
 // of neighbours: of time, and of CPU time. `mono_twice` is a renderer of one eye that draws both, one after the other.
+// `to_in_turn` compares both eyes with eyes that are drawn in turn, as they are where the device's clock times each.
 
 #include "paired_cost.h"
 
@@ -32,6 +33,7 @@ constexpr std::array kCases{
     StereoCase{"city", "anchored"},
     StereoCase{"alley", "anchored"},
     StereoCase{"alley", "anchored", render::Submission::secondaries, render::ShadowMethod::anchored},
+    StereoCase{"rotation", "reversed"},
 };
 
 /// @param state case, width, eyes toed in
@@ -55,13 +57,17 @@ void stereo(benchmark::State& state) {
                                      .mode = scene::kStereoModes[static_cast<std::size_t>(state.range(2))]});
     render::Renderer mono(gpu.device, setup.scene, onDevice, options);
     render::ViewsRenderer both(gpu.device, setup.scene, onDevice, options, eyes.size());
+    options.deviceClock = true;
+    render::ViewsRenderer inTurn(gpu.device, setup.scene, onDevice, options, eyes.size());
     for (int warm = 0; warm < 4; ++warm) {
         mono.draw(eyes[0]);
         both.draw(eyes);
+        inTurn.draw(eyes);
     }
     std::vector<double> ratios;
     std::vector<double> cpuRatios;
     std::vector<double> twice;
+    std::vector<double> toInTurn;
     for (auto iteration : state) {
         const benchmarks::Cost one = benchmarks::costOf([&] { mono.draw(eyes[0]); });
         const benchmarks::Cost two = benchmarks::costOf([&] { both.draw(eyes); });
@@ -69,14 +75,17 @@ void stereo(benchmark::State& state) {
             mono.draw(eyes[0]);
             mono.draw(eyes[1]);
         });
+        const benchmarks::Cost turns = benchmarks::costOf([&] { inTurn.draw(eyes); });
         state.SetIterationTime(two.seconds);
         ratios.push_back(two.seconds / one.seconds);
         cpuRatios.push_back(two.cpuSeconds / one.cpuSeconds);
         twice.push_back(alone.seconds / one.seconds);
+        toInTurn.push_back(two.seconds / turns.seconds);
     }
     benchmarks::report(state, "ratio", ratios);
     benchmarks::report(state, "cpu_ratio", cpuRatios);
     benchmarks::report(state, "mono_twice", twice);
+    benchmarks::report(state, "to_in_turn", toInTurn);
 }
 
 BENCHMARK(stereo)

@@ -47,6 +47,12 @@ vk::CommandBuffer CommandPool::next() {
     return m_buffers[m_used++];
 }
 
+vk::CommandBuffer beginOnce(CommandPool& pool) {
+    const vk::CommandBuffer commands = pool.next();
+    commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    return commands;
+}
+
 void submit(const Device& device, std::span<const vk::CommandBuffer> commands, vk::Fence done,
             std::span<const VkSemaphoreSubmitInfo> waits, std::span<const VkSemaphoreSubmitInfo> signals) {
     std::vector<vk::CommandBufferSubmitInfo> buffers;
@@ -86,8 +92,7 @@ void waitForTimeline(const Device& device, vk::Semaphore timeline, std::uint64_t
 
 void runOnce(const Device& device, const std::function<void(vk::CommandBuffer)>& record) {
     CommandPool pool(device, vk::CommandBufferLevel::ePrimary, "one-time pool");
-    const vk::CommandBuffer commands = pool.next();
-    commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    const vk::CommandBuffer commands = beginOnce(pool);
     record(commands);
     commands.end();
     const vk::UniqueFence done = vk::Device(device.handle()).createFenceUnique({});

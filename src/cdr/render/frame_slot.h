@@ -29,6 +29,7 @@ struct Renderer::Slot {
     std::unique_ptr<DrawPath> path;
     /// Where surfaces are lit while they are drawn: draws them once more, into a visibility buffer, for whoever reads that.
     std::unique_ptr<DrawPath> readPath;
+    HostCommands host{};                       ///< of the frame that is being recorded
     std::vector<vk::CommandBuffer> commands{}; ///< that the frame submits; none that a host does
     ShadingInputs shading;
     PassInputs resolve;                               ///< where a visibility buffer is drawn
@@ -61,6 +62,7 @@ struct Renderer::Delivery {
     const HostFrame* host = nullptr; ///< into which it is recorded; null: it is submitted
     /// Of a view among others, for which `m_visible` is filled already; null: the frame is culled and cut alone.
     const depth::Cascades* shared = nullptr;
+    bool areDrawsSubmitted = false; ///< by submitDraws(), ahead of the rest
 };
 
 /// What a renderer draws with, for a picture of one size and for what its scene needs.

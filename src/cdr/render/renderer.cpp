@@ -284,6 +284,12 @@ bool Renderer::hasRoomSufficed(Slot& slot) {
 }
 
 Renderer::Slot& Renderer::run(const scene::Camera& camera, const Delivery& delivery) {
+    Slot& slot = prepare(camera, delivery);
+    launch(slot, delivery);
+    return slot;
+}
+
+Renderer::Slot& Renderer::prepare(const scene::Camera& camera, const Delivery& delivery) {
     scene::requireUsable(camera);
     followScene();
     const FrameMotion motion = m_motion != nullptr ? m_motion->follow(m_drawn, camera) : FrameMotion{};
@@ -330,7 +336,6 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, const Delivery& deliv
         }
         slot.stats.times.translucentMs = watch.lap("translucent draws");
     }
-    launch(slot, delivery);
     return slot;
 }
 

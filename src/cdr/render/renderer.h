@@ -22,6 +22,7 @@ namespace cdr::render {
 
 class DrawPathFactory;
 class MotionHistory;
+class Targets;
 struct FrameView;
 
 /// What Renderer::render() copies to the host: the picture, or the G-buffer too, which is four times as
@@ -160,10 +161,23 @@ class CDR_EXPORT Renderer {
     /// Resolves the G-buffer of a visibility buffer where somebody reads it, and works out motion.
     void recordSurfaces(Slot& slot, const Delivery& delivery);
     bool hasRoomSufficed(Slot& slot);
+    /// Records a frame and submits it.
     void launch(Slot& slot, const Delivery& delivery);
+    /// What the frame draws into.
+    Targets& drawnTargets() const;
+    /// Lists a frame's draws and begins its commands.
+    void beginFrame(Slot& slot, const Delivery& delivery);
+    /// Records the cascades into drawnTargets(), which somebody began.
+    void recordDraws(Slot& slot);
+    /// Submits what was recorded so far ahead of the rest, and without a fence.
+    void submitDraws(Slot& slot, std::span<const VkSemaphoreSubmitInfo> waits);
+    /// Records all that follows the draws, and submits it.
+    void finishFrame(Slot& slot, const Delivery& delivery);
     void recordOutputs(Slot& slot, const HostFrame& host);
     void settle(Slot& slot);
     void waitFor(Slot& slot);
+    /// Decides what a frame shows and draws, up to beginFrame().
+    Slot& prepare(const scene::Camera& camera, const Delivery& delivery);
     Slot& run(const scene::Camera& camera, const Delivery& delivery);
     void recordReadback(VkCommandBuffer commands, Destination destination) const;
     Frame fetch(const Slot& slot) const;

@@ -11,25 +11,55 @@
 namespace cdr::render {
 
 void Renderer::launch(Slot& slot, const Delivery& delivery) {
+    beginFrame(slot, delivery);
+    drawnTargets().begin(slot.path->primary());
+    recordDraws(slot);
+    finishFrame(slot, delivery);
+}
+
+Targets& Renderer::drawnTargets() const {
+    return m_passes->litTargets != nullptr ? *m_passes->litTargets : m_passes->targets;
+}
+
+void Renderer::beginFrame(Slot& slot, const Delivery& delivery) {
     host::StageWatch watch(m_options.trace);
-    const Destination destination = delivery.destination;
-    const HostCommands host = delivery.host != nullptr
-                                  ? hostCommands(m_device, m_options, slot.view, *delivery.host)
-                                  : HostCommands{};
-    slot.destination = destination;
+    slot.host = delivery.host != nullptr ? hostCommands(m_device, m_options, slot.view, *delivery.host)
+                                         : HostCommands{};
+    slot.destination = delivery.destination;
     slot.path->bin(slot.view, *m_visible, slot.stats);
     slot.stats.times.binMs = watch.lap("bin");
     slot.commands.clear();
     if (slot.readPath != nullptr && isRead(slot, delivery)) {
         recordReadSurfaces(slot, delivery.host);
     }
-    slot.path->begin(slot.view, host);
+    slot.path->begin(slot.view, slot.host);
+    slot.stats.times.recordMs = watch.lap("record");
+}
+
+void Renderer::recordDraws(Slot& slot) {
+    host::StageWatch watch(m_options.trace);
     if (m_passes->litTargets != nullptr) {
         slot.view.clearColor =
             glm::vec4(finished(m_drawn.scene.background, m_options.effects.finish, Daylight::absent), 1.0f);
-        m_passes->litTargets->record(*slot.path, slot.view);
-    } else {
-        m_passes->targets.record(*slot.path, slot.view);
+    }
+    drawnTargets().record(*slot.path, slot.view);
+    slot.stats.times.recordMs += watch.lap("record");
+}
+
+void Renderer::submitDraws(Slot& slot, std::span<const VkSemaphoreSubmitInfo> waits) {
+    host::StageWatch watch(m_options.trace);
+    const std::span<const vk::CommandBuffer> drawn = slot.path->endDraws(slot.view);
+    slot.commands.insert(slot.commands.end(), drawn.begin(), drawn.end());
+    slot.stats.times.recordMs += watch.lap("record");
+    slot.submitted = host::Trace::Clock::now();
+    gpu::submit(m_device, slot.commands, {}, waits);
+    slot.commands.clear();
+}
+
+void Renderer::finishFrame(Slot& slot, const Delivery& delivery) {
+    host::StageWatch watch(m_options.trace);
+    const Destination destination = delivery.destination;
+    if (m_passes->litTargets == nullptr) {
         shade(slot);
     }
     recordSurfaces(slot, delivery);
@@ -47,8 +77,10 @@ void Renderer::launch(Slot& slot, const Delivery& delivery) {
     }
     const std::span<const vk::CommandBuffer> drawn = slot.path->end(slot.view);
     slot.commands.insert(slot.commands.end(), drawn.begin(), drawn.end());
-    slot.stats.times.recordMs = watch.lap("record");
-    slot.submitted = host::Trace::Clock::now();
+    slot.stats.times.recordMs += watch.lap("record");
+    if (!delivery.areDrawsSubmitted) {
+        slot.submitted = host::Trace::Clock::now();
+    }
     if (delivery.host == nullptr) {
         const auto timed = slot.clock ? slot.clock->around(slot.commands) : slot.commands;
         gpu::submit(m_device, timed, *slot.done, delivery.sync.waits, delivery.sync.signals);
@@ -65,6 +97,7 @@ void Renderer::recordReadSurfaces(Slot& slot, const HostFrame* host) {
     FrameStats counted; // the frame's are those of the draws that are lit
     slot.readPath->bin(slot.view, *m_visible, counted);
     slot.readPath->begin(slot.view, {.into = host != nullptr ? host->commands : nullptr, .draw = {}});
+    m_passes->targets.begin(slot.readPath->primary());
     m_passes->targets.record(*slot.readPath, slot.view);
     gpu::pipelineBarrier(slot.readPath->primary(), {readBarrier(m_passes->targets.gbuffer())});
     const std::span<const vk::CommandBuffer> commands = slot.readPath->end(slot.view);

@@ -29,7 +29,8 @@ struct HostCommands {
 /// One way for a frame's draws to reach the device, for one frame slot: it owns the slot's command pools and
 /// lists. So a slot's frame must have finished before its next begins.
 ///
-/// A frame is bin(), begin(), whatever targets and passes put into it, end(), and once it ran, settle().
+/// A frame is bin(), begin(), whatever targets and passes put into it, end(), and once it ran, settle(). In between, endDraws()
+/// may divide it.
 class DrawPath : public CascadeCommands {
   public:
     /// Whether bin() reads the visible list.
@@ -40,8 +41,11 @@ class DrawPath : public CascadeCommands {
     /// Takes back the slot's command buffers and starts the frame's. Reads what bin() decided.
     /// @param host must live until end(); empty for the path of Submission::primaries, which has no one command buffer.
     virtual void begin(const FrameView& view, const HostCommands& host) = 0;
-    /// Ends the frame's command buffers: these are to run, in this order. Valid until the next begin(). A host's is left
-    /// recording, and nothing is to run.
+    /// Ends the command buffers that hold the draws: these are to run first, in this order. Whatever follows goes into others.
+    /// Valid until primary() is asked for. A host's is left recording, and nothing is to run.
+    virtual std::span<const vk::CommandBuffer> endDraws(const FrameView& view) = 0;
+    /// Ends the frame's command buffers, or those after endDraws(): these are to run, in this order. Valid until the next
+    /// begin(). A host's is left recording, and nothing is to run.
     virtual std::span<const vk::CommandBuffer> end(const FrameView& view) = 0;
     /// The records of the facets that a visibility buffer refers to, once begun; none for a G-buffer.
     virtual vk::BufferView facets() const { return {}; }

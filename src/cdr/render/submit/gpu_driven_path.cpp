@@ -1,6 +1,8 @@
 #include <cdr/render/submit/gpu_driven_path.h>
 #include <cdr/render/targets/depth_clear.h>
 
+#include <utility>
+
 namespace cdr::render {
 
 GpuDrivenPath::GpuDrivenPath(const gpu::Device& device, BinningPass& binning, const GeometryPass& pass,
@@ -38,8 +40,7 @@ void GpuDrivenPath::begin(const FrameView& view, const HostCommands& host) {
     m_primary = host.into;
     if (!m_primary) {
         m_pool.reset();
-        m_primary = m_pool.next();
-        m_primary.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+        m_primary = gpu::beginOnce(m_pool);
     }
     m_binning.recordCopies(m_primary, m_copies);
     if (!m_first) {
@@ -68,6 +69,15 @@ void GpuDrivenPath::drawScope(const GBufferScope& scope, std::span<const std::si
     }
     m_primary.endRendering();
     m_device.endLabel(m_primary);
+}
+
+std::span<const vk::CommandBuffer> GpuDrivenPath::endDraws(const FrameView&) {
+    if (m_host->into) {
+        return {};
+    }
+    m_primary.end();
+    m_endedDraws = std::exchange(m_primary, gpu::beginOnce(m_pool));
+    return {&m_endedDraws, 1};
 }
 
 std::span<const vk::CommandBuffer> GpuDrivenPath::end(const FrameView&) {

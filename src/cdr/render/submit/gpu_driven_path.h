@@ -24,6 +24,7 @@ class GpuDrivenPath final : public DrawPath {
     bool isEmpty(std::size_t) const override { return false; } ///< only the device knows
     vk::CommandBuffer primary() override { return m_primary; }
     void drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) override;
+    std::span<const vk::CommandBuffer> endDraws(const FrameView& view) override;
     std::span<const vk::CommandBuffer> end(const FrameView& view) override;
     bool settle(FrameStats& stats) override;
 
@@ -34,6 +35,7 @@ class GpuDrivenPath final : public DrawPath {
     DeviceOcclusion* m_occlusion; ///< null without occlusion culling
     gpu::CommandPool m_pool;
     vk::CommandBuffer m_primary;
+    vk::CommandBuffer m_endedDraws; ///< by endDraws()
     DeviceLists m_lists;
     std::optional<DeviceLists> m_first; ///< of occluders
     DeviceOcclusion::Slot m_occlusionSlot;

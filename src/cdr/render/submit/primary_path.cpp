@@ -16,6 +16,7 @@ void PrimaryPath::begin(const FrameView&, const HostCommands&) {
     m_between = nullptr;
     m_parts.clear();
     m_commands.clear();
+    m_ended = 0;
 }
 
 vk::CommandBuffer PrimaryPath::primary() {
@@ -60,7 +61,7 @@ void PrimaryPath::recordPart(vk::CommandBuffer commands, const Part& part, const
     commands.end();
 }
 
-std::span<const vk::CommandBuffer> PrimaryPath::end(const FrameView& view) {
+std::span<const vk::CommandBuffer> PrimaryPath::endDraws(const FrameView& view) {
     closeBetween();
     const visibility::DrawLists& lists = m_draws->lists();
     m_draws->workers().run(m_parts.size(), [&](std::size_t job, std::size_t worker) {
@@ -74,7 +75,12 @@ std::span<const vk::CommandBuffer> PrimaryPath::end(const FrameView& view) {
         recordPart(m_commands[part.slot], part, view);
     });
     m_draws->flush();
-    return m_commands;
+    m_parts.clear();
+    return std::span(m_commands).subspan(std::exchange(m_ended, m_commands.size()));
+}
+
+std::span<const vk::CommandBuffer> PrimaryPath::end(const FrameView& view) {
+    return endDraws(view);
 }
 
 } // namespace cdr::render

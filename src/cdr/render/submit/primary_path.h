@@ -26,6 +26,7 @@ class PrimaryPath final : public DrawPath {
     bool isEmpty(std::size_t cascade) const override { return m_draws->lists().range(cascade).size() == 0; }
     vk::CommandBuffer primary() override;
     void drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) override;
+    std::span<const vk::CommandBuffer> endDraws(const FrameView& view) override;
     std::span<const vk::CommandBuffer> end(const FrameView& view) override;
     bool settle(FrameStats&) override { return true; }
     vk::BufferView facets() const override { return m_draws->facets(); }
@@ -47,6 +48,7 @@ class PrimaryPath final : public DrawPath {
     vk::CommandBuffer m_between; ///< recording; null where a scope came last
     std::vector<Part> m_parts;
     std::vector<vk::CommandBuffer> m_commands; ///< in the order they run; null where a scope's goes
+    std::size_t m_ended = 0;                   ///< of them, by endDraws()
 };
 
 } // namespace cdr::render

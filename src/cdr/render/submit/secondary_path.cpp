@@ -71,8 +71,7 @@ void SecondaryPath::begin(const FrameView& view, const HostCommands& host) {
     m_primary = host.into;
     if (m_isOwn) {
         m_primaryPool.reset();
-        m_primary = m_primaryPool.next();
-        m_primary.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+        m_primary = gpu::beginOnce(m_primaryPool);
     }
 }
 
@@ -140,6 +139,15 @@ void SecondaryPath::drawInside(host::IndexRange cascades) {
             m_primary.executeCommands(m_hostCommands[cascade]);
         }
     }
+}
+
+std::span<const vk::CommandBuffer> SecondaryPath::endDraws(const FrameView&) {
+    if (!m_isOwn) {
+        return {};
+    }
+    m_primary.end();
+    m_endedDraws = std::exchange(m_primary, gpu::beginOnce(m_primaryPool));
+    return {&m_endedDraws, 1};
 }
 
 std::span<const vk::CommandBuffer> SecondaryPath::end(const FrameView&) {

@@ -34,6 +34,7 @@ class SecondaryPath final : public DrawPath {
     /// Draws inside a rendering scope that the caller began in primary(), for secondaries.
     void drawInside(host::IndexRange cascades);
     void drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) override;
+    std::span<const vk::CommandBuffer> endDraws(const FrameView& view) override;
     std::span<const vk::CommandBuffer> end(const FrameView& view) override;
     bool settle(FrameStats&) override { return true; }
     vk::BufferView facets() const override { return m_draws->facets(); }
@@ -48,7 +49,8 @@ class SecondaryPath final : public DrawPath {
     gpu::CommandPool m_primaryPool;
     gpu::CommandPool m_hostPool;
     vk::CommandBuffer m_primary;
-    bool m_isOwn = true; ///< the primary; else it is a host's
+    vk::CommandBuffer m_endedDraws; ///< by endDraws()
+    bool m_isOwn = true;            ///< the primary; else it is a host's
     std::vector<DrawJob> m_jobs;
     std::vector<vk::CommandBuffer> m_commands; ///< by job
     std::vector<std::size_t> m_cascadeBegins;  ///< first job of each cascade, and the end

@@ -53,17 +53,23 @@ DepthSlice OnePassTargets::depthSlice(std::size_t cascade, std::size_t cascades)
     return format.isFloat ? floatSlice(slice, cascades) : integerSlice(slice, cascades, format.bits);
 }
 
+GBufferScope OnePassTargets::scope(const glm::vec4& clearColor) const {
+    return {.gbuffer = m_gbuffer,
+            .depth = m_depth,
+            .emission = m_emission.get(),
+            .reversedDepth = m_reversedDepth,
+            .clearColor = clearColor,
+            .zeroFill = m_zeroFill.get()};
+}
+
+void OnePassTargets::begin(vk::CommandBuffer primary) const {
+    beginGBuffer(primary, scope());
+}
+
 void OnePassTargets::record(CascadeCommands& commands, const FrameView& view) {
-    const GBufferScope scope{.gbuffer = m_gbuffer,
-                             .depth = m_depth,
-                             .emission = m_emission.get(),
-                             .reversedDepth = m_reversedDepth,
-                             .clearColor = view.clearColor,
-                             .zeroFill = m_zeroFill.get()};
-    beginGBuffer(commands.primary(), scope);
     std::vector<std::size_t> frontToBack(view.cascades.size());
     std::iota(frontToBack.begin(), frontToBack.end(), std::size_t{0});
-    commands.drawScope(scope, frontToBack);
+    commands.drawScope(scope(view.clearColor), frontToBack);
 }
 
 } // namespace cdr::render

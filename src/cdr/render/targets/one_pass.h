@@ -27,12 +27,15 @@ class OnePassTargets final : public Targets {
     OnePassTargets(const gpu::Device& device, const TargetsOptions& options);
 
     DepthSlice depthSlice(std::size_t cascade, std::size_t cascades) const override;
+    void begin(vk::CommandBuffer primary) const override;
     void record(CascadeCommands& commands, const FrameView& view) override;
     const gpu::Image& gbuffer() const override { return m_gbuffer; }
     const gpu::Image* emission() const override { return m_emission.get(); }
     const gpu::Image* marks() const override { return marksOf(m_depth, m_gbuffer); }
 
   private:
+    GBufferScope scope(const glm::vec4& clearColor = {}) const;
+
     gpu::Image m_gbuffer;
     std::unique_ptr<gpu::Image> m_emission; ///< null without
     gpu::Image m_depth;

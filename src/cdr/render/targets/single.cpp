@@ -14,18 +14,24 @@ SingleTargets::SingleTargets(const gpu::Device& device, const TargetsOptions& op
       m_zeroFill(makeZeroFill(device, options)),
       m_depthClear(device, options) {}
 
+GBufferScope SingleTargets::scope(const glm::vec4& clearColor) const {
+    return {.gbuffer = m_gbuffer,
+            .depth = m_depth,
+            .emission = m_emission.get(),
+            .reversedDepth = m_reversedDepth,
+            .clearColor = clearColor,
+            .zeroFill = m_zeroFill.get(),
+            .depthClear = &m_depthClear};
+}
+
+void SingleTargets::begin(vk::CommandBuffer primary) const {
+    beginGBuffer(primary, scope());
+}
+
 void SingleTargets::record(CascadeCommands& commands, const FrameView& view) {
-    const GBufferScope scope{.gbuffer = m_gbuffer,
-                             .depth = m_depth,
-                             .emission = m_emission.get(),
-                             .reversedDepth = m_reversedDepth,
-                             .clearColor = view.clearColor,
-                             .zeroFill = m_zeroFill.get(),
-                             .depthClear = &m_depthClear};
-    beginGBuffer(commands.primary(), scope);
     std::vector<std::size_t> farthestFirst = commands.drawnCascades(view.cascades.size());
     std::reverse(farthestFirst.begin(), farthestFirst.end());
-    commands.drawScope(scope, farthestFirst);
+    commands.drawScope(scope(view.clearColor), farthestFirst);
 }
 
 } // namespace cdr::render

@@ -12,12 +12,15 @@ class SingleTargets final : public Targets {
   public:
     SingleTargets(const gpu::Device& device, const TargetsOptions& options);
 
+    void begin(vk::CommandBuffer primary) const override;
     void record(CascadeCommands& commands, const FrameView& view) override;
     const gpu::Image& gbuffer() const override { return m_gbuffer; }
     const gpu::Image* emission() const override { return m_emission.get(); }
     const gpu::Image* marks() const override { return marksOf(m_depth, m_gbuffer); }
 
   private:
+    GBufferScope scope(const glm::vec4& clearColor = {}) const;
+
     gpu::Image m_gbuffer;
     std::unique_ptr<gpu::Image> m_emission; ///< null without
     gpu::Image m_depth;

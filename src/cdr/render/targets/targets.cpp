@@ -73,6 +73,8 @@ DepthSlice Targets::depthSlice(std::size_t, std::size_t) const {
     return {};
 }
 
+void Targets::begin(vk::CommandBuffer) const {}
+
 std::vector<vk::Format> surfaceFormats(const TargetsOptions& options) {
     return options.emission ? std::vector{options.format, kEmissionFormat} : std::vector{options.format};
 }

@@ -37,7 +37,11 @@ class Targets {
     /// Slice of the depth range in which cascade `cascade` of `cascades` draws: all of it, unless they share.
     virtual DepthSlice depthSlice(std::size_t cascade, std::size_t cascades) const;
 
-    /// Has the cascades drawn. Afterwards gbuffer() holds for each pixel the nearest cascade's surface. It is
+    /// Takes the images over from whoever used them before, as far as that can be done ahead of record(), which follows in
+    /// the same frame. Other targets' draws may lie in between, and then need not wait for each other.
+    virtual void begin(vk::CommandBuffer primary) const;
+
+    /// Has the cascades drawn, after begin(). Afterwards gbuffer() holds for each pixel the nearest cascade's surface. It is
     /// in the colour attachment layout, written by colour attachment output. The number of cascades may change
     /// from frame to frame; base::RunError, with both figures, when it asks for more memory than there is.
     virtual void record(CascadeCommands& commands, const FrameView& view) = 0;

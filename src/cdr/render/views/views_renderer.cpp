@@ -1,6 +1,7 @@
 #include "../frame_slot.h"
 
 #include <cdr/base/error.h>
+#include <cdr/gpu/commands.h>
 #include <cdr/host/stopwatch.h>
 #include <cdr/render/frame_split.h>
 #include <cdr/render/views/views_renderer.h>
@@ -53,6 +54,14 @@ std::vector<depth::Interval> occupiedBy(std::span<const HostFrame> hosts) {
         all.insert(all.end(), host.occupied.begin(), host.occupied.end());
     }
     return all;
+}
+
+/// Draws of a frame that ends with an error are on no fence, and their command buffers are about to be recorded anew.
+void waitQuietly(const gpu::Device& device) {
+    try {
+        gpu::waitForQueue(device);
+    } catch (...) { // the first error is told
+    }
 }
 
 } // namespace
@@ -109,30 +118,77 @@ void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
     const host::Stopwatch watch;
     const depth::Cascades cascades = look(cameras, occupiedBy(how.hosts));
     const double lookMs = watch.milliseconds();
+    std::vector<Renderer::Delivery> deliveries;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
-        Renderer::Delivery delivery{.destination = how.destination, .shared = &cascades};
-        if (!how.hosts.empty()) {
-            delivery.host = &how.hosts[i];
-        }
-        if (i == 0) {
-            delivery.sync.waits = how.sync.waits;
-        }
-        if (i + 1 == cameras.size()) {
-            delivery.sync.signals = how.sync.signals;
-        }
-        Renderer::Slot& slot = m_renderers[i]->run(cameras[i], delivery);
-        slot.stats.times.cullMs += i == 0 ? lookMs : 0.0;
+        deliveries.push_back({.destination = how.destination, .shared = &cascades});
+        deliveries.back().host = how.hosts.empty() ? nullptr : &how.hosts[i];
     }
+    deliveries.front().sync.waits = how.sync.waits;
+    deliveries.back().sync.signals = how.sync.signals;
+    if (mayBeTogether(how)) {
+        launchTogether(cameras, deliveries);
+    } else {
+        launchInTurn(cameras, deliveries);
+    }
+    lastSlot(0).stats.times.cullMs += lookMs;
+}
+
+bool ViewsRenderer::mayBeTogether(const Launch& how) const {
+    if (how.hosts.empty()) {
+        return !options().deviceClock;
+    }
+    return std::all_of(how.hosts.begin(), how.hosts.end(),
+                       [&](const HostFrame& host) { return host.commands == how.hosts.front().commands; });
+}
+
+void ViewsRenderer::launchInTurn(Cameras cameras, std::span<const Renderer::Delivery> deliveries) {
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        m_renderers[i]->run(cameras[i], deliveries[i]);
+    }
+}
+
+void ViewsRenderer::launchTogether(Cameras cameras, std::span<Renderer::Delivery> deliveries) {
+    // What settling draws again must not come between the begin of a view's targets and its draws.
+    for (const auto& renderer : m_renderers) {
+        renderer->settle(renderer->slotOf(renderer->m_frames));
+    }
+    try {
+        for (std::size_t i = 0; i < cameras.size(); ++i) {
+            Renderer& renderer = *m_renderers[i];
+            Renderer::Slot& slot = renderer.prepare(cameras[i], deliveries[i]);
+            renderer.beginFrame(slot, deliveries[i]);
+            for (std::size_t all = 0; i == 0 && all < cameras.size(); ++all) {
+                m_renderers[all]->drawnTargets().begin(slot.path->primary());
+            }
+            renderer.recordDraws(slot);
+            if (deliveries[i].host == nullptr) {
+                renderer.submitDraws(slot, std::exchange(deliveries[i].sync.waits, {}));
+                deliveries[i].areDrawsSubmitted = true;
+            }
+        }
+        for (std::size_t i = 0; i < cameras.size(); ++i) {
+            m_renderers[i]->finishFrame(lastSlot(i), deliveries[i]);
+        }
+    } catch (...) {
+        if (deliveries.front().areDrawsSubmitted) {
+            waitQuietly(m_renderers.front()->m_device);
+        }
+        throw;
+    }
+}
+
+Renderer::Slot& ViewsRenderer::lastSlot(std::size_t view) const {
+    const Renderer& renderer = *m_renderers[view];
+    return renderer.slotOf(renderer.m_frames - 1);
 }
 
 std::vector<Frame> ViewsRenderer::render(Cameras cameras, FrameCopy copy) {
     launch(cameras, {.destination = copy == FrameCopy::color ? Renderer::Destination::hostColor
                                                              : Renderer::Destination::host});
     std::vector<Frame> frames;
-    for (const auto& renderer : m_renderers) {
-        Renderer::Slot& slot = renderer->slotOf(renderer->m_frames - 1);
-        renderer->waitFor(slot);
-        frames.push_back(renderer->fetch(slot));
+    for (std::size_t view = 0; view < views(); ++view) {
+        m_renderers[view]->waitFor(lastSlot(view));
+        frames.push_back(m_renderers[view]->fetch(lastSlot(view)));
     }
     return frames;
 }
@@ -140,10 +196,9 @@ std::vector<Frame> ViewsRenderer::render(Cameras cameras, FrameCopy copy) {
 std::vector<FrameStats> ViewsRenderer::draw(Cameras cameras) {
     launch(cameras, {});
     std::vector<FrameStats> stats;
-    for (const auto& renderer : m_renderers) {
-        Renderer::Slot& slot = renderer->slotOf(renderer->m_frames - 1);
-        renderer->waitFor(slot);
-        stats.push_back(slot.stats);
+    for (std::size_t view = 0; view < views(); ++view) {
+        m_renderers[view]->waitFor(lastSlot(view));
+        stats.push_back(lastSlot(view).stats);
     }
     return stats;
 }

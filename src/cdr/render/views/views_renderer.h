@@ -97,6 +97,14 @@ class CDR_EXPORT ViewsRenderer {
     /// @param occupied view distances of what the scene does not hold
     depth::Cascades look(Cameras cameras, std::span<const depth::Interval> occupied);
     void launch(Cameras cameras, const Launch& how);
+    /// The draws of all views first, then the rest of all, so that no view's draws wait for another's to be done.
+    void launchTogether(Cameras cameras, std::span<Renderer::Delivery> deliveries);
+    /// One view after the other.
+    void launchInTurn(Cameras cameras, std::span<const Renderer::Delivery> deliveries);
+    /// Not where each view is timed alone, or has a host's command buffer of its own.
+    bool mayBeTogether(const Launch& how) const;
+    /// Of the frame that was launched last.
+    Renderer::Slot& lastSlot(std::size_t view) const;
 
     std::vector<std::unique_ptr<Renderer>> m_renderers; ///< by view
     std::unique_ptr<FrameSplit> m_split;
