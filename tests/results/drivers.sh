@@ -2,12 +2,20 @@
 # Makes drivers.csv and the table in README.md: the test programs that need a driver, on each driver of tools/drivers.sh. Needs
 # a release build. Ends with status 1 where a test fails.
 # Usage: tests/results/drivers.sh [DRIVER[/PROGRAM]...]
-# With arguments, such as mesa or swiftshader/gpu, only those are run, and other rows stay.
+# With arguments, such as mesa or swiftshader/gpu, only those are run, and other rows stay. `card` is the graphics card that cdr
+# chooses on this machine.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 programs=(gpu render experiments cli)
 file=tests/results/drivers.csv
+
+# Runs a command on a driver of tools/drivers.sh, or on the card.
+on() { # DRIVER COMMAND...
+    local driver=$1
+    if [[ $driver == card ]]; then driver=system; fi
+    tools/drivers.sh "$driver" "${@:2}"
+}
 
 # The last number that GoogleTest prints behind a word, 0 where it prints none.
 count() { # WORD LOG
@@ -18,21 +26,22 @@ count() { # WORD LOG
 # tools/drivers.sh took the driver from one.
 device() { # DRIVER
     local version=
-    tools/drivers.sh "$1" build/release/bin/cdr devices --json "$scratch/devices.json" >/dev/null
+    on "$1" build/release/bin/cdr devices --json "$scratch/devices.json" >/dev/null
     if [[ -e .cache/drivers/$1/packages ]]; then version=$(head -1 ".cache/drivers/$1/packages"); fi
     # shellcheck disable=SC2016 # JavaScript expands it
     node -e '
-        const [file, version] = process.argv.slice(1);
+        const [file, driver, version] = process.argv.slice(1);
         const [device] = JSON.parse(require("fs").readFileSync(file)).results;
         const gpuDriven = device.gpu_driven_missing.length === 0 ? "yes" : "no";
-        console.log([version || device.driver, device.depth_formats.join(" "), device.sub_pixel_bits, gpuDriven].join(","));
-    ' "$scratch/devices.json" "$version"
+        const name = driver === "card" ? `${device.name}: ${device.driver}` : version || device.driver;
+        console.log([name, device.depth_formats.join(" "), device.sub_pixel_bits, gpuDriven].join(","));
+    ' "$scratch/devices.json" "$1" "$version"
 }
 
 run() { # DRIVER PROGRAM
     local log=$scratch/$1.$2 facts
     facts=$(device "$1")
-    tools/drivers.sh "$1" "build/release/bin/test_$2" >"$log" 2>&1 || failed=1
+    on "$1" "build/release/bin/test_$2" >"$log" 2>&1 || failed=1
     sed -n '/^\[  FAILED  \]/p' "$log" >&2
     local row
     row="$1,$facts,$2,$(count '=+' "$log"),$(count PASSED "$log"),$(count SKIPPED "$log"),$(count FAILED "$log")"
@@ -53,7 +62,7 @@ write_table() {
         const cell = (row) => row === undefined ? "" : `${row[6]} run` +
             (row[8] > 0 ? `, ${row[8]} left out` : "") + (row[9] > 0 ? `, ${row[9]} failed` : "");
         const lines = [["driver", "depth formats", "sub-pixel bits", "gpu-driven", ...programs.map((name) => `tests of ${name}`)]];
-        const titles = { system: "", mesa: "lavapipe: ", swiftshader: "SwiftShader: " };
+        const titles = { system: "", mesa: "lavapipe: ", swiftshader: "SwiftShader: ", card: "" };
         for (const name of Object.keys(titles)) {
             const its = rows.filter(([driver]) => driver === name);
             if (its.length > 0) {
