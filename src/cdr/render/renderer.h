@@ -12,6 +12,10 @@
 #include <cstdint>
 #include <memory>
 
+namespace cdr::host {
+class StageWatch;
+} // namespace cdr::host
+
 namespace cdr::visibility {
 struct VisibleCells;
 }
@@ -165,14 +169,14 @@ class CDR_EXPORT Renderer {
     void launch(Slot& slot, const Delivery& delivery);
     /// What the frame draws into.
     Targets& drawnTargets() const;
-    /// Lists a frame's draws and begins its commands.
-    void beginFrame(Slot& slot, const Delivery& delivery);
+    /// Lists a frame's draws and begins its commands. @param watch that times the frame up to its submission.
+    void beginFrame(Slot& slot, const Delivery& delivery, host::StageWatch& watch);
     /// Records the cascades into drawnTargets(), which somebody began.
     void recordDraws(Slot& slot);
     /// Submits what was recorded so far ahead of the rest, and without a fence.
-    void submitDraws(Slot& slot, std::span<const VkSemaphoreSubmitInfo> waits);
+    void submitDraws(Slot& slot, std::span<const VkSemaphoreSubmitInfo> waits, host::StageWatch& watch);
     /// Records all that follows the draws, and submits it.
-    void finishFrame(Slot& slot, const Delivery& delivery);
+    void finishFrame(Slot& slot, const Delivery& delivery, host::StageWatch& watch);
     void recordOutputs(Slot& slot, const HostFrame& host);
     void settle(Slot& slot);
     void waitFor(Slot& slot);

@@ -11,18 +11,18 @@
 namespace cdr::render {
 
 void Renderer::launch(Slot& slot, const Delivery& delivery) {
-    beginFrame(slot, delivery);
+    host::StageWatch watch(m_options.trace);
+    beginFrame(slot, delivery, watch);
     drawnTargets().begin(slot.path->primary());
     recordDraws(slot);
-    finishFrame(slot, delivery);
+    finishFrame(slot, delivery, watch);
 }
 
 Targets& Renderer::drawnTargets() const {
     return m_passes->litTargets != nullptr ? *m_passes->litTargets : m_passes->targets;
 }
 
-void Renderer::beginFrame(Slot& slot, const Delivery& delivery) {
-    host::StageWatch watch(m_options.trace);
+void Renderer::beginFrame(Slot& slot, const Delivery& delivery, host::StageWatch& watch) {
     slot.host = delivery.host != nullptr ? hostCommands(m_device, m_options, slot.view, *delivery.host)
                                          : HostCommands{};
     slot.destination = delivery.destination;
@@ -33,21 +33,19 @@ void Renderer::beginFrame(Slot& slot, const Delivery& delivery) {
         recordReadSurfaces(slot, delivery.host);
     }
     slot.path->begin(slot.view, slot.host);
-    slot.stats.times.recordMs = watch.lap("record");
+    slot.stats.times.recordMs = 0.0;
 }
 
 void Renderer::recordDraws(Slot& slot) {
-    host::StageWatch watch(m_options.trace);
     if (m_passes->litTargets != nullptr) {
         slot.view.clearColor =
             glm::vec4(finished(m_drawn.scene.background, m_options.effects.finish, Daylight::absent), 1.0f);
     }
     drawnTargets().record(*slot.path, slot.view);
-    slot.stats.times.recordMs += watch.lap("record");
 }
 
-void Renderer::submitDraws(Slot& slot, std::span<const VkSemaphoreSubmitInfo> waits) {
-    host::StageWatch watch(m_options.trace);
+void Renderer::submitDraws(Slot& slot, std::span<const VkSemaphoreSubmitInfo> waits,
+                           host::StageWatch& watch) {
     const std::span<const vk::CommandBuffer> drawn = slot.path->endDraws(slot.view);
     slot.commands.insert(slot.commands.end(), drawn.begin(), drawn.end());
     slot.stats.times.recordMs += watch.lap("record");
@@ -56,8 +54,7 @@ void Renderer::submitDraws(Slot& slot, std::span<const VkSemaphoreSubmitInfo> wa
     slot.commands.clear();
 }
 
-void Renderer::finishFrame(Slot& slot, const Delivery& delivery) {
-    host::StageWatch watch(m_options.trace);
+void Renderer::finishFrame(Slot& slot, const Delivery& delivery, host::StageWatch& watch) {
     const Destination destination = delivery.destination;
     if (m_passes->litTargets == nullptr) {
         shade(slot);

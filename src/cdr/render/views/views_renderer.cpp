@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
+#include <cdr/host/stage_watch.h>
 #include <cdr/host/stopwatch.h>
 #include <cdr/render/frame_split.h>
 #include <cdr/render/views/views_renderer.h>
@@ -156,18 +157,22 @@ void ViewsRenderer::launchTogether(Cameras cameras, std::span<Renderer::Delivery
         for (std::size_t i = 0; i < cameras.size(); ++i) {
             Renderer& renderer = *m_renderers[i];
             Renderer::Slot& slot = renderer.prepare(cameras[i], deliveries[i]);
-            renderer.beginFrame(slot, deliveries[i]);
+            host::StageWatch watch(options().trace);
+            renderer.beginFrame(slot, deliveries[i], watch);
             for (std::size_t all = 0; i == 0 && all < cameras.size(); ++all) {
                 m_renderers[all]->drawnTargets().begin(slot.path->primary());
             }
             renderer.recordDraws(slot);
             if (deliveries[i].host == nullptr) {
-                renderer.submitDraws(slot, std::exchange(deliveries[i].sync.waits, {}));
+                renderer.submitDraws(slot, std::exchange(deliveries[i].sync.waits, {}), watch);
                 deliveries[i].areDrawsSubmitted = true;
+            } else {
+                slot.stats.times.recordMs += watch.lap("record");
             }
         }
         for (std::size_t i = 0; i < cameras.size(); ++i) {
-            m_renderers[i]->finishFrame(lastSlot(i), deliveries[i]);
+            host::StageWatch watch(options().trace);
+            m_renderers[i]->finishFrame(lastSlot(i), deliveries[i], watch);
         }
     } catch (...) {
         if (deliveries.front().areDrawsSubmitted) {
