@@ -2,9 +2,15 @@
 # Measures a graphics card: what each technique draws wrong and costs there, and how recording scales. Takes about five minutes.
 # Needs a release build. tests/results/nvidia_h200 has the files of one card.
 # Usage: tests/results/graphics_card.sh FOLDER [OTHER_CDR]
-#   FOLDER     where tables.txt and the files of results go
+#   FOLDER     where times.txt, pixels.txt, rivals.txt and the files of results go
 #   OTHER_CDR  another build of cdr, whose frames are timed in turns with these
 set -euo pipefail
+if (($# == 0)); then
+    sed -n 's/^# \(Usage: .*\)/\1/p' "${BASH_SOURCE[0]}" >&2
+    exit 2
+fi
+folder=$(realpath --canonicalize-missing "$1")
+other=${2:+$(realpath "$2")}
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 sizes=(480x270 640x360 800x450 1280x720 1366x768 1440x810 1920x1080)
@@ -17,7 +23,13 @@ cdr() { # ARGUMENT...
     echo
 }
 
-measure_time() {
+# Prints a table and keeps it, without the names of this machine's folders.
+keep() { # NAME
+    sed -e "s#$scratch#SCRATCH#g" -e "s#$folder#FOLDER#g" -e "s#${other:-OTHER_CDR}#OTHER_CDR#g" | tee "$folder/$1.txt"
+}
+
+measure_times() {
+    cdr devices
     cdr timing --frames 1000 --csv "$folder/timing.csv"
     for threads in 1 8; do
         cdr timing --frames 500 --threads "$threads" --modes "$ways" --csv "$folder/ways_${threads}_threads.csv"
@@ -30,7 +42,6 @@ measure_time() {
 }
 
 measure_pixels() {
-    local all=(--threads "$(nproc)")
     for size in "${sizes[@]}"; do
         for snapping in by-device in-plane; do
             cdr pictures "${all[@]}" --scenes mixed --techniques reversed,anchored --frames 1 --size "$size" \
@@ -45,20 +56,12 @@ measure_pixels() {
     for scene in mixed afc orbit; do
         cdr render "${all[@]}" "$scene" --technique anchored --certify "$scratch/$scene.json" -o "$scratch/$scene.png"
     done
-    cdr rivals "${all[@]}" --json "$folder/rivals.json"
 }
 
-folder=${1:-}
-other=${2:-}
-if [[ -z $folder ]]; then
-    sed -n 's/^# \(Usage: .*\)/\1/p' "${BASH_SOURCE[0]}" >&2
-    exit 2
-fi
 mkdir -p "$folder"
 scratch=$(mktemp -d)
 trap 'rm -r "$scratch"' EXIT
-{
-    cdr devices
-    measure_time
-    measure_pixels
-} | tee "$folder/tables.txt"
+all=(--threads "$(nproc)")
+measure_times | keep times
+measure_pixels | keep pixels
+cdr rivals "${all[@]}" --json "$folder/rivals.json" | keep rivals
