@@ -159,8 +159,10 @@ void ViewsRenderer::launchTogether(Cameras cameras, std::span<Renderer::Delivery
             Renderer::Slot& slot = renderer.prepare(cameras[i], deliveries[i]);
             host::StageWatch watch(options().trace);
             renderer.beginFrame(slot, deliveries[i], watch);
-            for (std::size_t all = 0; i == 0 && all < cameras.size(); ++all) {
-                m_renderers[all]->drawnTargets().begin(slot.path->primary());
+            if (i == 0) {
+                for (const auto& each : m_renderers) {
+                    each->drawnTargets().begin(slot.path->primary());
+                }
             }
             renderer.recordDraws(slot);
             if (deliveries[i].host == nullptr) {
