@@ -28,4 +28,13 @@ vec2 clipDistances(float ahead, CascadePush cascade) {
     return cdrInside(ahead, vec2(cascade.nearAhead, cascade.farAhead));
 }
 
+// Whether a fragment of a wide draw belongs to other cascades.
+// inside: clipDistances() of its own distance. rounding: cdrRounding(), as place() hands it over.
+bool isCut(vec2 inside, float ahead, float rounding, CascadePush cascade) {
+    if (cascade.cascade != 0u) {
+        inside = cdrInsideWide(inside, rounding, cascade.anchorView + ahead);
+    }
+    return cdrIsOutside(inside);
+}
+
 #endif

@@ -45,7 +45,7 @@ layout(depth_greater) out float gl_FragDepth; // than the tangent that the verte
 
 void main() {
 #ifdef CUTS
-    if (kWide != 0u && cdrIsOutside(clipDistances(inAhead, cascade))) {
+    if (kWide != 0u && isCut(clipDistances(inAhead, cascade), inAhead, gl_ClipDistance[1], cascade)) {
         discard;
     }
 #endif

@@ -73,9 +73,8 @@ void main() {
     uint shine = inIdAndCutoff.y;
 #endif
 #endif
-    // Clipping would round to the size of the triangle. The interpolated distance rounds to itself, and is the same in
-    // every cascade, so cutting by it leaves no seam.
-    if (kWide != 0u && cdrIsOutside(inside)) {
+    // Clipping would round to the size of the triangle. The interpolated distance rounds to itself near the camera.
+    if (kWide != 0u && isCut(inside, ahead, gl_ClipDistance[1], cascade)) {
         discard;
     }
 #ifdef FACETED

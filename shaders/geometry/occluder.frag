@@ -9,7 +9,7 @@ layout(push_constant) uniform Push { CascadePush cascade; };
 layout(location = 1) in float inAhead;
 
 void main() {
-    if (cdrIsOutside(clipDistances(inAhead, cascade))) {
+    if (isCut(clipDistances(inAhead, cascade), inAhead, gl_ClipDistance[1], cascade)) {
         discard;
     }
 }

@@ -21,7 +21,8 @@ void place(float x, float y, float ahead, float centreAhead) {
     vec2 inside = clipDistances(ahead, cascade);
     if (kWide != 0u) {
         // The fragment shader cuts wide draws; here only what lies behind the camera must go.
-        inside = cdrInFront(gl_Position.w, cascade.anchorView + cascade.nearAhead);
+        inside.x = cdrInFront(gl_Position.w, cascade.anchorView + cascade.nearAhead).x;
+        inside.y = cdrRounding(vec2(x, y), ahead, centreAhead, cascade.anchorView); // for isCut(); above 0, so it cuts nothing
     }
     gl_ClipDistance[0] = inside.x;
     gl_ClipDistance[1] = inside.y;

@@ -80,6 +80,24 @@ vec2 cdrInFront(float distanceView, float nearView) { return vec2(distanceView -
 // Whether a fragment of a wide draw is to be discarded. inside: cdrInside() of its own distance.
 bool cdrIsOutside(vec2 inside) { return inside.x < 0.0 || inside.y < 0.0; }
 
+// By how much a vertex' `ahead` may be off, as float32 forms it from its place about the draw's origin and that origin's own
+// distance. It differs from cascade to cascade, since the anchor does. Hand it to the fragments of wide draws.
+// across: view space. originAhead: of the draw's origin.
+float cdrRounding(vec2 across, float ahead, float originAhead, float anchorView) {
+    const float kRoundings = 9.5367432e-7; // 2^-20: eight roundings of 2^-24 of all terms, in each of two cascades
+    return kRoundings * (abs(across.x) + abs(across.y) + abs(ahead) + abs(originAhead) + abs(anchorView));
+}
+
+// cdrInside() of a fragment of a wide draw, for cascades that are drawn from far to near. Distances of two cascades differ by
+// what they round, so each of two could leave a pixel to the other. So a cascade begins a little before its near plane. What
+// it draws there has the depth of its near plane, and the nearer cascade draws over it. The nearest cascade has no other
+// before it: do without this function there.
+// rounding: cdrRounding(), interpolated. distanceView: of the fragment.
+vec2 cdrInsideWide(vec2 inside, float rounding, float distanceView) {
+    const float kInterpolation = 0.0009765625; // 2^-10: what devices round between vertices, of the distance
+    return vec2(inside.x + rounding + kInterpolation * distanceView, inside.y);
+}
+
 // One cascade: cdr::depth::CascadeConstants. Two vec4. So its 32 bytes are the same as push constants, in a uniform buffer,
 // in a storage buffer, and in a constant buffer of HLSL.
 struct CdrCascade {
@@ -112,5 +130,10 @@ vec2 cdrInsideCascadeWide(float ahead, CdrCascade cascade) {
 
 // For the fragment shader of a wide draw: discard where this holds of the interpolated distance.
 bool cdrIsOutsideCascade(float ahead, CdrCascade cascade) { return cdrIsOutside(cdrInsideCascade(ahead, cascade)); }
+
+// The same for cascades that are drawn from far to near, all but the nearest. cdrInsideWide() says why.
+bool cdrIsOutsideCascadeWide(float ahead, float rounding, CdrCascade cascade) {
+    return cdrIsOutside(cdrInsideWide(cdrInsideCascade(ahead, cascade), rounding, cascade.terms.x + ahead));
+}
 
 #endif

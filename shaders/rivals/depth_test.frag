@@ -21,7 +21,7 @@ layout(depth_greater) out float gl_FragDepth; // as in geometry.frag
 #endif
 
 void main() {
-    if (kWide != 0u && cdrIsOutside(clipDistances(inAhead, cascade))) {
+    if (kWide != 0u && isCut(clipDistances(inAhead, cascade), inAhead, gl_ClipDistance[1], cascade)) {
         discard;
     }
     outTexel = uvec2(floatBitsToUint(inAhead), inId);

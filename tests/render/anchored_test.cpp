@@ -19,6 +19,23 @@ class AnchoredTest : public RenderTest {
                                       depth::DepthFormat format = depth::DepthFormat::d32f) {
         return depth::Technique{mapping, depth::parseSplit(split), format};
     }
+
+    /// Pixels that a floor to the horizon leaves to the sky, under 64 cascades in four directions.
+    std::uint64_t seams(render::RenderOptions options) {
+        scene::Scene scene = boxScene();
+        addBox(scene, {0.0, -2.5, 0.0}, glm::mat3(2e5f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 2e5f));
+        const render::GpuScene gpuScene(device(), scene);
+        options.technique.split = depth::parseSplit("count:64");
+        render::Renderer renderer(device(), scene, gpuScene, options);
+        std::uint64_t wrong = 0;
+        for (int i = 0; i < 4; ++i) {
+            const glm::dvec3 ahead(0.3, -0.05 - 0.02 * i, -1.0);
+            const scene::Camera camera =
+                scene::lookAt({.fovY = 1.0, .nearView = 0.5, .farView = 1e5}, glm::dvec3(0.0), ahead);
+            wrong += wrongIn(renderer.render(camera), scene, camera).wrong;
+        }
+        return wrong;
+    }
 };
 
 /// The scene of the thesis that no float32 view distance gets right, and the same with something near.
@@ -121,6 +138,22 @@ TEST_F(AnchoredTest, OneObjectAroundTheCameraAndToTheHorizonHasNoCracks) {
         const auto wrong = wrongIn(draw(scene, camera, smallOptions(technique(mapping))), scene, camera);
         EXPECT_GT(wrong.pixels, 30'000u);
         EXPECT_EQ(wrong.wrong, 0u) << nameOf(mapping);
+    }
+}
+
+TEST_F(AnchoredTest, ThinCascadesLeaveNoSeamInAFloorToTheHorizon) {
+    if (!drawsToTheHorizon(device())) {
+        return leaveOut("floors to the horizon");
+    }
+    for (const depth::Mapping mapping : depth::kMappings) {
+        EXPECT_EQ(seams(smallOptions(technique(mapping))), 0u) << nameOf(mapping);
+    }
+    for (const render::TargetsKind targets : render::kTargetsKinds) {
+        render::RenderOptions options = smallOptions(technique(depth::Mapping::anchored));
+        options.targets = targets;
+        EXPECT_EQ(seams(options), 0u) << nameOf(targets);
+        options.surface = render::SurfacePath::visibility;
+        EXPECT_EQ(seams(options), 0u) << nameOf(targets) << ", visibility";
     }
 }
 

@@ -10,10 +10,12 @@ layout(push_constant) uniform Push {
 };
 
 layout(location = 0) in float ahead;
+layout(location = 1) in float rounding;
 layout(location = 0) out uvec4 texel;
 
 void main() {
-    if (cdrIsOutsideCascade(ahead, cascade)) {
+    bool isNearest = names.x == 0u;
+    if (isNearest ? cdrIsOutsideCascade(ahead, cascade) : cdrIsOutsideCascadeWide(ahead, rounding, cascade)) {
         discard;
     }
     texel = cdrGBufferTexel(vec3(0.4, 0.6, 0.2), vec3(0.0, 1.0, 0.0), ahead, names.y, names.x);

@@ -10,10 +10,12 @@ layout(push_constant) uniform Push {
 };
 
 layout(location = 0) out float ahead;
+layout(location = 1) out float rounding;
 
 void main() {
     float x = (gl_VertexIndex & 1) == 0 ? -place.x : place.x;
     ahead = (gl_VertexIndex & 2) == 0 ? place.z : place.w;
+    rounding = cdrRounding(vec2(x, place.y), ahead, 0.0, cascade.terms.x);
     gl_Position = cdrCascadePosition(vec2(x, place.y), ahead, cascade);
     vec2 inside = cdrInsideCascadeWide(ahead, cascade);
     gl_ClipDistance[0] = inside.x;
