@@ -98,6 +98,7 @@ TEST(TimingCommand, TimesTrafficThatMoves) {
         modes.push_back(row.at("mode"));
         EXPECT_GT(row.at("median_us").get<double>(), 0.0);
         EXPECT_GT(row.at("draws").get<double>(), 5'000.0);
+        EXPECT_TRUE(row.at("seen").is_boolean());
     }
     EXPECT_EQ(modes, (std::vector<std::string>{"standard", "standard", "anchored", "cdr"}));
 }
@@ -115,6 +116,8 @@ TEST(TimingCommand, RunsTwoBuildsInTurns) {
     EXPECT_NE(document.at("device").at("driver"), "");
     EXPECT_TRUE(document.at("machine").contains("governor"));
     EXPECT_TRUE(document.at("machine").contains("load"));
+    EXPECT_TRUE(document.at("machine").contains("load_after"));
+    EXPECT_TRUE(document.at("machine").at("busy").is_boolean());
     std::vector<std::string> names;
     for (const json& row : document.at("results")) {
         names.push_back(row.at("name"));

@@ -66,8 +66,22 @@ TEST(TimingModes, OptionsOfARendererSayAllThatAModeDoes) {
     EXPECT_EQ(optionsOf("reversed/visibility").surface, render::SurfacePath::visibility);
     EXPECT_EQ(optionsOf("anchored/lit").surface, render::SurfacePath::lit);
     EXPECT_TRUE(optionsOf("standard/occlusion-culling").occlusionCulling);
+    const render::RenderOptions both = optionsOf("anchored/gpu-driven/occlusion-culling");
+    EXPECT_TRUE(both.occlusionCulling && both.submission == render::Submission::gpuDriven);
+    EXPECT_EQ(optionsOf("cdr-5/accumulate").targets, render::parseTargets("accumulate"));
+    EXPECT_EQ(timingModesNamed({"cdr-5/accumulate"}).back().name, "cdr-5/accumulate");
+    for (const char* unknown : {"standard/", "/visibility", "standard/fast", "standard//lit"}) {
+        EXPECT_THROW(timingModesNamed({unknown}), InputError) << unknown;
+    }
     EXPECT_EQ(optionsOf("standard"),
               render::RenderOptions{.technique = cdr::depth::parseTechnique("standard")});
+}
+
+TEST(TimingModes, AnOverheadIsSeenOnlyBesideTheNoise) {
+    EXPECT_FALSE(liesApart({-0.5, 2.0}, {-1.0, 1.0}));
+    EXPECT_FALSE(liesApart({1.0, 2.0}, {-1.0, 1.0}));
+    EXPECT_TRUE(liesApart({1.1, 2.0}, {-1.0, 1.0}));
+    EXPECT_TRUE(liesApart({-3.0, -1.1}, {-1.0, 1.0}));
 }
 
 TEST(TimingModes, RivalsFollowADepthTestThatShadesAsLittle) {

@@ -25,6 +25,7 @@ namespace cdr::cli {
 namespace {
 
 struct TimingArguments {
+    host::MachineState machine; ///< before anything is timed
     experiments::TimingOptions options;
     std::vector<std::string> modes;
     std::filesystem::path csv;
@@ -65,7 +66,8 @@ auto howOf(Part experiments::TimingMode::*part) {
     };
 }
 
-experiments::Columns<experiments::TimingResult> timingColumns() {
+/// @param floor standard over itself.
+experiments::Columns<experiments::TimingResult> timingColumns(const measure::Interval& floor) {
     using Result = experiments::TimingResult;
     using Mode = experiments::TimingMode;
     using Parts = experiments::TimingParts;
@@ -109,6 +111,16 @@ experiments::Columns<experiments::TimingResult> timingColumns() {
          .heading = "overhead",
          .format = {"{:+} %"}},
         experiments::intervalColumn(&Result::overheadPercent95, "{:+} to {:+}"),
+        {.key = "seen",
+         .value =
+             [floor](const Result& result) {
+                 return experiments::liesApart(result.overheadPercent95, floor);
+             },
+         .heading = "seen",
+         .text =
+             [floor](const Result& result) {
+                 return std::string(experiments::liesApart(result.overheadPercent95, floor) ? "yes" : "no");
+             }},
         {.key = "thesis_pct",
          .value = [](const Result& result) { return experiments::finiteOrNull(result.mode.thesisPercent); },
          .heading = "thesis",
@@ -194,8 +206,8 @@ nlohmann::ordered_json makeDocument(const Command& command, const TimingArgument
                                           {"scene", describeScene(options)},
                                           {"frames_in_flight", options.framesInFlight},
                                           {"mode", options.framesInFlight > 1 ? "throughput" : "latency"}});
-    document["machine"] = experiments::machineJson();
-    document["results"] = experiments::jsonOf(timingColumns(), results);
+    document["machine"] = experiments::machineJson(arguments.machine);
+    document["results"] = experiments::jsonOf(timingColumns(results.at(1).overheadPercent95), results);
     document["noise_floor_pct"] = results.at(1).overheadPercent;
     document["noise_floor_ci95"] = experiments::jsonOf(results.at(1).overheadPercent95);
     return document;
@@ -230,10 +242,10 @@ void runAgainst(const Command& command, const TimingArguments& arguments) {
         experiments::runAgainst(options, command.progressOf("runs of both builds"));
     command.endProgress();
     command.console().table(experiments::tableOf(experiments::againstColumns(), report.comparisons));
-    command.console().line(
-        fmt::format("\n{} (driver {}); {} rounds of {} frames a mode, in turns; commit {} over {}; {}",
-                    report.device, report.driver, options.rounds, arguments.frames.value_or(kRunFrames),
-                    host::buildInfo().commit, report.againstCommit, experiments::machineText()));
+    command.console().line(fmt::format(
+        "\n{} (driver {}); {} rounds of {} frames a mode, in turns; commit {} over {}; {}", report.device,
+        report.driver, options.rounds, arguments.frames.value_or(kRunFrames), host::buildInfo().commit,
+        report.againstCommit, experiments::machineText(arguments.machine)));
     auto document = command.makeDocument({{"against", options.against.string()},
                                           {"against_commit", report.againstCommit},
                                           {"rounds", options.rounds},
@@ -241,7 +253,7 @@ void runAgainst(const Command& command, const TimingArguments& arguments) {
                                           {"arguments", options.arguments}});
     document["device"]["name"] = report.device;
     document["device"]["driver"] = report.driver;
-    document["machine"] = experiments::machineJson();
+    document["machine"] = experiments::machineJson(arguments.machine);
     document["results"] = experiments::jsonOf(experiments::againstColumns(), report.comparisons);
     command.writeDocument(document);
 }
@@ -284,13 +296,14 @@ void runStages(Command& command, const TimingArguments& arguments) {
         experiments::writePlot(arguments.plot, experiments::stagesPlot(plotted, command.opened().text()));
     }
     command.console().line(fmt::format("\n{}; {} frames of each variant in turns; {}",
-                                       command.opened().text(), options.frames, experiments::machineText()));
+                                       command.opened().text(), options.frames,
+                                       experiments::machineText(arguments.machine)));
     auto document = command.makeDocument({{"width", options.width},
                                           {"height", options.height},
                                           {"frames", options.frames},
                                           {"threads", options.threads},
                                           {"seed", options.seed}});
-    document["machine"] = experiments::machineJson();
+    document["machine"] = experiments::machineJson(arguments.machine);
     document["results"] = rows;
     experiments::addMeasuredBy(document, command.ranks(), measuredBy);
     command.writeDocument(document);
@@ -331,10 +344,11 @@ void timeModes(Command& command, TimingArguments& arguments) {
 
     const Console& console = command.console();
     const std::string device = command.opened().text();
-    console.table(experiments::tableOf(timingColumns(), results));
+    console.table(experiments::tableOf(timingColumns(results.at(1).overheadPercent95), results));
     console.line(fmt::format("\n{}; {} frames a mode after {} dropped, seed {}, {} threads, {}x{}; commit {}",
                              device, options.frames, experiments::kWarmUpFrames, options.seed,
                              options.threads, options.width, options.height, host::buildInfo().commit));
+    console.line(experiments::machineText(arguments.machine));
     const experiments::TimingResult& again = results.at(1);
     console.line(fmt::format("Noise floor, standard over itself: {:+} %, 95 % {:+} to {:+}",
                              experiments::Readable{again.overheadPercent},
@@ -347,7 +361,8 @@ void timeModes(Command& command, TimingArguments& arguments) {
             "standard/ids.");
     }
     if (!arguments.csv.empty()) {
-        writeTimingCsv(arguments.csv, experiments::jsonOf(timingColumns(), results));
+        writeTimingCsv(arguments.csv,
+                       experiments::jsonOf(timingColumns(results.at(1).overheadPercent95), results));
     }
     if (!arguments.plot.empty()) {
         experiments::writePlot(arguments.plot, experiments::timingPlot(results, device));
@@ -364,6 +379,7 @@ void timeModes(Command& command, TimingArguments& arguments) {
 
 void run(Command& command, TimingArguments& arguments) {
     checkArguments(arguments, command.files(), command.ranks());
+    arguments.machine = host::machineState();
     if (!arguments.against.empty()) {
         runAgainst(command, arguments);
     } else if (arguments.stages) {
@@ -399,9 +415,10 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
         ->capture_default_str();
     addSeed(command, options.seed, "Seed of the scene, the orders and the bootstrap");
     command
-        .add_option("--modes", arguments.modes,
-                    "Only these beside standard, such as cdr-2,log,logcdr-5; also naive and standard/NAME "
-                    "with a batching, submission or surface, in-plane or occlusion-culling")
+        .add_option(
+            "--modes", arguments.modes,
+            "Only these beside standard, such as cdr-2,log,logcdr-5; also naive and log-fragment. Behind each "
+            "may stand /NAME of batchings, submissions, surfaces and targets, /in-plane and /occlusion-culling")
         ->delimiter(',');
     addRivalList(command, arguments.rivalsBeside, "none");
     CLI::Option* against = command.add_option(

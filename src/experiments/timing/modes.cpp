@@ -4,7 +4,8 @@
 #include <cdr/base/suggest.h>
 
 #include <algorithm>
-#include <iterator>
+#include <array>
+#include <functional>
 #include <string_view>
 #include <utility>
 
@@ -38,13 +39,91 @@ void addCascaded(const char* preset, const double (&thesis)[kMostCascades - kLea
     }
 }
 
-/// Nothing where this build has no targets of that name.
-std::optional<render::TargetsChoice> targetsIfKnown(std::string_view name) {
-    try {
-        return render::parseTargets(name);
-    } catch (const base::InputError&) {
-        return std::nullopt;
+/// What a word behind a technique changes, such as "/gpu-driven".
+struct ModeVariant {
+    std::string_view word;
+    std::function<void(TimingMode&)> change;
+};
+
+/// A variant for each of an option's values but that of plain modes.
+template <typename Choice, std::size_t count>
+void addChoices(const std::array<Choice, count>& choices, Choice TimingMode::*option,
+                std::vector<ModeVariant>& variants) {
+    static const TimingMode kPlain;
+    for (const Choice choice : choices) {
+        if (choice != kPlain.*option) {
+            variants.push_back({nameOf(choice), [=](TimingMode& mode) { mode.*option = choice; }});
+        }
     }
+}
+
+std::vector<ModeVariant> allVariants() {
+    std::vector<ModeVariant> variants{
+        {"occlusion-culling", [](TimingMode& mode) { mode.occlusionCulling = true; }}};
+    addChoices(render::kBatchings, &TimingMode::batching, variants);
+    addChoices(render::kSubmissions, &TimingMode::submission, variants);
+    addChoices(render::kSurfacePaths, &TimingMode::surface, variants);
+    addChoices(render::kSnappings, &TimingMode::snapping, variants);
+    for (const render::TargetsKind kind : render::kTargetsKinds) {
+        if (kind != render::TargetsKind::single) {
+            variants.push_back({nameOf(kind), [=](TimingMode& mode) { mode.targets = kind; }});
+        }
+    }
+    return variants;
+}
+
+/// What of a list has a name. base::InputError with a suggestion for one that nothing has.
+template <typename Named, typename NameOf>
+const Named& namedOf(const char* what, const std::vector<Named>& all, std::string_view name,
+                     const NameOf& nameOfOne) {
+    std::vector<std::string_view> known;
+    for (const Named& one : all) {
+        known.push_back(nameOfOne(one));
+    }
+    const auto found = std::find(known.begin(), known.end(), name);
+    if (found == known.end()) {
+        throw base::InputError(base::unknownName(what, name, known));
+    }
+    return all[static_cast<std::size_t>(found - known.begin())];
+}
+
+/// All that may stand in front of variants.
+std::vector<TimingMode> plainModes() {
+    std::vector<TimingMode> modes{makeMode("standard", "standard", std::nullopt)};
+    addCascaded("cdr", kThesisCdr, modes);
+    modes.push_back(makeMode("log", "log", kThesisLog));
+    addCascaded("logcdr", kThesisLogCdr, modes);
+    modes.push_back(makeMode("reversed", "reversed", std::nullopt));
+    modes.push_back(makeMode("anchored", "anchored", std::nullopt));
+    return modes;
+}
+
+void vary(TimingMode& mode, const ModeVariant& variant) {
+    mode.name += "/" + std::string(variant.word);
+    variant.change(mode);
+    mode.thesisPercent.reset(); // the thesis draws in one way alone
+}
+
+TimingMode modeNamed(std::string_view name) {
+    std::vector<TimingMode> plain = plainModes();
+    plain.push_back(makeMode("naive", "standard", std::nullopt));
+    plain.back().batching = render::Batching::perObject;
+    plain.back().meshes = TimingMeshes::unshared;
+    plain.push_back(makeMode("log-fragment", "log", std::nullopt));
+    plain.back().technique.mapping = depth::Mapping::logFragment;
+    plain.back().preset = partsOf(plain.back().technique);
+
+    std::size_t end = std::min(name.find('/'), name.size());
+    TimingMode mode = namedOf("mode", plain, name.substr(0, end),
+                              [](const TimingMode& one) { return std::string_view(one.name); });
+    const std::vector<ModeVariant> variants = allVariants();
+    while (end < name.size()) {
+        name.remove_prefix(end + 1);
+        end = std::min(name.find('/'), name.size());
+        vary(mode, namedOf("variant of a mode", variants, name.substr(0, end),
+                           [](const ModeVariant& one) { return one.word; }));
+    }
+    return mode;
 }
 
 } // namespace
@@ -60,62 +139,17 @@ render::RenderOptions renderOptionsOf(const TimingMode& mode) {
 }
 
 std::vector<TimingMode> timingModes() {
-    const TimingMode standard = makeMode("standard", "standard", std::nullopt);
-    std::vector<TimingMode> modes{standard, standard};
-    modes[1].name = "standard-again";
-    addCascaded("cdr", kThesisCdr, modes);
-    modes.push_back(makeMode("log", "log", kThesisLog));
-    addCascaded("logcdr", kThesisLogCdr, modes);
-    modes.push_back(makeMode("reversed", "reversed", std::nullopt));
-    modes.push_back(makeMode("anchored", "anchored", std::nullopt));
-    if (const auto onePass = targetsIfKnown("one-pass")) {
-        std::vector<TimingMode> again(modes.begin() + 1, modes.end());
-        again.front() = standard;
-        for (TimingMode& mode : again) {
-            mode.name += "/one-pass";
-            mode.targets = *onePass;
-            mode.thesisPercent.reset(); // the thesis has no such method
-        }
-        std::move(again.begin(), again.end(), std::back_inserter(modes));
+    const std::vector<TimingMode> plain = plainModes();
+    std::vector<TimingMode> modes{plain.front()};
+    for (const TimingMode& mode : plain) {
+        modes.push_back(mode);
     }
-    return modes;
-}
-
-std::vector<TimingMode> extraTimingModes() {
-    std::vector<TimingMode> modes;
-    const auto add = [&](const std::string& name, const char* technique, auto change) {
-        TimingMode mode = makeMode(name, technique, std::nullopt);
-        change(mode);
-        modes.push_back(std::move(mode));
-    };
-    add("naive", "standard", [](TimingMode& mode) {
-        mode.batching = render::Batching::perObject;
-        mode.meshes = TimingMeshes::unshared;
-    });
-    add("log-fragment", "log", [](TimingMode& mode) {
-        mode.technique.mapping = depth::Mapping::logFragment;
-        mode.preset = partsOf(mode.technique);
-    });
-    for (const char* technique : {"standard", "reversed", "anchored"}) {
-        const std::string prefix = std::string(technique) + "/";
-        for (const render::Batching batching :
-             {render::Batching::perObject, render::Batching::pushConstants}) {
-            add(prefix + std::string(nameOf(batching)), technique,
-                [&](TimingMode& mode) { mode.batching = batching; });
-        }
-        for (const render::SurfacePath surface :
-             {render::SurfacePath::visibility, render::SurfacePath::lit}) {
-            add(prefix + std::string(nameOf(surface)), technique,
-                [&](TimingMode& mode) { mode.surface = surface; });
-        }
-        add(prefix + std::string(nameOf(render::Snapping::inPlane)), technique,
-            [](TimingMode& mode) { mode.snapping = render::Snapping::inPlane; });
-        add(prefix + "occlusion-culling", technique, [](TimingMode& mode) { mode.occlusionCulling = true; });
-        for (const render::Submission submission :
-             {render::Submission::primaries, render::Submission::gpuDriven}) {
-            add(prefix + std::string(nameOf(submission)), technique,
-                [&](TimingMode& mode) { mode.submission = submission; });
-        }
+    modes[1].name = "standard-again";
+    const std::vector<ModeVariant> variants = allVariants();
+    const ModeVariant& onePass = namedOf("variant of a mode", variants, nameOf(render::TargetsKind::onePass),
+                                         [](const ModeVariant& one) { return one.word; });
+    for (const TimingMode& mode : plain) {
+        vary(modes.emplace_back(mode), onePass);
     }
     return modes;
 }
@@ -136,21 +170,11 @@ std::vector<TimingMode> rivalTimingModes(const std::vector<rivals::NamedRival>& 
 }
 
 std::vector<TimingMode> timingModesNamed(const std::vector<std::string>& names) {
-    std::vector<TimingMode> all = timingModes();
-    std::vector<TimingMode> extra = extraTimingModes();
-    std::move(extra.begin(), extra.end(), std::back_inserter(all));
-    std::vector<std::string_view> known;
-    for (const TimingMode& mode : all) {
-        known.push_back(mode.name);
-    }
+    const std::vector<TimingMode> all = timingModes();
     std::vector<TimingMode> chosen(all.begin(), all.begin() + 2);
     for (const std::string& name : names) {
-        const auto found = std::find(known.begin(), known.end(), name);
-        if (found == known.end()) {
-            throw base::InputError(base::unknownName("mode", name, known));
-        }
-        if (found - known.begin() >= 2) {
-            chosen.push_back(all[static_cast<std::size_t>(found - known.begin())]);
+        if (name != chosen[0].name && name != chosen[1].name) {
+            chosen.push_back(modeNamed(name));
         }
     }
     return chosen;

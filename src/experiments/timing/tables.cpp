@@ -5,7 +5,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <thread>
+
 namespace cdr::experiments {
+
+namespace {
+
+/// Half a program for each processor.
+bool isBusy(const host::MachineState& before) {
+    return before.load.value_or(0.0) > 0.5 * std::max(1u, std::thread::hardware_concurrency());
+}
+
+} // namespace
 
 Columns<Comparison> againstColumns() {
     return {
@@ -38,16 +50,21 @@ Columns<MemoryCost> memoryColumns() {
             {.key = "measured_bytes", .value = &MemoryCost::measuredBytes, .heading = "measured bytes"}};
 }
 
-Json machineJson() {
-    const host::MachineState state = host::machineState();
-    return {{"governor", state.governor ? Json(*state.governor) : Json(nullptr)},
-            {"load", state.load ? Json(*state.load) : Json(nullptr)}};
+Json machineJson(const host::MachineState& before) {
+    const std::optional<double> after = host::machineState().load;
+    return {{"governor", before.governor ? Json(*before.governor) : Json(nullptr)},
+            {"load", before.load ? Json(*before.load) : Json(nullptr)},
+            {"load_after", after ? Json(*after) : Json(nullptr)},
+            {"busy", isBusy(before)}};
 }
 
-std::string machineText() {
-    const host::MachineState state = host::machineState();
-    return fmt::format("governor {}, load {}", state.governor.value_or("not known"),
-                       state.load ? fmt::format("{}", Readable{*state.load}) : "not known");
+std::string machineText(const host::MachineState& before) {
+    const auto text = [](const std::optional<double>& load) {
+        return load ? fmt::format("{}", Readable{*load}) : "not known";
+    };
+    return fmt::format("governor {}, load {} before and {} after{}", before.governor.value_or("not known"),
+                       text(before.load), text(host::machineState().load),
+                       isBusy(before) ? "; other programs took time, so repeat this on a quiet machine" : "");
 }
 
 } // namespace cdr::experiments

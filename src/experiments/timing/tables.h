@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/host/machine_state.h>
 #include <experiments/columns.h>
 #include <experiments/timing/against.h>
 #include <experiments/timing/memory_costs.h>
@@ -14,9 +15,9 @@ Columns<StageCost> stageColumns(const std::string& mode);
 
 Columns<MemoryCost> memoryColumns();
 
-/// Governor and load, for JSON: what else decides how long things take.
-Json machineJson();
-/// The same in words: "governor performance, load 0.4".
-std::string machineText();
+/// Governor and load, for JSON: what else decides how long things take. @param before the runs.
+Json machineJson(const host::MachineState& before);
+/// The same in words: "governor performance, load 0.4 before and 1.1 after". Says if the machine was busy before.
+std::string machineText(const host::MachineState& before);
 
 } // namespace cdr::experiments

@@ -262,6 +262,10 @@ TimingScene parseTimingScene(std::string_view name) {
     return kSceneNames.parse(name);
 }
 
+bool liesApart(const measure::Interval& overhead, const measure::Interval& floor) {
+    return overhead.low > floor.high || overhead.high < floor.low;
+}
+
 std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
                                     const TimingProgress& progress, TimedRanks& ranks) {
     if (options.frames < 1 || options.modes.size() < 2) {

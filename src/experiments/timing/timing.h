@@ -56,16 +56,13 @@ render::RenderOptions renderOptionsOf(const TimingMode& mode);
 /// second is standard again, whose overhead is the noise floor.
 std::vector<TimingMode> timingModes();
 
-/// Modes that compare ways to draw rather than techniques: the naive baseline, batchings, submissions,
-/// surfaces and variants of the logarithm. Timed where they are asked for.
-std::vector<TimingMode> extraTimingModes();
-
 /// A mode for each rival, and in front standard/ids, over which they are: standard as rivals draw, by
 /// rivals::DepthTestPass. None where there is no rival.
 std::vector<TimingMode> rivalTimingModes(const std::vector<rivals::NamedRival>& rivals);
 
-/// The modes of those names, standard twice in front whether named or not. base::InputError with a suggestion
-/// for an unknown name.
+/// The modes of those names, standard twice in front whether named or not. A name is that of a technique in timingModes(),
+/// "naive" or "log-fragment". Behind it may stand words of options, each after a "/": of batchings, submissions, surfaces,
+/// targets and snapping, and "occlusion-culling". base::InputError with a suggestion for an unknown name or word.
 std::vector<TimingMode> timingModesNamed(const std::vector<std::string>& names);
 
 /// What modes are timed over.
@@ -137,6 +134,9 @@ using TimingProgress = std::function<void(std::size_t done, std::size_t all)>;
 /// @param ranks that share the frames, or the runs of frames in flight; the first one alone has results, and traces.
 std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
                                     const TimingProgress& progress, TimedRanks& ranks);
+
+/// Whether an overhead is more than noise: its interval and that of standard over itself have nothing in common.
+bool liesApart(const measure::Interval& overhead, const measure::Interval& floor);
 
 /// Figure 6.4 as a gnuplot script: overheads with their intervals, the thesis' beside them.
 /// @param measuredOn goes under the title.
