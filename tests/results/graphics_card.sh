@@ -35,7 +35,8 @@ measure_times() {
         cdr timing --frames 500 --threads "$threads" --modes "$ways" --csv "$folder/ways_${threads}_threads.csv"
     done
     cdr timing --stages --modes reversed,anchored,cdr-5,standard/visibility,standard/gpu-driven
-    cdr timing --scene city --frames 60 --threads 8 --modes standard/occlusion-culling,standard/gpu-driven,standard/gpu-driven/occlusion-culling,anchored,anchored/occlusion-culling
+    cdr timing --scene city --frames 60 --threads 8 --modes \
+        standard/occlusion-culling,standard/gpu-driven,standard/gpu-driven/occlusion-culling,anchored,anchored/occlusion-culling
     cdr scaling --draws 50000 --cascades 4 --threads 1,2,4,8,16 --csv "$folder/scaling.csv"
     build/release/bin/bench_stereo --benchmark_counters_tabular=true 2>/dev/null || echo "bench_stereo is not built"
     if [[ -n $other ]]; then cdr timing --frames 200 --against "$other" --json "$folder/against.json"; fi
