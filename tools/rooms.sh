@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks the shape of the repository. A folder has at most 45 files, and a file at most 500 lines. bash can parse
 # each shell script. CTest runs it as Rooms.
-# That each folder has its line in ARCHITECTURE.md is checked by the test Documents.
+# That each folder has its line in ARCHITECTURE.md or on its room's page is checked by the test Documents.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

@@ -1,4 +1,5 @@
-// Every relative link and picture of every page leads somewhere, and every folder has its line in ARCHITECTURE.md.
+// Every relative link and picture of every page leads somewhere, and every folder has its line in ARCHITECTURE.md or on the
+// page of its room.
 
 import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
@@ -31,11 +32,19 @@ for (const page of pages()) {
     });
 }
 
-test("every folder of source has its line in ARCHITECTURE.md, and only those", () => {
+/** The folders of a page's tables, whose rows begin with them. */
+function listedOn(page) {
+    const firstColumns = [...read(page).matchAll(/^\| (`[^|]+) \|/gm)].map((match) => match[1]);
+    return firstColumns.flatMap((column) => [...column.matchAll(/`([^`]+)`/g)].map((match) => match[1]));
+}
+
+test("every folder of source has its line in ARCHITECTURE.md or on its room's page, and only those", () => {
     const rooms = /^(src|shaders|tests|tools|third_party)(\/|$)/;
     const folders = new Set(files().map(dirname).filter((folder) => rooms.test(folder)));
-    const firstColumns = [...read("ARCHITECTURE.md").matchAll(/^\| (`[^|]+) \|/gm)].map((match) => match[1]);
-    const listed = firstColumns.flatMap((column) => [...column.matchAll(/`([^`]+)`/g)].map((match) => match[1]));
-    assert.deepEqual([...new Set(listed)].sort(), [...folders].sort());
+    const tested = (folder) => ["src/", "src/cdr/"].some((above) => folders.has(folder.replace(/^tests\//, above)));
+    const pages = ["ARCHITECTURE.md", "src/experiments/README.md", "src/report/README.md", "src/viewer/README.md", "shaders/README.md"];
+    const listed = pages.flatMap(listedOn);
+    const isByRule = (folder) => folder.startsWith("tests/") && tested(folder);
+    assert.deepEqual([...new Set(listed)].sort(), [...folders].filter((folder) => !isByRule(folder)).sort());
     assert.equal(listed.length, new Set(listed).size, "a folder has two lines");
 });
