@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-tools/setup.sh
+tools/setup.sh --demo
 start=$SECONDS
 tools/build.sh --in-batches release -- --target cdr
 built=$SECONDS

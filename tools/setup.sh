@@ -3,9 +3,9 @@
 # of the distribution, and the npm packages of the report's page in src/page/node_modules. In .cache it puts the pictures of
 # the Earth for the scene orbit and the source of MikkTSpace. If nothing is missing, it touches neither the system nor the
 # network.
-# Usage: tools/setup.sh [--dry-run | --list]
+# Usage: tools/setup.sh [--dry-run | --list | --demo]
 # --dry-run says what is missing, where it would come from and what checks it, and changes nothing. --list names the
-# distribution's packages.
+# distribution's packages. --demo goes on without what npm does not deliver, and says what lacks it: the demo needs none of it.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -47,14 +47,16 @@ as_root() {
 }
 
 dry_run=false
+demo=false
 case ${1-} in
     '') ;;
     --dry-run) dry_run=true ;;
+    --demo) demo=true ;;
     --list)
         printf '%s\n' "${packages[@]}" nodejs npm chromium libvulkan-memory-allocator-dev
         exit
         ;;
-    *) echo "usage: tools/setup.sh [--dry-run | --list]" >&2 && exit 2 ;;
+    *) echo "usage: tools/setup.sh [--dry-run | --list | --demo]" >&2 && exit 2 ;;
 esac
 
 command -v apt-get >/dev/null ||
@@ -110,18 +112,25 @@ if ((${#missing[@]})) || ! third_party/vma.sh --present; then
     third_party/vma.sh
 fi
 
-# The page of `cdr report`: exactly what package-lock.json names. The files beside them say which lock they came from, and
-# what each file was then.
-if ! has_npm_packages; then
+# Gets what comes through npm. Where that fails, only the demo goes on.
+get() { # WHAT_LACKS_IT COMMAND
+    "$2" || { $demo && echo "tools/setup.sh: npm failed; without what it delivers, $1" >&2; }
+}
+
+# Exactly what package-lock.json names. The files beside them say which lock they came from, and what each file was then.
+install_page() {
     echo "tools/setup.sh: installing the report page's npm packages into src/page/node_modules"
-    npm --prefix src/page ci --ignore-scripts --no-audit --no-fund --loglevel=error </dev/null
-    (cd src/page/node_modules && find . -type f ! -name '.cdr-*' -print0 | sort --zero-terminated |
-        xargs --null sha256sum >.cdr-sums)
-    cp "$lock" src/page/node_modules/.cdr-lock.json
-fi
+    npm --prefix src/page ci --ignore-scripts --no-audit --no-fund --loglevel=error </dev/null &&
+        (cd src/page/node_modules && find . -type f ! -name '.cdr-*' -print0 | sort --zero-terminated |
+            xargs --null sha256sum >.cdr-sums) &&
+        cp "$lock" src/page/node_modules/.cdr-lock.json && return
+    rm -rf src/page/node_modules # a part of it would be built
+    return 1
+}
+has_npm_packages || get "cdr report makes no page" install_page
 
-# The Earth of the scene orbit: only that scene asks for it, and says so where it is missing.
-third_party/orbit_data.sh
+# Only that scene asks for it, and says so where it is missing.
+get "the scene orbit has no Earth" third_party/orbit_data.sh
 
-# Tangents that glTF files lack: without it they are derived otherwise, and a note says so.
-third_party/mikktspace.sh
+# Without it tangents are derived otherwise, and a note says so.
+get "tangents that glTF files lack are not MikkTSpace's" third_party/mikktspace.sh

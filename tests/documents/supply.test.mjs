@@ -1,9 +1,11 @@
 // Where code comes from: every package has its licence, and the bill of materials holds every package.
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { test } from "node:test";
+import { execFileSync, spawnSync } from "node:child_process";
+import { cpSync, existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { test } from "node:test";
 import { read, root } from "./documents.mjs";
 
 const run = (program, ...words) => execFileSync(join(root, program), words, { cwd: root, encoding: "utf8" });
@@ -42,4 +44,29 @@ test("the bill of materials is SPDX and holds every package with its version, li
 test("setup.sh says what it would do, and refuses other words", () => {
     assert.match(run("tools/setup.sh", "--dry-run"), /nothing was changed\n$/);
     assert.throws(() => execFileSync(join(root, "tools/setup.sh"), ["--dryrun"], { stdio: "pipe" }), /usage: tools\/setup.sh/);
+});
+
+test("setup.sh stops where npm fails, and for the demo goes on and says what is missing", (context) => {
+    if (/ by apt,/.test(run("tools/setup.sh", "--dry-run"))) {
+        context.skip("packages are missing, which setup.sh would install");
+        return;
+    }
+    const folder = mkdtempSync(join(tmpdir(), "cdr-setup-"));
+    try {
+        for (const part of ["tools", "third_party", "src/page/package-lock.json", ".cache/vma"]) {
+            if (existsSync(join(root, part))) {
+                cpSync(join(root, part), join(folder, part), { recursive: true });
+            }
+        }
+        mkdirSync(join(folder, "bin"));
+        writeFileSync(join(folder, "bin/npm"), "#!/bin/sh\nexit 1\n", { mode: 0o755 });
+        const options = { encoding: "utf8", env: { ...process.env, PATH: `${folder}/bin:${process.env.PATH}` } };
+        assert.equal(spawnSync(join(folder, "tools/setup.sh"), options).status, 1);
+        const demo = spawnSync(join(folder, "tools/setup.sh"), ["--demo"], options);
+        assert.equal(demo.status, 0, demo.stderr);
+        assert.equal(demo.stderr.match(/^tools\/setup.sh: npm failed; without what it delivers, /gm).length, 3);
+        assert.ok(!existsSync(join(folder, "src/page/node_modules")));
+    } finally {
+        rmSync(folder, { recursive: true });
+    }
 });
