@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes models_sheet.jpg and prints the FLIP table of tests/results/README.md. It draws each model with base colour alone, with
 # all of its materials, and as the float64 reference. FLIP is between the last two. Takes a few minutes. Needs ffmpeg.
-# Models in ../shared/assets, which are not in the repository, come first where they are there.
+# Larger models, of which tests/assets/README.md says where they are, come first.
 # Usage: tests/results/models_sheet.sh [PROGRAM]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -10,8 +10,9 @@ program=${1-build/release/bin/cdr}
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 
+assets=${CDR_ASSETS_DIR:-../shared/assets}
 models=()
-for model in ../shared/assets/{flight_helmet/flight_helmet.gltf,cesium_man.glb,retro_ufo.glb} \
+for model in "$assets"/{flight_helmet/flight_helmet.gltf,cesium_man.glb,retro_ufo.glb} \
     tests/assets/{garden.glb,machine.glb,materials.glb,stage.glb,well.gltf}; do
     if [[ -e $model ]]; then
         models+=("$model")

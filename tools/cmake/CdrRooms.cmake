@@ -106,7 +106,7 @@ function(cdr_test name)
     endif()
     target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main cdr_options cdr_test_compile)
     target_compile_definitions(${name} PRIVATE
-        CDR_ASSETS_DIR="${PROJECT_SOURCE_DIR}/../shared/assets" CDR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+        CDR_ASSETS_DIR="${CDR_ASSETS_DIR}" CDR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     if(NOT TEST_OWN_HEADERS)
         target_precompile_headers(${name} REUSE_FROM cdr_test_headers)
     endif()
