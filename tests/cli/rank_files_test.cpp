@@ -34,7 +34,7 @@ class RankFiles : public RankTest {
 
     ProgramResult run(const std::string& arguments) const {
         return runProgram(arguments, m_folder.path(),
-                          "timeout 100 env CDR_ORBIT_DATA=maps " + test::launched(CDR_MPIEXEC, 3) +
+                          "timeout 1200 env CDR_ORBIT_DATA=maps " + test::launched(CDR_MPIEXEC, 3) +
                               " sh -c 'cd $OMPI_COMM_WORLD_RANK$PMI_RANK && exec \"$@\"' sh");
     }
 

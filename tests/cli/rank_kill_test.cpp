@@ -48,8 +48,7 @@ class RankKills : public RankTest {
     /// over.
     static std::string signalling(const std::string& signal, const std::string& victim,
                                   const std::string& condition, double seconds) {
-        return "{ { i=0; until " + condition +
-               " || [ -e over ] || [ $i -gt 500 ]; do sleep 0.02; i=$((i+1)); done; sleep " +
+        return "{ { until " + condition + " || [ -e over ]; do sleep 0.02; done; sleep " +
                std::to_string(seconds) + "; [ -e over ] || kill -" + signal + " $(cat " + victim +
                "); echo >signalled; } 2>kill.err & } && ";
     }

@@ -356,7 +356,7 @@ TEST_F(RanksCommand, FilesThatDifferAmongRanksAreRefusedInOneLine) {
         fs::create_directory(folder.path() / rank);
         host::writeText(folder.path() / rank / "a.gltf", model);
     }
-    const std::string render = "timeout 100 env " + apart(3);
+    const std::string render = "timeout 1200 env " + apart(3);
     const std::string arguments = "render a.gltf --size 32x18 --frames 2 --json all.json";
     EXPECT_EQ(runProgram(arguments, folder.path(), render).status, 0);
     fs::remove(folder.path() / "0/all.json");
@@ -392,7 +392,7 @@ TEST_F(RanksCommand, ADeviceLostAmongCascadesEndsAllInOneLine) {
             const ProgramResult result = runProgram(
                 "render afc-near --depth standard --split count:4 --ranks cascades --frames 4 --size 64x36 "
                 "-o f%d.png --json a.json",
-                folder.path(), "timeout 100 env " + test::launched(CDR_MPIEXEC, 4) + " sh '" + script + "'");
+                folder.path(), "timeout 1200 env " + test::launched(CDR_MPIEXEC, 4) + " sh '" + script + "'");
             EXPECT_EQ(result.status, 1) << rank << " " << after;
             const std::string by = rank == 0 ? "" : "rank " + std::to_string(rank) + " on .+: ";
             EXPECT_TRUE(

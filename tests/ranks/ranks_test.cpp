@@ -35,7 +35,7 @@ Outcome runAs(int ranks, const std::string& arguments) {
     const std::string out = (folder.path() / "out").string();
     const std::string err = (folder.path() / "err").string();
     const int status =
-        std::system(("timeout 100 env " + test::launched(CDR_MPIEXEC, ranks) + " '" RANK_PROGRAM "' " +
+        std::system(("timeout 1200 env " + test::launched(CDR_MPIEXEC, ranks) + " '" RANK_PROGRAM "' " +
                      arguments + " >'" + out + "' 2>'" + err + "' </dev/null")
                         .c_str());
     return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,

@@ -20,8 +20,8 @@ constexpr const char* kScript = "wait-frame\nwait-ui 5\nwindow before.png\nkey 6
                                 "window after.png\nquit\n";
 
 /// Ends what hangs, with a status that no test expects.
-constexpr const char* kViewer =
-    "timeout 280 '" CDR_VIEWER_DRIVE "' --validate --script script --size 240x180 --technique standard cubes";
+constexpr const char* kViewer = "timeout 1200 '" CDR_VIEWER_DRIVE
+                                "' --validate --script script --size 240x180 --technique standard cubes";
 
 class ViewerFault : public ViewerTest {
   protected:

@@ -249,7 +249,7 @@ TEST_F(ViewerTest, FlightsStopAtSurfacesThatNoPictureShowed) {
 
 TEST_F(ViewerTest, QuitsAfterSoManyFramesThoughNothingMoves) {
     const RunResult run =
-        runShell("timeout 280 '" CDR_VIEWER "' --size 640x360 --frames 40 --screenshot still.png cubes",
+        runShell("timeout 1200 '" CDR_VIEWER "' --size 640x360 --frames 40 --screenshot still.png cubes",
                  folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(picture("still.png").width, 640u);
@@ -317,7 +317,7 @@ TEST_F(ViewerTest, ListensToTheXServer) {
            "while [ ! -s after.png ]; do read -t 0.1 <> <(:) || true; done\n"
            "'" CDR_XDOTOOL "' key ctrl+q\n";
     const RunResult run = runShell(
-        "(timeout 280 bash hands & '" CDR_VIEWER_DRIVE
+        "(timeout 1200 bash hands & '" CDR_VIEWER_DRIVE
         "' --validate --size 560x300 --technique standard --script script cubes; status=$?; wait; exit $status)",
         folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;

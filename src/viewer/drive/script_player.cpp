@@ -17,7 +17,7 @@ namespace cdr::viewer {
 namespace {
 
 /// Far longer than any frame takes on a busy machine. It only ends a script that waits for what never comes.
-constexpr std::chrono::seconds kLongestWait{280};
+constexpr std::chrono::seconds kLongestWait{1200};
 
 void savePicture(const std::filesystem::path& file, const ViewerModel& model) {
     const image::ImageRgba8 picture = shownPicture(model.picture.shown.get(), model.settings.divider);

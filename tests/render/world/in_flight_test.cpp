@@ -19,7 +19,7 @@ class Rescue {
     explicit Rescue(const test::Timeline& timeline)
         : m_thread([this, &timeline] {
               std::unique_lock lock(m_mutex);
-              if (!m_ended.wait_for(lock, std::chrono::seconds(20), [this] { return m_isOver; })) {
+              if (!m_ended.wait_for(lock, std::chrono::seconds(600), [this] { return m_isOver; })) {
                   m_came = true;
                   timeline.signal();
               }
