@@ -38,6 +38,10 @@ inline constexpr std::array kMappings{Mapping::standard,    Mapping::reversed, M
 /// @lifetime The program's.
 CDR_EXPORT std::string_view nameOf(Mapping mapping);
 
+/// A sentence or two for a user interface: what the mapping does, and what it is good and bad at.
+/// @lifetime The program's.
+CDR_EXPORT std::string_view explanationOf(Mapping mapping);
+
 /// @throws base::InputError with a suggestion for an unknown name.
 CDR_EXPORT Mapping parseMapping(std::string_view name);
 /// parseMapping(), refused instead of thrown.

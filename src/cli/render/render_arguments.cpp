@@ -2,6 +2,7 @@
 
 #include "../shared_options.h"
 
+#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
 #include <scenes/colours.h>
 
@@ -82,15 +83,15 @@ void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
     command.add_option("--technique", arguments.technique,
                        "Preset: standard, cdr, log, logcdr, reversed (default) or anchored");
     command.add_option("--depth", arguments.depth,
-                       "Depth mapping, instead of a preset: standard, reversed, log, log-fragment, ...");
+                       "Depth mapping, instead of a preset: " + base::listNames(depth::kMappings));
     command.add_option(
         "--split", arguments.split,
         "How cascades are cut: none, ratio:R, count:K, at:a,b,..., minimax:K or fitted[:TARGET[px][,max=K]]");
     command.add_option("--format", arguments.format, "Depth buffer: d16, d24 or d32f");
     command
         .add_option("--targets", arguments.targets,
-                    "How cascades reach the G-buffer: single, accumulate, pool, pool:LAYERS, layers or "
-                    "one-pass")
+                    "How cascades reach the G-buffer, pool as pool:LAYERS too: " +
+                        base::listNames(render::kTargetsKinds))
         ->capture_default_str();
     command
         .add_option("--submission", arguments.submission,

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <set>
-#include <string_view>
 #include <thread>
 
 namespace cdr::experiments {
@@ -60,18 +59,6 @@ void requireAll(const char* what, const std::vector<Value>& values, std::size_t 
 double ScalingPoint::recordNsPerDraw() const {
     constexpr double kNsPerMs = 1e6;
     return draws > 0 ? record.medianMs * kNsPerMs / static_cast<double>(draws) : 0.0;
-}
-
-std::vector<render::TargetsChoice> allTargets() {
-    std::vector<render::TargetsChoice> kinds;
-    for (const std::string_view name : {"single", "accumulate", "pool", "layers", "one-pass"}) {
-        try {
-            kinds.push_back(render::parseTargets(name));
-        } catch (const base::InputError&) {
-            continue; // this build has no such targets
-        }
-    }
-    return kinds;
 }
 
 std::vector<std::size_t> threadSteps(std::size_t cpus) {

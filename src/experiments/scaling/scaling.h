@@ -14,9 +14,6 @@
 
 namespace cdr::experiments {
 
-/// Every kind of targets this build knows that keeps all cascades apart.
-std::vector<render::TargetsChoice> allTargets();
-
 /// 1, 2, 3, 4, 6, 8, 12, ... up to twice the CPUs, and both those.
 std::vector<std::size_t> threadSteps(std::size_t cpus);
 
@@ -26,7 +23,7 @@ struct ScalingOptions {
     std::uint32_t height = 360;
     std::vector<std::uint32_t> draws{1'000, 10'000, 100'000, 1'000'000};
     std::vector<std::size_t> threads; ///< threadSteps() of this machine when empty; 1 is always added
-    std::vector<render::TargetsChoice> targets = allTargets();
+    std::vector<render::TargetsChoice> targets{render::kTargetsKinds.begin(), render::kTargetsKinds.end()};
     std::vector<unsigned> cascades{1, 2, 4, 8};
     /// Secondaries, and the control: one primary per cascade, no secondaries.
     std::vector<render::Submission> submissions{render::Submission::secondaries,

@@ -1,6 +1,7 @@
 #include "arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
 #include <cdr/host/document.h>
 #include <cdr/host/worker_pool.h>
@@ -35,9 +36,9 @@ void addViewOptions(CLI::App& program, Arguments& arguments) {
         ->capture_default_str()
         ->excludes(technique);
     program
-        .add_option(
-            "--targets", arguments.targets,
-            "How cascades reach the G-buffer: single, accumulate, pool, pool:LAYERS, layers or one-pass")
+        .add_option("--targets", arguments.targets,
+                    "How cascades reach the G-buffer, pool as pool:LAYERS too: " +
+                        base::listNames(render::kTargetsKinds))
         ->capture_default_str();
     program.add_option("--format", arguments.format, "Depth buffer: d16, d24 or d32f");
     program.add_option("--threads", arguments.threads, "Threads that cull, bin and record")

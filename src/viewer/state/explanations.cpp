@@ -42,23 +42,7 @@ struct ExplainSplit {
 } // namespace
 
 std::string_view explain(depth::Mapping mapping) {
-    static constexpr std::array<std::string_view, depth::kMappings.size()> kTexts{
-        "Ordinary perspective depth. It works on all hardware, but spends nearly all of its precision just "
-        "in front of the camera.",
-        "Near over distance, stored in a float. The steps of the float compensate the perspective, so the "
-        "relative precision is the same everywhere. Most engines ship it. It ends where float32 positions "
-        "do, at about a ten-millionth of the distance.",
-        "The logarithm of the distance, set at each vertex. The relative precision is the same in any "
-        "format, but triangles that are long for their distance are wrong between their vertices.",
-        "The logarithm of the distance, set at each pixel. It is right on every triangle, but early depth "
-        "tests are lost.",
-        "Depth from the cascade's near plane, whose distance the CPU subtracts in float64. So float32 rounds "
-        "the distance to that plane and not to the camera. It resolves micrometres up to 10^11 units. It takes "
-        "one subtraction per object and cascade, and cascades must be thin.",
-        "The same from the cascade's far plane, and finest at its far end. It is for detail on a backdrop or "
-        "on the ground below. With a float buffer it needs fewer cascades to hold one step over a wide "
-        "range."};
-    return at(kTexts, mapping);
+    return explanationOf(mapping);
 }
 
 std::string_view explain(const depth::Split& split) {
@@ -77,20 +61,7 @@ std::string_view explain(depth::DepthFormat format) {
 }
 
 std::string_view explain(render::TargetsKind targets) {
-    static constexpr std::array<std::string_view, render::kTargetsKinds.size()> kTexts{
-        "One G-buffer for all cascades, drawn from the farthest to the nearest with depth cleared in between "
-        "(the thesis' method 1). It takes the least memory and needs no merging, but draws what a nearer "
-        "cascade hides.",
-        "Each cascade is drawn into a layer and merged into an accumulated G-buffer (method 2). An effect "
-        "may run on each layer, at the price of one merge per cascade.",
-        "Several layers in flight, merged in depth order (method 3). Cascades need not wait for each other's "
-        "merge, but each layer takes memory.",
-        "One G-buffer per cascade, all kept and merged at the end (method 4). All hidden surfaces stay "
-        "available, but it takes the most memory.",
-        "One rendering scope without clears. Each cascade has its own slice of the depth range, nearest "
-        "first, so early depth tests work across cascades. Integer formats lose a bit for each doubling of "
-        "cascades."};
-    return at(kTexts, targets);
+    return explanationOf(targets);
 }
 
 std::string_view explain(render::Submission submission) {

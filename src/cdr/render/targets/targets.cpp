@@ -7,15 +7,32 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 
 namespace cdr::render {
 
 namespace {
 
-constexpr base::EnumNames<TargetsKind, kTargetsKinds.size()> kNames{
-    "targets", {"single", "accumulate", "pool", "layers", "one-pass"}};
+constexpr auto kTargetsRows = std::to_array<base::ExplainedName>(
+    {{"single",
+      "One G-buffer for all cascades, drawn from the farthest to the nearest with depth cleared in between "
+      "(the thesis' method 1). It takes the least memory and needs no merging, but draws what a nearer "
+      "cascade hides."},
+     {"accumulate",
+      "Each cascade is drawn into a layer and merged into an accumulated G-buffer (method 2). An effect "
+      "may run on each layer, at the price of one merge per cascade."},
+     {"pool",
+      "Several layers in flight, merged in depth order (method 3). Cascades need not wait for each other's "
+      "merge, but each layer takes memory."},
+     {"layers",
+      "One G-buffer per cascade, all kept and merged at the end (method 4). All hidden surfaces stay "
+      "available, but it takes the most memory."},
+     {"one-pass",
+      "One rendering scope without clears. Each cascade has its own slice of the depth range, nearest "
+      "first, so early depth tests work across cascades. Integer formats lose a bit for each doubling of "
+      "cascades."}});
+
+constexpr base::EnumNames<TargetsKind, kTargetsKinds.size()> kNames{"targets", base::namesOf(kTargetsRows)};
 
 std::uint32_t parseLayers(std::string_view text) {
     std::uint32_t layers = 0;
@@ -31,6 +48,10 @@ std::uint32_t parseLayers(std::string_view text) {
 
 std::string_view nameOf(TargetsKind kind) {
     return kNames.nameOf(kind);
+}
+
+std::string_view explanationOf(TargetsKind kind) {
+    return kTargetsRows.at(static_cast<std::size_t>(kind)).explanation;
 }
 
 bool hasLayers(TargetsKind kind) {

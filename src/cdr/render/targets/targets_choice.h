@@ -23,6 +23,9 @@ inline constexpr std::array kTargetsKinds{TargetsKind::single, TargetsKind::accu
 /// "single", "accumulate", "pool", "layers" or "one-pass".
 CDR_EXPORT std::string_view nameOf(TargetsKind kind);
 
+/// A sentence or two for a user interface: what the kind does, and what it is good and bad at.
+CDR_EXPORT std::string_view explanationOf(TargetsKind kind);
+
 /// Layers a pool may have; with one it would be `accumulate`.
 inline constexpr std::uint32_t kMinPoolLayers = 2;
 /// Most layers of a pool.
