@@ -9,7 +9,7 @@
 # Usage: tools/check.sh [--changed [MINUTES] | --memory]
 # --changed does what fits into 20 minutes, or MINUTES. It takes what tools/changed.sh lists, newest first, and says what there
 # was no time for:
-# - clang-tidy over sources;
+# - clang-tidy over sources, and include-what-you-use where it is installed;
 # - the tests of their rooms under AddressSanitizer, and those of threads without a driver under ThreadSanitizer;
 # - a minute of fuzzing for each parser of these rooms;
 # - tests of base, depth and image under valgrind.
@@ -126,7 +126,12 @@ check_changed() {
     # A header is checked by the source beside it.
     mapfile -t sources < <(printf '%s\n' "${changed[@]}" | sed -nE 's,^(src/.*)[.](cpp|h)$,\1.cpp,p' | awk '!seen[$0]++' |
         while read -r file; do [[ ! -e $file ]] || echo "$file"; done)
-    tidy_some "${sources[@]}"
+    check_some 40 tools/tidy.sh "${sources[@]}"
+    if command -v iwyu_tool >/dev/null; then
+        check_some 50 tools/includes.sh "${sources[@]}"
+    else
+        tools/includes.sh # it says what is missing
+    fi
     for room in "${rooms[@]}"; do
         if [[ -e tests/$room/CMakeLists.txt && ! $room =~ ^(cli|ranks|viewer|report)$ ]] &&
             grep --quiet "cdr_test(test_$room " "tests/$room/CMakeLists.txt"; then
@@ -148,15 +153,16 @@ check_changed() {
     if ((${#targets[@]})) && has_valgrind; then check_memory_of "${targets[@]}"; fi
 }
 
-# clang-tidy over sources, a few at a time while there is time.
-tidy_some() { # FILE...
-    local status few
+# A check of sources, a few at a time while there is time.
+check_some() { # PERCENT SCRIPT FILE...
+    local percent=$1 script=$2 status few
+    shift 2
     few=$((2 * $(nproc)))
     while (($#)); do
         status=0
-        within 40 tools/tidy.sh "${@:1:few}" || status=$?
+        within "$percent" "$script" "${@:1:few}" || status=$?
         if ((status == 124)); then
-            left_out clang-tidy "$@"
+            left_out "$script" "$@"
             return
         fi
         ((status == 0)) || return 1

@@ -3,8 +3,6 @@
 #include <cdr/host/thread_placement.h>
 #include <experiments/units.h>
 
-#include <utility>
-
 namespace cdr::experiments {
 
 void TimedRanks::forEachUnit(std::size_t count, const std::function<Json(std::size_t unit)>& time,

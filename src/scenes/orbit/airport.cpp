@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <string_view>
 
 namespace cdr::scenes {

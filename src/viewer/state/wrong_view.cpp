@@ -4,12 +4,12 @@
 
 #include <cdr/base/error.h>
 #include <cdr/base/quantity_text.h>
+#include <cdr/measure/compare/wrong_pixels.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace cdr::viewer {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cdr/image/image.h>
-#include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/render/frame.h>
 
 #include <cstdint>

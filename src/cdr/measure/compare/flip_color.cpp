@@ -3,7 +3,6 @@
 
 #include <glm/glm.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
