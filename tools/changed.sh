@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Prints the files that changed, those of the newest commits first; files that are gone, too. On a branch that is every change
-# since origin/main. On main itself nothing says where a landing began, so it is what the last 20 commits changed, and all of
+# since origin/main. On main itself nothing says where a landing began. So it is what the last 20 commits changed, and all of
 # the day before the newest.
 # Usage: tools/changed.sh
 set -euo pipefail

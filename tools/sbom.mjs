@@ -1,6 +1,7 @@
 #!/usr/bin/env node
-// Writes what cdr is made of as an SPDX 2.3 document (JSON): distribution packages as installed here, npm packages as
-// package-lock.json pins them, and the files that are pinned by hash. The same commit and packages give the same bytes.
+// Writes what cdr is made of as an SPDX 2.3 document (JSON). That is distribution packages as installed here, npm
+// packages as package-lock.json pins them, and files that are pinned by hash. The same commit and packages give the
+// same bytes.
 // Usage: tools/sbom.mjs >cdr.spdx.json
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";

@@ -33,9 +33,8 @@ vec3 added(vec2 ray, vec2 distanceView, vec3 shift, vec3 shiftRest) {
                 turnedAndShifted(motion.turnAhead.zw, distanceView, vec2(shift.z, shiftRest.z)) + dot(motion.turnAhead.xy, beside));
 }
 
-// In pixels, as cdr_gbuffer.glsl has motion.
-// texel: of the G-buffer. pixel: its centre. deformed: by how much the last camera's coordinates of the point differ from those of
-// a point that stays where it is in its mesh.
+// In pixels, as cdr_gbuffer.glsl has motion. texel: of the G-buffer. pixel: its centre. deformed: by how much the last camera's
+// coordinates of the point differ from those of one that stays in its mesh.
 vec2 motionOf(uvec4 texel, vec2 pixel, vec3 deformed) {
     uint id = cdrIdOf(texel);
     vec2 ray = rayAt(pixel, vec2(textureSize(gbuffer, 0)));

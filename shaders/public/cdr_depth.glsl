@@ -11,7 +11,7 @@
 //   mappings GREATER_OR_EQUAL, clear to 0. Not LESS: an exhausted buffer rounds to the clear value and draws nothing.
 // - Depth clamp on, and cut by cdrInside() through gl_ClipDistance: clip z cannot cut a thin cascade exactly.
 // - Cut meshes that are much wider than what they must resolve into pieces with origins of their own
-//   (cdr::scene::cutIntoPieces()): float32 rounds a vertex by its distance to its origin.
+//   (cdr::scene::cutIntoPieces()). float32 rounds a vertex by its distance to its origin.
 //
 // View space is right-handed and looks down -z; the view distance is w = -z. `projected` is view-space x and y times
 // their entries of the projection matrix, 1 / (aspect tan(fovY / 2)) and -1 / tan(fovY / 2) where y points down.
@@ -98,8 +98,8 @@ vec2 cdrInsideWide(vec2 inside, float rounding, float distanceView) {
     return vec2(inside.x + rounding + kInterpolation * distanceView, inside.y);
 }
 
-// One cascade: cdr::depth::CascadeConstants. Two vec4. So its 32 bytes are the same as push constants, in a uniform buffer,
-// in a storage buffer, and in a constant buffer of HLSL.
+// One cascade: cdr::depth::CascadeConstants. Two vec4. So its 32 bytes are the same as push constants, in uniform and
+// storage buffers, and in a constant buffer of HLSL.
 struct CdrCascade {
     vec4 terms; // CdrDepth's anchorView, scale, offset; what the first leaves out of the float64 anchor
     vec4 range; // nearAhead, farAhead, and what view-space x and y are multiplied by

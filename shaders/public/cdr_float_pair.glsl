@@ -1,4 +1,4 @@
-// A number as the unevaluated sum of two floats, the second no more than half a unit in the last place of the first: 48 bits.
+// A number as the unevaluated sum of two floats: 48 bits. The second is at most half a unit in the last place of the first.
 // It relies on float32 sums and products that are rounded to nearest, as Vulkan requires of every device.
 //
 // @units Any, the same in a number and its rest. Terms of a sum have one unit.

@@ -40,7 +40,7 @@ vec3 cdrAlbedoOf(uvec4 texel) {
     return root * root;
 }
 
-// Motion, of Surfaces::motion or HostFrame::motion: from a pixel to where its surface was one frame before, in pixels, x to
+// Motion, of Surfaces::motion or HostFrame::motion: from a pixel to where its surface was one frame before. In pixels, x to
 // the right and y down. Half a picture to the left is (-width / 2, 0). Background moves as what is infinitely far.
 #define CDR_NO_MOTION 1e30 // in both, of what was not in front of the last camera
 

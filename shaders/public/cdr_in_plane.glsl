@@ -20,11 +20,11 @@ float cdrAcrossToSubPixel(float x, float distanceView, float subPixel, float per
 }
 
 // A vertex, moved in the plane of its triangle to the middle of the nearest sub-pixel. The device rounds it to itself. Call it
-// before cdrCascadePosition() and the like. All triangles of the vertex must lie in that plane.
-// place: view-space x and y, and the distance beyond anchorView. normal: of the plane, in the axes of `place`, whose third points
-// away from the camera. perSlope: sub-pixels per unit of x / w and of y / w. That is half the picture's size in pixels times
-// 2^subPixelPrecisionBits, times what view-space x and y are multiplied by. mostView: what the distance may change by, best the
-// vertex's own distance to its object's origin: a plane that is seen from the edge leaves its object within a sub-pixel.
+// before cdrCascadePosition() and the like. All triangles of the vertex must lie in that plane. place: view-space x and y, and
+// the distance beyond anchorView. normal: of the plane, in the axes of `place`. The third axis points away from the camera.
+// perSlope: sub-pixels per unit of x / w and of y / w. That is half the picture's size in pixels times 2^subPixelPrecisionBits,
+// times what view-space x and y are multiplied by. mostView: what the distance may change by, best the vertex's own distance to
+// its object's origin. A plane that is seen from the edge leaves its object within a sub-pixel.
 // @range normal: any length but 0. perSlope: not 0. A vertex behind the camera stays where it is. One that would move farther than
 // mostView, or than a quarter of its distance, keeps its distance, as the device does.
 vec3 cdrInPlane(vec3 place, vec3 normal, vec2 perSlope, float mostView, float anchorView) {

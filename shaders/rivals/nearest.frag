@@ -5,7 +5,7 @@
 #include "shared.h"
 #include "rivals/rivals_shared.h"
 
-// Keeps the least key of each pixel: of a log key with the id below it, of two equal ones that with the higher id.
+// Keeps the least key of each pixel, a log key with the id below it. Of two equal ones it keeps the higher id.
 layout(early_fragment_tests) in;
 
 layout(push_constant) uniform Push {

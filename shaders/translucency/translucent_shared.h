@@ -13,7 +13,7 @@ namespace cdr::shaders {
 #endif
 
 // One translucent draw in one cascade: object to view space, relative to the plane through the instance's own
-// centre, whatever the cascade and the mapping. So a triangle has the same bits in every cascade.
+// centre. It is the same for every cascade and mapping. So a triangle has the same bits in every cascade.
 struct TranslucentRecord {
     vec4 right;       // row of (view * basis) in xyz, translation in w: view-space x
     vec4 up;          // the same for view-space y

@@ -3,8 +3,8 @@
 #define DETAIL_SET 2
 #include "translucency/translucent_fragment.glsl"
 
-// Weighted, blended, order-independent: McGuire and Bavoil 2013, equations 5 and 10, the depth of which is here the
-// place in the cascade's range on a logarithmic scale.
+// Weighted, blended, order-independent: McGuire and Bavoil 2013, equations 5 and 10. Their depth is here the place
+// in the cascade's range on a logarithmic scale.
 layout(location = 0) out vec4 outSum;    // colours, and in alpha the transmittance, by gpu::Blend::accumulate
 layout(location = 1) out vec4 outWeight; // red
 #ifdef COUNTED

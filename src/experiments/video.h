@@ -19,7 +19,7 @@ struct VideoTiming {
 /// needs, and at most 16384, and ffmpeg installed. The message names its package. Call before long work.
 void requireEncodable(std::uint32_t width, std::uint32_t height);
 
-/// Encodes frames as they come into an .mp4 (H.264): ffmpeg runs as a program of its own, without a shell,
+/// Encodes frames as they come into an .mp4 (H.264). ffmpeg runs as a program of its own, without a shell,
 /// and reads raw pixels from its standard input. So no frame is stored.
 class VideoWriter {
   public:

@@ -15,7 +15,7 @@ struct WrongPixelsHeadings {
     std::string overlapShare{};
 };
 
-/// The fields that say how a picture compares with the truth, named alike wherever one is counted:
+/// The fields that say how a picture compares with the truth. They are named alike wherever one is counted:
 /// "pixels" (inner ones), "wrong", "wrong_fraction", "overlap_pixels", "overlap_wrong",
 /// "overlap_wrong_fraction" and "edge_wrong".
 Columns<measure::WrongPixels> wrongPixelsColumns(const WrongPixelsHeadings& headings = {});

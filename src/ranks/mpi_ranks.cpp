@@ -327,7 +327,7 @@ class MpiRanks final : public Ranks {
         MPI_Send(&word, sizeof word, MPI_BYTE, 0, kDoneTag, MPI_COMM_WORLD);
     }
 
-    /// Makes units, while a thread receives those of other ranks; that thread also serves their claims, where the
+    /// Makes units, while a thread receives those of other ranks. That thread also serves their claims, where the
     /// network needs this rank's doing for it.
     Word lead(std::size_t count, const Make& make, const Take& take) {
         Inbox inbox;

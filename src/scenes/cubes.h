@@ -19,7 +19,7 @@ scene::SceneSetup makeAfc(std::uint64_t seed);
 
 /// The 2AFC scene with something beside the camera, as in any real one. A cube of side 0.002 stays 0.01 ahead
 /// of the camera in a corner of a 16:9 picture. So near must stay at 0.001, and fitting near and far alone
-/// does not help. One such cube per frame of the path, since scenes do not move; far is 1 less, so that none
+/// does not help. One such cube per frame of the path, since scenes do not move. Far is 1 less, so that none
 /// shows up behind the field.
 scene::SceneSetup makeAfcNear(std::uint64_t seed);
 
@@ -28,8 +28,8 @@ scene::SceneSetup makeAfcNear(std::uint64_t seed);
 /// @param cubes 64,000 in the thesis.
 scene::SceneSetup makeRotation(std::uint64_t seed, std::uint32_t cubes = 64'000);
 
-/// Unit cubes all in view and about a pixel each at 640x360, so that drawing them costs draws rather than
-/// pixels: 60 degrees, near 100, far 10,000. Their distances are spread evenly in logarithm, so that each
+/// Unit cubes all in view and about a pixel each at 640x360. So drawing them costs draws rather than
+/// pixels. 60 degrees, near 100, far 10,000. Their distances are spread evenly in logarithm, so that each
 /// cascade of a count:K split gets about an equal share.
 /// @param aspect width over height of the picture, > 0.
 scene::SceneSetup makeCrowd(std::uint64_t seed, std::uint32_t cubes, double aspect = 16.0 / 9.0);

@@ -19,10 +19,10 @@ struct LadderOptions {
     double frontDepth = 1.0;
 };
 
-/// Pairs of unit cubes, the second shifted towards +z by a separation; 256 pairs on a 16x16 grid 2 units
-/// apart, separations in equal ratios, depth jittered, draw order within a pair random. Pair p is the objects
-/// 2p and 2p + 1. The camera stands 20 degrees about y off the z axis, its lens set so a cube covers about 20
-/// of 720 pixels.
+/// Pairs of unit cubes, the second shifted towards +z by a separation. 256 pairs lie on a 16x16 grid 2 units
+/// apart. Separations are in equal ratios, depth is jittered, and draw order within a pair is random. Pair p
+/// is the objects 2p and 2p + 1. The camera stands 20 degrees about y off the z axis, its lens set so a cube
+/// covers about 20 of 720 pixels.
 scene::SceneSetup makeLadder(std::uint64_t seed, const LadderOptions& options = {});
 
 /// Pairs on a ladder, and the separation of each, scale included.

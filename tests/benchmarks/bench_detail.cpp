@@ -1,6 +1,6 @@
-// Frames over the number of triangles in the scene, with levels of detail: `boulders` (200 instances of 4 meshes) by object and by
-// cluster, and `terrain` (one mesh) by cluster, of ever finer meshes. `slope` is that of the frame's time over triangles, both
-// in logarithms, from the first size to this one: 0 where frames are bound by the picture, 1 where they are by the scene.
+// Frames over the number of triangles in the scene, with levels of detail, of ever finer meshes. `boulders` (200 instances of 4
+// meshes) goes by object and by cluster, `terrain` (one mesh) by cluster. `slope` is that of the frame's time over triangles, both
+// in logarithms, from the first size to this one. It is 0 where frames are bound by the picture, 1 where they are by the scene.
 
 #include "paired_cost.h"
 

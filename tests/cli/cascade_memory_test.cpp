@@ -82,8 +82,8 @@ TEST_F(CascadeMemory, ARankHoldsWhatItsCascadesTouch) {
     const std::string render =
         "render squares.gltf --depth anchored --split count:8 --size 320x180 --eye 0,0,0 "
         "--target 0,0,-1 --fov 40 --near 5 --far 327680 --hash --ranks cascades -o ";
-    // The launcher's ranks share a machine, so lavapipe draws with one thread in each; here too. glibc would reserve 64 MiB of
-    // addresses more for each thread that finds the heap in use, which depends on the load.
+    // The launcher's ranks share a machine, so lavapipe draws with one thread in each; here too. For each thread that finds
+    // the heap in use, which depends on the load, glibc would reserve 64 MiB of addresses more.
     const auto limited = [](long megabytes) {
         return "LP_NUM_THREADS=1 MALLOC_ARENA_MAX=1 sh -c 'ulimit -v " + std::to_string(megabytes * 1024) +
                "; exec \"$@\"' sh";

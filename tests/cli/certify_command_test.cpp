@@ -29,7 +29,8 @@ TEST(CertifyCommand, WritesPicturesThatAreRightAndTheirCertificate) {
     EXPECT_EQ(certificate.at("sub_pixel_bits"), deviceInfo().subPixelBits);
     EXPECT_EQ(certificate.at("options").at("mapping"), "anchored");
     ASSERT_EQ(certificate.at("results").size(), 2u);
-    // Cast is what snapped outlines pass over, so the device's bits say how much: with 4 and with 8, 0.3 to 0.5 of this share.
+    // Cast is what snapped outlines pass over, so the device's bits say how much. With 4 and with 8 it is 0.3 to 0.5 of this
+    // share.
     const double mostCast = std::ldexp(1.0, -2 - static_cast<int>(deviceInfo().subPixelBits));
     for (std::size_t i = 0; i < 2; ++i) {
         const json& frame = certificate.at("results")[i];

@@ -1,5 +1,5 @@
-// Code in a page is code that the build compiles: a source file marks what a page quotes with
-// `// quoted in PAGE: begin` and `// quoted in PAGE: end`, or in CMake by `#`.
+// Code in a page is code that the build compiles. A source file marks what a page quotes with `// quoted in
+// PAGE: begin` and `// quoted in PAGE: end`, or in CMake by `#`.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -1,6 +1,6 @@
-// Every public function of the installed headers says which threads may call it, what it throws, the unit or space of its
-// numbers, and how long what it refers to lives. Itself, its class or its file says so; for free functions and plain structs
-// the namespace may say the threads. CONTRIBUTING.md has the words for it.
+// Every public function of the installed headers says which threads may call it and what it throws. It also says the unit or
+// space of its numbers, and how long what it refers to lives. Itself, its class or its file says so; for free functions and
+// plain structs the namespace may say the threads. CONTRIBUTING.md has the words for it.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

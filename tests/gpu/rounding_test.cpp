@@ -12,8 +12,8 @@ constexpr std::uint32_t instruction(std::uint32_t opcode, std::uint32_t words) {
     return words << 16u | opcode;
 }
 
-/// Two capabilities, a memory model, an entry point of no interface, and one execution mode behind it; numbers as the
-/// specification of SPIR-V has them.
+/// Two capabilities, a memory model, an entry point of no interface, and one execution mode behind it. Numbers are as
+/// the specification of SPIR-V has them.
 const Spirv kShader(std::vector<std::uint32_t>{0x07230203,         0x00010600, 0,  9,          0, //
                                                instruction(17, 2), 1,                             //
                                                instruction(17, 2), 10,                            //

@@ -17,8 +17,8 @@ inline constexpr double kDegree = 0.017453292519943295;
 /// A unit icosphere: 20 * 4^level triangles that share their corners.
 scene::Mesh makeIcosphere(int level);
 
-/// No objects; meshes: 0 a unit cube, 1 the same cube as triangles only, 2 an icosphere of 80 triangles;
-/// materials: 0 single-sided, 1 double-sided.
+/// No objects. Meshes: 0 a unit cube, 1 the same cube as triangles only, 2 an icosphere of 80 triangles.
+/// Materials: 0 single-sided, 1 double-sided.
 scene::Scene makeEmptyScene();
 inline constexpr std::uint32_t kCube = 0;
 inline constexpr std::uint32_t kTriangleCube = 1;

@@ -17,7 +17,7 @@
 
 namespace cdr::test {
 
-/// The validated device that all tests of a program share, opened when the first one needs it: opening a device takes
+/// The validated device that all tests of a program share, opened when the first one needs it. Opening a device takes
 /// longer than most tests. It keeps pipelines, which most renderers of tests have alike. What validation says while it
 /// closes fails the program.
 class SharedDevice final : public testing::Environment {

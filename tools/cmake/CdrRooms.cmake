@@ -16,7 +16,7 @@ if(CDR_SANITIZE)
     target_link_options(cdr_options INTERFACE -fsanitize=${CDR_SANITIZE})
 endif()
 
-# For what takes no part in a frame, such as the own files of programs: in a whole build they are compiled a third faster.
+# For what takes no part in a frame, such as the own files of programs. In a whole build they are compiled a third faster.
 add_library(cdr_quick_compile INTERFACE)
 if(CDR_UNITY_BUILD)
     target_compile_options(cdr_quick_compile INTERFACE $<$<CONFIG:Release>:-O1>)

@@ -17,7 +17,7 @@ struct Projection {
     double aspect = 1.0; ///< width / height, above 0 and finite
 };
 
-/// What a vertex shader needs of one cascade: CdrCascade of shaders/public/cdr_depth.glsl, whose two vec4 have the same
+/// What a vertex shader needs of one cascade: CdrCascade of shaders/public/cdr_depth.glsl. Its two vec4 have the same
 /// 32 bytes as push constants, in a uniform buffer and in a storage buffer.
 struct CascadeConstants {
     float anchorView = 0.0f;  ///< ClipTerms

@@ -51,8 +51,8 @@ CDR_EXPORT DepthFormat parseDepthFormat(std::string_view name);
 /// parseDepthFormat(), refused instead of thrown.
 CDR_EXPORT base::Result<DepthFormat> tryParseDepthFormat(std::string_view name);
 
-/// The gap between neighbouring values of the depth buffer around depth `zNdc` in [0, 1]: 1 / (2^bits - 1) for the
-/// fractions (Vulkan: fixed-point conversion), the spacing of float32 just below zNdc for the float.
+/// The gap between neighbouring values of the depth buffer around depth `zNdc` in [0, 1]. It is 1 / (2^bits - 1)
+/// for the fractions (Vulkan: fixed-point conversion), and the spacing of float32 just below zNdc for the float.
 CDR_EXPORT double depthStep(DepthFormat format, double zNdc);
 
 /// A depth as the buffer would store it, rounded to nearest.

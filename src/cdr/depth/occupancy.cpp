@@ -80,7 +80,7 @@ class Buckets {
     double m_perView;
 };
 
-/// Replaces intervals that begin in one bucket and end in a later one by one interval: each of them holds the last of their
+/// Replaces intervals that begin in one bucket and end in a later one by one interval. Each of them holds the last of their
 /// beginnings, so they overlap. Sorts the others. Most of a crowded scene is replaced, in one pass.
 /// @return how many intervals are left, in ascending order.
 std::size_t joinAndSort(std::span<Interval> intervals) {

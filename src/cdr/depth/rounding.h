@@ -31,8 +31,8 @@ struct CDR_EXPORT DepthRounding {
 
 /// The roundings of a surface at view distance w, which lies within the range.
 /// - Distance: the object's, and the sum with the vertex's. logFragment: two more for the interpolation.
-/// - Depth, linear mappings: clip z (exact where it is a constant, as in reversed without a far plane), the
-///   division by w, and the interpolation.
+/// - Depth, linear mappings: clip z, the division by w, and the interpolation. Clip z is exact where it is
+///   a constant, as in reversed without a far plane.
 /// - Depth, log: scale, logarithm, offset, division and interpolation. logFragment: scale, logarithm, offset.
 CDR_EXPORT DepthRounding depthRounding(const DepthRange& range, double distanceView);
 

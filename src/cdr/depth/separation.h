@@ -24,9 +24,9 @@ CDR_EXPORT double separationView(const DepthRange& range, DepthFormat format, do
 CDR_EXPORT double separationView(Mapping mapping, const Cascades& cascades, DepthFormat format,
                                  double distanceView);
 
-/// The formulas of the thesis (Listing A.2) for an integer buffer: Baker 1999 with 2^bits steps for standard,
-/// Ulrich 2011 with 2^bits - 1 steps for log. Baker measures towards the camera and separationView() away
-/// from it, so they differ where a step spans a large share of the distance.
+/// The formulas of the thesis (Listing A.2) for an integer buffer. Standard is Baker 1999 with 2^bits steps,
+/// log is Ulrich 2011 with 2^bits - 1 steps. Baker measures towards the camera and separationView() away from
+/// it, so they differ where a step spans a large share of the distance.
 /// @param mapping standard or log.
 /// @throws base::InputError for another mapping, which the thesis does not have.
 CDR_EXPORT double thesisSeparationView(Mapping mapping, const Cascades& cascades, int bits,

@@ -46,8 +46,8 @@ CDR_EXPORT double distanceRounding(Mapping mapping);
 /// factor of two where float32's exponent changes. Reversed counts as closed at far.
 CDR_EXPORT double stepBoundView(const StepModel& model, const Cascade& cascade, double distanceView);
 
-/// The largest share that stepBoundView() takes of the target in a cascade; at most 1 where the target is met
-/// everywhere. 0 for a point.
+/// The largest share that stepBoundView() takes of the target in a cascade. It is at most 1 where the target
+/// is met everywhere. 0 for a point.
 CDR_EXPORT double worstStepShare(const StepModel& model, const StepTarget& target, const Cascade& cascade);
 
 } // namespace cdr::depth

@@ -28,7 +28,7 @@ struct ViewAxes {
 };
 
 /// What a device without float64 needs to place the objects that it moves or culls itself: CdrView of
-/// shaders/public/cdr_view.glsl, whose eight vec4 have the same 128 bytes in every kind of buffer. One serves all cascades.
+/// shaders/public/cdr_view.glsl. Its eight vec4 have the same 128 bytes in every kind of buffer. One serves all cascades.
 struct ViewConstants {
     std::array<float, 4> eye{};         ///< ViewAxes::eye; the fourth is unused, here and below
     std::array<float, 4> eyeRest{};     ///< what `eye` leaves out, as in FloatPair

@@ -35,8 +35,8 @@ class CommandPool {
 /// A buffer of the pool that is recording, to be submitted once.
 vk::CommandBuffer beginOnce(CommandPool& pool);
 
-/// Submits command buffers that run in this order, after `waits`, and signals `signals` and `done`, unsignalled until
-/// then, or null. base::RunError when the device is lost.
+/// Submits command buffers that run in this order, after `waits`, and signals `signals` and `done`. `done` is
+/// unsignalled until then, or null. base::RunError when the device is lost.
 void submit(const Device& device, std::span<const vk::CommandBuffer> commands, vk::Fence done,
             std::span<const VkSemaphoreSubmitInfo> waits = {},
             std::span<const VkSemaphoreSubmitInfo> signals = {});

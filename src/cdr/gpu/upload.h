@@ -14,8 +14,8 @@ namespace cdr::gpu {
 Buffer uploadBuffer(const Device& device, std::span<const std::byte> bytes, vk::BufferUsageFlags usage,
                     const std::string& name);
 
-/// Fills a device-only buffer from its beginning, in parts of at most kMostBytes, so that no second copy of a large buffer is
-/// in memory.
+/// Fills a device-only buffer from its beginning, in parts of at most kMostBytes. So no second copy of a large buffer is in
+/// memory.
 class BufferFill {
   public:
     static constexpr std::size_t kMostBytes = std::size_t{32} << 20u;

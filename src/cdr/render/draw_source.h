@@ -71,8 +71,8 @@ struct DrawKind {
     bool operator==(const DrawKind&) const = default;
 };
 
-/// One instance as recording reads it: all of it in two cache lines, where the scene's structure of arrays,
-/// made for culling, would take eight.
+/// One instance as recording reads it, all of it in two cache lines. The scene's structure of arrays, made
+/// for culling, would take eight.
 struct DrawSource {
     glm::dvec3 position; ///< world space
     glm::mat3 basis;

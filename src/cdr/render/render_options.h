@@ -62,7 +62,7 @@ struct RenderOptions {
     TranslucencyOptions translucency{}; ///< of blended surfaces
     LayerOptions layers{};              ///< how surfaces in layers are drawn
     /// Opaque vertices are rounded to this many sub-pixel bits before the device sees them, as a device with
-    /// as few does by itself; 0: not. At most kMaxSnapBits.
+    /// as few does by itself. 0: not. At most kMaxSnapBits.
     std::uint32_t snapBits = 0;
     Snapping snapping = Snapping::byDevice; ///< how they get there
     /// Leaves out what opaque surfaces hide, after drawing the depth of what the last frame showed. The picture is the

@@ -22,12 +22,12 @@ struct DetailView {
     LevelRule levels{};                ///< of the frustum and the picture
 };
 
-/// Puts runs of clusters in the place of each draw of a mesh that has them (scene::ClusterTree). At each place it takes the
-/// coarsest form whose error is small enough. In world space it is at most `levels.slope` times the view distance of its
-/// group's sphere, w - r, but no nearer than the near plane. Clusters outside the frustum or the draw's cascade are left out. So are
-/// clusters that face away from the camera, unless the material has two sides. Whether a run is wide depends on its own
-/// clusters, not on the instance. Draws of one instance follow one another in the order of its clusters. The lists are the
-/// same for any number of workers.
+/// Puts runs of clusters in the place of each draw of a mesh that has them (scene::ClusterTree). At each place it takes the coarsest
+/// form whose error is small enough. In world space it is at most `levels.slope` times the view distance of its group's sphere. That
+/// is w - r, but no nearer than the near plane. Clusters outside the frustum or the draw's cascade are left out. So are clusters
+/// that face away from the camera, unless the material has two sides. Whether a run is wide depends on its own clusters, not on the
+/// instance. Draws of one instance follow one another in the order of its clusters. The lists are the same for any number of
+/// workers.
 /// @param lists of binByDistance() over the same camera and ranges, after chooseLevels().
 CDR_EXPORT void chooseClusters(const scene::Scene& scene, const DetailView& view, host::WorkerPool& workers,
                                DrawLists& lists);

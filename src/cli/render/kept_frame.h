@@ -22,7 +22,7 @@ struct FrameShape {
 inline constexpr std::size_t kMostNotes = 64;
 inline constexpr std::size_t kMostText = 4096; ///< bytes of a text
 
-/// Whether RenderResults can take what a state holds: each value has its type and range, and no text but the label has a
+/// Whether RenderResults can take what a state holds. Each value has its type and range. No text but the label has a
 /// control character, since all are printed. Throws nothing, whatever `made` is.
 bool isKeptFrame(const experiments::Json& made, const FrameShape& frame);
 

@@ -15,8 +15,8 @@
 
 namespace cdr::experiments {
 
-/// What screen-space effects cost, whether they look the same under every technique, and what working one out
-/// per layer loses (thesis chapter 3, method 2).
+/// What screen-space effects cost, whether they look the same under every technique, and what is lost by
+/// layers (thesis chapter 3, method 2).
 struct EffectsOptions {
     std::string scene = "alley"; ///< as scenes::openScene() takes it
     std::uint64_t seed = scenes::kDefaultSeed;

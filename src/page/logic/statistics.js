@@ -1,5 +1,5 @@
 // The statistics of the two-alternative forced choice: chi-squared of the thesis (section 6.1.5), and the exact binomial
-// test beside it, since its approximation is poor for twelve answers. Medians of measured times.
+// test. The approximation of chi-squared is poor for twelve answers. Medians of measured times.
 
 /** Chi-squared of two counts against equal expectation, one degree of freedom. NaN without any answer. */
 export function chiSquared(a, b) {

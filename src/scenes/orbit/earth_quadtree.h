@@ -31,7 +31,7 @@ class EarthQuadtree {
     /// In the order of their place in the tree, so the same for the same question.
     const std::vector<EarthTile>& leaves() const { return m_leaves; }
 
-    /// Levels by which the leaf beyond an edge of a leaf is coarser; 0 where it is as fine or finer, or there
+    /// Levels by which the leaf beyond an edge of a leaf is coarser. 0 where it is as fine or finer, or there
     /// is none, as beyond a pole.
     std::uint32_t coarserBeyond(const EarthTile& leaf, TileEdge edge) const;
 

@@ -9,7 +9,7 @@
 namespace cdr::viewer {
 
 /// 8 bits a channel and no conversion on writing, since pictures and interface bring sRGB values of their
-/// own; 10 bits where there is nothing else. base::RunError when none is offered.
+/// own. 10 bits where there is nothing else. base::RunError when none is offered.
 vk::SurfaceFormatKHR chooseSurfaceFormat(std::span<const vk::SurfaceFormatKHR> offered);
 
 /// Whether a pixel of such a format is four bytes, blue or red first.

@@ -19,7 +19,7 @@ struct WrongCount {
     double share() const { return inner ? static_cast<double>(wrong) / static_cast<double>(inner) : 0.0; }
 };
 
-/// measure::heatMap() with the anchored answer in place of the truth: red where wrong off edges, orange on
+/// measure::heatMap() with the anchored answer in place of the truth. Red where wrong off edges, orange on
 /// edges, else the picture in dim grey. base::InputError when the sizes differ.
 /// @param reference the same camera's frame by referenceTechnique().
 WrongCount paintWrong(const render::Frame& frame, const render::Frame& reference, image::ImageRgba8& picture);

@@ -81,7 +81,7 @@ TEST_F(AirTest, AVisibilityBufferShowsTheSame) {
     EXPECT_LE(largestStep(scene, lookFrom(0.0, {0.0, 1e3, -1e4}, 0.9), render::SurfacePath::visibility), 3);
 }
 
-/// At dusk light comes a long way; what stands for the sum over it is off by a third at most, of what is dark.
+/// At dusk light comes a long way. What stands for the sum over it is off by a third at most, of what is dark.
 TEST_F(AirTest, DuskIsNearFloat64AndNightIsDark) {
     scene::Scene scene = airScene();
     const scene::Camera camera = lookFrom(0.0, {-5e4, 2e4, -5e4}, 0.8);

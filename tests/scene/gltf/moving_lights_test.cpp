@@ -13,7 +13,7 @@ constexpr const char* kPunctual = "KHR_lights_punctual";
 
 class GltfMovingLights : public GltfFolder {
   protected:
-    /// A square with a spot on an arm that moves along x and turns by a quarter about y, and a point light that stays.
+    /// A square, a point light that stays, and a spot on an arm that moves along x and turns by a quarter about y.
     static Document lamps() {
         Document document = square();
         document.root["extensions"][kPunctual]["lights"] = {{{"type", "point"}, {"name", "still"}},

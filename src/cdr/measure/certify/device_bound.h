@@ -29,9 +29,11 @@ struct TriangleBound {
 ///
 /// - A corner's x has at most 4 roundings of a sum of products, 2 of a projection and 2 of w, itself a sum. A division adds
 ///   one, and a viewport 2. Half a sub-pixel is added to these.
-/// - A distance has 2 roundings of its own and at most 4 of its sum of products: 8 u of the largest number in it.
-/// - A depth has 3 roundings as depth::DepthRounding counts them. Drivers form it from a plane over the picture, a product
-///   and a sum along each axis: 8 u of the largest depth of the triangle. What that plane's slope adds is a shift of pixels.
+/// - A distance has 2 roundings of its own and at most 4 of its sum of products. That is 8 u of the largest
+///   number in it.
+/// - A depth has 3 roundings as depth::DepthRounding counts them. Drivers form it from a plane over the picture, by a
+///   product and a sum along each axis. That is 8 u of the largest depth of the triangle. What that plane's slope adds is a
+///   shift of pixels.
 /// - A buffer adds its step, and a slanted surface what it rises over the pixels that its corners are off.
 ///
 /// Roundings count at their worst and in one direction. No specification bounds how a driver interpolates, so this is

@@ -6,8 +6,8 @@
 
 namespace cdr::measure {
 
-/// The value below which `percent` of the samples lie, interpolated linearly between neighbours (Hyndman and
-/// Fan 1996, type 7: what NumPy, R and spreadsheets give).
+/// The value below which `percent` of the samples lie, interpolated linearly between neighbours. Hyndman and
+/// Fan 1996, type 7: what NumPy, R and spreadsheets give.
 /// @param samples at least one, in any order, none of them NaN; base::InputError when empty.
 /// @param percent 0 to 100.
 double percentile(std::vector<double> samples, double percent);

@@ -14,7 +14,7 @@ constexpr double kTop = 14.0;
 constexpr int kSeenSteps = 64;
 constexpr int kSunSteps = 32;
 
-/// A straight way about the planet's centre, in radii of the planet and stretched so that it is a sphere; `t` is in scene units.
+/// A straight way about the planet's centre, in radii of the planet and stretched so that it is a sphere. `t` is in scene units.
 struct Way {
     glm::dvec3 from;
     glm::dvec3 perUnit;

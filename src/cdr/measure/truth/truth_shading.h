@@ -10,7 +10,7 @@ namespace cdr::measure {
 
 /// The picture a renderer without depth errors shows: the true surface of every pixel, lit in float64 as the
 /// shading pass lights it. 8-bit sRGB, within a step or two of a rendered picture wherever that shows the
-/// same object; it shares no code with the renderer.
+/// same object. It shares no code with the renderer.
 ///
 /// For scenes of boxes with one instance per object, such as the 2AFC scenes. A truth pixel holds no normal, and
 /// a box's normal follows from the position. base::InputError for other scenes.

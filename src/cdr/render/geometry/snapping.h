@@ -20,7 +20,7 @@ enum class Snapping : std::uint8_t {
     /// The vertex shader moves them to the middle of a sub-pixel first, in the plane of their facet: depth stays that of the
     /// plane. For meshes of facets: each triangle has one colour and one normal, its own. Other meshes are drawn as by
     /// `byDevice`. It needs a device that has the sub-pixel bits that it tells. Triangles that are cut at a cascade's planes get
-    /// corners that only the device rounds, as are cascades that a focus draws in fewer pixels. Not for blended surfaces, nor
+    /// corners that only the device rounds. So are cascades that a focus draws in fewer pixels. Not for blended surfaces, nor
     /// with a visibility buffer.
     inPlane,
 };

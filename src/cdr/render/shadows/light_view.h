@@ -43,7 +43,7 @@ struct LightView {
 /// Texels around what is read: of the two by two that a receiver reads, and of roundings.
 inline constexpr std::uint32_t kMapBorder = 2;
 
-/// The views of a light that show a slice's surfaces: one from a distance, else one for each side of the light that faces
+/// The views of a light that show a slice's surfaces. One from a distance, else one for each side of the light that faces
 /// some. None where the slice's surfaces fill no space, or where the light's cone and range leave them dark.
 /// @param camera position that the slice is relative to.
 /// @param footprintSlope scene::Frustum: no texel is much smaller than a pixel.

@@ -16,7 +16,7 @@
 namespace cdr::render {
 
 /// A scene's instances on the device, and the compute passes that cull and bin them (shaders/binning.glsl). What changed
-/// in the scene reaches them by copies at the start of a frame's commands, so that no frame in flight is waited for.
+/// in the scene reaches them by copies at the start of a frame's commands. So no frame in flight is waited for.
 class BinningPass {
   public:
     /// Storage buffers of the set; the first is the view, the next kSceneBuffers are the scene's.

@@ -9,8 +9,8 @@
 
 namespace cdr::render {
 
-/// Where targets put a frame's work, in the order in which the device runs it: rendering scopes that draw
-/// cascades, and whatever belongs between them.
+/// Where targets put a frame's work, in the order in which the device runs it. That is rendering scopes
+/// that draw cascades, and whatever belongs between them.
 class CascadeCommands {
   public:
     virtual ~CascadeCommands() = default;

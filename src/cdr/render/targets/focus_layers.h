@@ -29,7 +29,7 @@ struct FocusLayersOptions {
     bool shiny = false;         ///< whether the surfaces hold how they shine
 };
 
-/// Depth of field by per-cascade resolution (thesis chapter 3): each cascade has a layer of the size that
+/// Depth of field by per-cascade resolution (thesis chapter 3). Each cascade has a layer of the size that
 /// CascadeView::extent says, drawn and lit by itself. Lit layers are laid over each other, the farthest
 /// first, each filtered up to the picture. Surfaces are merged as `layers` merges them, so that what reads
 /// the G-buffer later still finds every pixel's nearest.

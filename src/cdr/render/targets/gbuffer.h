@@ -17,7 +17,7 @@ namespace cdr::render {
 /// out as shaders/targets/gbuffer.glsl says. Vulkan requires every device to render to it and to sample it.
 inline constexpr vk::Format kGBufferFormat = vk::Format::eR32G32B32A32Uint;
 
-/// Format of a visibility buffer, which takes the geometry buffer's place where surfaces are facets: 0 for
+/// Format of a visibility buffer, which takes the geometry buffer's place where surfaces are facets. 0 for
 /// background, else 1 + the index of a shaders::FacetRecord. Vulkan requires it likewise.
 inline constexpr vk::Format kVisibilityFormat = vk::Format::eR32Uint;
 
@@ -37,7 +37,7 @@ gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std
                        vk::Format format = kGBufferFormat);
 
 /// Of the depth attachment beside a geometry buffer or a visibility buffer. Beside the latter it has a stencil
-/// plane, where the device has one, which marks what is drawn. base::InputError where the device lacks the
+/// plane that marks what is drawn, where the device has one. base::InputError where the device lacks the
 /// format.
 vk::Format depthAttachmentFormat(const gpu::Device& device, depth::DepthFormat format, vk::Format surfaces);
 /// Whether a format has a stencil plane, used or not.

@@ -7,7 +7,7 @@ namespace cdr::render {
 
 /// One G-buffer, one depth buffer, one rendering scope, no clear in between. Each cascade owns a slice of the
 /// depth range, set by the viewport. Nearer cascades own nearer slices: the lower ones, or the upper ones for
-/// reversed depth. Drawn front to back, so early depth tests work across cascades. Slices share no value: a
+/// reversed depth. Drawn front to back, so early depth tests work across cascades. Slices share no value. A
 /// surface clamped to the far end of one never ties with one clamped to the near end of the next.
 ///
 /// What N slices cost, against a depth range of one's own:

@@ -43,8 +43,8 @@ class CDR_EXPORT ViewsRenderer {
     /// @throws base::RunError, std::system_error as Renderer::render().
     std::vector<Frame> render(std::span<const scene::Camera> cameras, FrameCopy copy = FrameCopy::everything);
     /// Renders one frame of each camera and waits for all, but leaves them on the device. FrameTimes::cullMs of
-    /// the first is of all, their split included; executeMs begins when the view's draws
-    /// are submitted, so it contains what other views draw meanwhile.
+    /// the first is of all, their split included. executeMs begins when the view's draws are submitted, so it
+    /// contains what other views draw meanwhile.
     /// @errors base::InputError, base::RunError and std::system_error as render().
     std::vector<FrameStats> draw(std::span<const scene::Camera> cameras);
     /// Renders one frame of each camera without waiting, as Renderer::submit().

@@ -26,8 +26,8 @@ struct GltfLimits {
     /// Not refused but cut: meshes wider than this become pieces (cutIntoPieces()). Scene units, where the
     /// mesh's largest node has it.
     double pieceRadius = kPieceRadius;
-    /// Not refused but shrunk, with a note: the bytes of all textures with their levels, by leaving out the largest levels
-    /// of the largest textures. Without it, what takes 1366 MiB is refused.
+    /// Not refused but shrunk, with a note: the bytes of all textures with their levels. The largest levels of the largest
+    /// textures are left out. Without it, what takes 1366 MiB is refused.
     std::optional<std::uint64_t> textureMemory{};
     /// Not refused but used: radius of points and lines, above 0. It is in scene units at the mesh's largest node, and in
     /// units of the mesh where a skin deforms it. Without it, each primitive gets one. That follows from how far apart its

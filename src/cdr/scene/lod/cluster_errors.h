@@ -17,8 +17,8 @@ struct LooseCluster {
     std::uint32_t madeBy = kNoGroup;
 };
 
-/// The error of each group, both ways: from the clusters that it made to the mesh, sampled, and from the mesh's vertices to
-/// these clusters. A vertex counts for the clusters that are nearest to it.
+/// The error of each group, both ways. One is from the clusters that it made to the mesh, sampled, the other from the
+/// mesh's vertices to these clusters. A vertex counts for the clusters that are nearest to it.
 /// @param surface clusters that stand for all of the mesh.
 /// @param groups that are measured; 0 for those before.
 std::vector<double> measureErrors(const SharedMesh& mesh, const SurfaceDistance& toMesh,

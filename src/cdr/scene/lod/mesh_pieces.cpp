@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kTrianglesPerPiece = 8;
 
-/// For each position the index of the first equal one in sorted order: vertices that differ only in normal or
+/// For each position the index of the first equal one in sorted order. Vertices that differ only in normal or
 /// texture coordinate are one point.
 std::vector<std::uint32_t> pointsOf(const SourceMesh& source) {
     std::vector<std::uint32_t> order(source.vertices.size());

@@ -4,8 +4,8 @@
 
 namespace cdr::viewer {
 
-/// A gamepad's sticks and triggers as window systems report them: sticks -1 to 1, x right, y down; triggers
-/// -1 at rest to 1 pressed.
+/// A gamepad's sticks and triggers as window systems report them. Sticks are -1 to 1, x right, y down;
+/// triggers -1 at rest to 1 pressed.
 struct GamepadState {
     double leftX = 0.0;
     double leftY = 0.0;
@@ -23,8 +23,8 @@ struct GamepadCurve {
     double exponent = 2.0;  ///< above 1 is finer near rest
 };
 
-/// A stick's deflection with its dead zone taken out, round, and its length bent by the curve: continuous, 0
-/// at rest, at most 1 long. What is not finite is rest.
+/// A stick's deflection without its round dead zone, and its length bent by the curve. Continuous, 0 at
+/// rest, at most 1 long. What is not finite is rest.
 glm::dvec2 shapeStick(const glm::dvec2& stick, const GamepadCurve& curve = {});
 
 /// The left stick moves, the bumpers lift and sink, the right stick looks, the triggers zoom.

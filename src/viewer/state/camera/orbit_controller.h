@@ -20,7 +20,7 @@ struct OrbitSpeed {
     double nearestView = 4.0;   ///< near planes that the pivot stays away
 };
 
-/// Circles the pivot: dragging turns, scrolling changes the distance by a factor per notch, panning shifts
+/// Circles the pivot. Dragging turns, scrolling changes the distance by a factor per notch. Panning shifts
 /// camera and pivot by pixels at the pivot's distance. The pivot keeps its place in the picture whatever it
 /// is, so picking one does not move the view. A camera that turns loses its roll.
 Orbit orbit(const Orbit& before, const CameraInput& input, const OrbitSpeed& speed = {});

@@ -7,9 +7,9 @@
 
 namespace cdr::viewer {
 
-/// Turns the cameras of a session, however many a second, into a recording of at most kMaxRecordedCameras: 30
-/// a second while the camera moves, and only the ends of the time that it rests. The first and the last
-/// camera are kept to the bit.
+/// Turns the cameras of a session, however many a second, into a recording of at most kMaxRecordedCameras. It
+/// keeps 30 a second while the camera moves, and only the ends of the time that it rests. The first and the
+/// last camera are kept to the bit.
 class PathRecorder {
   public:
     static constexpr double kCamerasPerSecond = 30.0;

@@ -19,8 +19,8 @@ ViewSettings withStereo(ViewSettings settings, std::optional<experiments::Stereo
 ViewSettings withNextStereo(ViewSettings settings, double surfaceView);
 /// Toed-in eyes become parallel and the other way round. Nothing with one eye.
 ViewSettings withOtherEyes(ViewSettings settings);
-/// The eyes coincide at that distance and are a thirtieth of it apart, to three digits: a distance at which most people
-/// see one picture.
+/// Pictures of the eyes coincide at that distance. The eyes are a thirtieth of it apart, to three digits, at which most
+/// people see one picture.
 void fitEyes(experiments::ViewsArguments& views, double surfaceView);
 
 /// The pixel in the middle of what a camera sees: of two eyes, the left one.

@@ -11,7 +11,7 @@ namespace cdr::scene::gltf {
 
 /// Lets morph targets turn tangents that the file lacks. With one target in full, each vertex has the tangent that would be
 /// derived of the mesh deformed so. In between, tangents are blended in proportion to how far the target stretches the
-/// texture along them: a target that stretches, shears or turns a surface evenly is exact at all weights.
+/// texture along them. A target that stretches, shears or turns a surface evenly is exact at all weights.
 ///
 /// Vertices stay those of the mesh at rest: where MikkTSpace would split the deformed mesh otherwise, they share a tangent.
 /// @param deformer with details, and with the targets' other deltas. @param indices of its triangles.

@@ -21,7 +21,7 @@ struct DracoBounds {
     std::uint64_t bytes = 0;     ///< that decoding may take
 };
 
-/// A compressed mesh whose connectivity the decoder may be given: its counts are those of the file, what it takes for them is
+/// A compressed mesh whose connectivity the decoder may be given. Its counts are those of the file; what it takes for them is
 /// within bounds. Not to be copied: `bytes` may be those that it holds.
 struct DracoStream {
     std::span<const std::uint8_t> bytes; ///< without metadata, which glTF has no use for

@@ -31,11 +31,11 @@ bool hasMikkTSpace();
 /// @param corners below 2^48.
 std::uint64_t mikkTSpaceBytes(std::uint64_t corners);
 
-/// The tangents of triangles by MikkTSpace, in the order of corners: the direction in which u grows, and 1 or -1 as
-/// VertexDetail::tangent has it. Equal corners count as one vertex. Where the texture coordinates of a corner's triangles
-/// are flattened, its direction may be any. The time grows with the square of the triangles that meet at a vertex, and of
-/// those whose corners do not differ in position.
-/// A refusal says why there are none: the library is not there, it would go beyond a limit, or it failed.
+/// The tangents of triangles by MikkTSpace, in the order of corners. Each is the direction in which u grows, and 1 or -1
+/// as VertexDetail::tangent has it. Equal corners count as one vertex. Where the texture coordinates of a corner's
+/// triangles are flattened, its direction may be any. The time grows with the square of the triangles that meet at a
+/// vertex, and of those whose corners do not differ in position. A refusal says why there are none: the library is not
+/// there, it would go beyond a limit, or it failed.
 /// @param corners a multiple of three. @param cornerAt the one of a number below `corners`, finite.
 /// @threads Any number at once: each call has a state of its own.
 base::Result<std::vector<glm::vec4>> mikkTSpace(std::size_t corners,

@@ -57,8 +57,8 @@ double defaultPointRadius(const glm::dvec3& sides, std::uint64_t count);
 /// picture that they fill.
 double defaultLineRadius(const glm::dvec3& sides);
 
-/// What a primitive shows its material on. glTF lights points and lines by the normals that they have, without normal
-/// textures unless they have tangents, and without normals not at all. Of a solid only the front is drawn.
+/// What a primitive shows its material on. glTF lights points and lines by the normals that they have, and without
+/// normals not at all. Normal textures need tangents. Of a solid only the front is drawn.
 enum class Ground : std::uint8_t { surface, solidWithTangents, solidWithNormals, solidAlone };
 
 Ground groundOf(const Primitive& primitive);
