@@ -6,7 +6,8 @@
 //   cannot return RESULT by the specification.
 // - DEVICE is "window" (devices with a swapchain), "render" (devices without) or "any".
 // - Calls are counted over all such devices. The first AFTER succeed, the next TIMES return RESULT, a VkResult.
-// - For vkGetPhysicalDeviceSurfaceCapabilitiesKHR, RESULT replaces both sides of currentExtent; -1 is "any".
+// - For vkGetPhysicalDeviceSurfaceCapabilitiesKHR by its name, RESULT replaces both sides of currentExtent; -1 is "any".
+// - Calls on the instance and its physical devices count as calls of "render", those on surfaces as calls of "window".
 // - For vkCmdSetViewport, RESULT moves the viewport to the right, in 1/16 of a pixel: a driver that draws beside the place.
 //
 // A lost device stays lost, and so does the surface of the last swapchain.
@@ -41,10 +42,11 @@ constexpr const char* kSetViewport = "vkCmdSetViewport";
 /// Whether a function can return a result, by the specification. Those that wait, submit or read results tell of a lost
 /// device; those do not run out of device memory that never take any.
 bool canReturn(std::string_view name, long result) {
-    constexpr std::array kOfLoss{"vkQueueSubmit",     "vkQueueSubmit2",        "vkQueueWaitIdle",
-                                 "vkDeviceWaitIdle",  "vkWaitForFences",       "vkWaitSemaphores",
-                                 "vkGetFenceStatus",  "vkCreateDevice",        "vkGetQueryPoolResults",
-                                 "vkQueuePresentKHR", "vkAcquireNextImageKHR", "vkCreateSwapchainKHR"};
+    constexpr std::array kOfLoss{
+        "vkQueueSubmit",       "vkQueueSubmit2",        "vkQueueWaitIdle",   "vkDeviceWaitIdle",
+        "vkWaitForFences",     "vkWaitSemaphores",      "vkGetFenceStatus",  "vkGetSemaphoreCounterValue",
+        "vkCreateDevice",      "vkGetQueryPoolResults", "vkQueuePresentKHR", "vkAcquireNextImageKHR",
+        "vkCreateSwapchainKHR"};
     constexpr std::array kOfHostAlone{"vkCreatePipelineCache"};
     constexpr std::array kOfDeviceAlone{"vkResetFences", "vkResetCommandPool"};
     const auto isIn = [&](const auto& names) {
@@ -101,12 +103,20 @@ Fault& fault() {
     return only;
 }
 
+/// Makes a surface, whichever the window system is.
+using CreateSurface = VkResult(VKAPI_PTR*)(VkInstance, const void*, const VkAllocationCallbacks*,
+                                           VkSurfaceKHR*);
+
 struct NextInstance {
     PFN_vkGetInstanceProcAddr get = nullptr;
     VkInstance handle = VK_NULL_HANDLE;
-    /// Fetched while the instance is made: later the loader would return this layer's own function.
-    PFN_vkGetPhysicalDeviceSurfaceCapabilitiesKHR surfaceCapabilities = nullptr;
-    PFN_vkDestroySurfaceKHR destroySurface = nullptr;
+    /// Fetched while the instance is made: later the loader would return this layer's own functions.
+    std::map<std::string_view, PFN_vkVoidFunction> functions;
+
+    template <typename Function>
+    Function call(const char* name) const {
+        return reinterpret_cast<Function>(functions.at(name));
+    }
 };
 
 struct NextDevice {
@@ -165,19 +175,34 @@ Link* linkOf(const Info* info, VkStructureType type) {
     return const_cast<Link*>(link);
 }
 
+constexpr std::array kOfInstances{kSurfaceCapabilities,
+                                  "vkDestroySurfaceKHR",
+                                  "vkEnumeratePhysicalDevices",
+                                  "vkEnumerateDeviceExtensionProperties",
+                                  "vkGetPhysicalDeviceSurfaceFormatsKHR",
+                                  "vkGetPhysicalDeviceSurfacePresentModesKHR",
+                                  "vkGetPhysicalDeviceSurfaceSupportKHR",
+                                  "vkCreateWaylandSurfaceKHR",
+                                  "vkCreateXcbSurfaceKHR",
+                                  "vkCreateXlibSurfaceKHR"};
+
 VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info,
                                               const VkAllocationCallbacks* callbacks, VkInstance* made) {
+    if (fault().hits("vkCreateInstance", false)) {
+        return static_cast<VkResult>(fault().result);
+    }
     auto* link = linkOf<VkLayerInstanceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
     const PFN_vkGetInstanceProcAddr get = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
     link->u.pLayerInfo = link->u.pLayerInfo->pNext;
     const auto next = reinterpret_cast<PFN_vkCreateInstance>(get(VK_NULL_HANDLE, "vkCreateInstance"));
     const VkResult result = next(info, callbacks, made);
     if (result == VK_SUCCESS) {
+        NextInstance instance{.get = get, .handle = *made, .functions = {}};
+        for (const char* name : kOfInstances) {
+            instance.functions[name] = get(*made, name);
+        }
         const std::lock_guard guard(lock);
-        instances[tableOf(*made)] = {
-            get, *made,
-            reinterpret_cast<PFN_vkGetPhysicalDeviceSurfaceCapabilitiesKHR>(get(*made, kSurfaceCapabilities)),
-            reinterpret_cast<PFN_vkDestroySurfaceKHR>(get(*made, "vkDestroySurfaceKHR"))};
+        instances[tableOf(*made)] = instance;
     }
     return result;
 }
@@ -210,8 +235,14 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkD
 
 VKAPI_ATTR VkResult VKAPI_CALL surfaceCapabilities(VkPhysicalDevice physical, VkSurfaceKHR surface,
                                                    VkSurfaceCapabilitiesKHR* capabilities) {
-    const VkResult result = instanceOf(physical).surfaceCapabilities(physical, surface, capabilities);
-    if (fault().hits(kSurfaceCapabilities, true)) {
+    const bool isHit = fault().hits(kSurfaceCapabilities, true);
+    if (isHit && fault().call != kSurfaceCapabilities) {
+        return static_cast<VkResult>(fault().result);
+    }
+    const auto next =
+        instanceOf(physical).call<PFN_vkGetPhysicalDeviceSurfaceCapabilitiesKHR>(kSurfaceCapabilities);
+    const VkResult result = next(physical, surface, capabilities);
+    if (isHit) {
         const auto side = static_cast<std::uint32_t>(fault().result);
         capabilities->currentExtent = {side, side};
     }
@@ -224,7 +255,7 @@ VKAPI_ATTR void VKAPI_CALL destroySurface(VkInstance instance, VkSurfaceKHR surf
         const std::lock_guard guard(lock);
         lostSurface = surface == lostSurface ? VK_NULL_HANDLE : lostSurface; // a handle may be reused
     }
-    instanceOf(instance).destroySurface(instance, surface, callbacks);
+    instanceOf(instance).call<PFN_vkDestroySurfaceKHR>("vkDestroySurfaceKHR")(instance, surface, callbacks);
 }
 
 /// Remembers the surface of a swapchain that is created; false when the surface was lost.
@@ -287,6 +318,21 @@ struct Call<VkResult(VKAPI_PTR*)(Handle, Rest...)> {
     }
 };
 
+/// The same of a function of an instance or a physical device.
+template <typename Function>
+struct InstanceCall;
+template <typename Handle, typename... Rest>
+struct InstanceCall<VkResult(VKAPI_PTR*)(Handle, Rest...)> {
+    using Function = VkResult(VKAPI_PTR*)(Handle, Rest...);
+    template <const char* name>
+    static VKAPI_ATTR VkResult VKAPI_CALL run(Handle handle, Rest... rest) {
+        if (fault().hits(name, std::strstr(name, "Surface") != nullptr)) {
+            return static_cast<VkResult>(fault().result);
+        }
+        return instanceOf(handle).template call<Function>(name)(handle, rest...);
+    }
+};
+
 PFN_vkVoidFunction own(const char* name);
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDeviceProc(VkDevice device, const char* name) {
@@ -296,12 +342,20 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDeviceProc(VkDevice device, const ch
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getInstanceProc(VkInstance instance, const char* name) {
     const PFN_vkVoidFunction found = own(name);
-    if (found != nullptr || instance == VK_NULL_HANDLE) {
+    if (instance == VK_NULL_HANDLE) {
         return found;
     }
-    return instanceOf(instance).get(instance, name);
+    const NextInstance next = instanceOf(instance);
+    const auto fetched = next.functions.find(name);
+    const bool isMissing = fetched != next.functions.end() && fetched->second == nullptr;
+    return found != nullptr && !isMissing ? found : next.get(instance, name);
 }
 
+#define CDR_FAULT_INSTANCE_CALL(function, type)                                                              \
+    static constexpr char k##function[] = #function;                                                         \
+    if (std::strcmp(name, k##function) == 0) {                                                               \
+        return reinterpret_cast<PFN_vkVoidFunction>(&InstanceCall<type>::run<k##function>);                  \
+    }
 #define CDR_FAULT_CALL(function)                                                                             \
     static constexpr char k##function[] = #function;                                                         \
     if (std::strcmp(name, k##function) == 0) {                                                               \
@@ -321,6 +375,15 @@ PFN_vkVoidFunction own(const char* name) {
     if (const auto found = made.find(name); found != made.end()) {
         return found->second;
     }
+    CDR_FAULT_INSTANCE_CALL(vkEnumeratePhysicalDevices, PFN_vkEnumeratePhysicalDevices)
+    CDR_FAULT_INSTANCE_CALL(vkEnumerateDeviceExtensionProperties, PFN_vkEnumerateDeviceExtensionProperties)
+    CDR_FAULT_INSTANCE_CALL(vkGetPhysicalDeviceSurfaceFormatsKHR, PFN_vkGetPhysicalDeviceSurfaceFormatsKHR)
+    CDR_FAULT_INSTANCE_CALL(vkGetPhysicalDeviceSurfacePresentModesKHR,
+                            PFN_vkGetPhysicalDeviceSurfacePresentModesKHR)
+    CDR_FAULT_INSTANCE_CALL(vkGetPhysicalDeviceSurfaceSupportKHR, PFN_vkGetPhysicalDeviceSurfaceSupportKHR)
+    CDR_FAULT_INSTANCE_CALL(vkCreateWaylandSurfaceKHR, CreateSurface)
+    CDR_FAULT_INSTANCE_CALL(vkCreateXcbSurfaceKHR, CreateSurface)
+    CDR_FAULT_INSTANCE_CALL(vkCreateXlibSurfaceKHR, CreateSurface)
     CDR_FAULT_CALL(vkAcquireNextImageKHR)
     CDR_FAULT_CALL(vkAllocateCommandBuffers)
     CDR_FAULT_CALL(vkAllocateDescriptorSets)
@@ -337,12 +400,14 @@ PFN_vkVoidFunction own(const char* name) {
     CDR_FAULT_CALL(vkCreateDescriptorPool)
     CDR_FAULT_CALL(vkCreateDescriptorSetLayout)
     CDR_FAULT_CALL(vkCreateFence)
+    CDR_FAULT_CALL(vkCreateFramebuffer)
     CDR_FAULT_CALL(vkCreateGraphicsPipelines)
     CDR_FAULT_CALL(vkCreateImage)
     CDR_FAULT_CALL(vkCreateImageView)
     CDR_FAULT_CALL(vkCreatePipelineCache)
     CDR_FAULT_CALL(vkCreatePipelineLayout)
     CDR_FAULT_CALL(vkCreateQueryPool)
+    CDR_FAULT_CALL(vkCreateRenderPass)
     CDR_FAULT_CALL(vkCreateSampler)
     CDR_FAULT_CALL(vkCreateSemaphore)
     CDR_FAULT_CALL(vkCreateShaderModule)
@@ -351,6 +416,8 @@ PFN_vkVoidFunction own(const char* name) {
     CDR_FAULT_CALL(vkFlushMappedMemoryRanges)
     CDR_FAULT_CALL(vkGetFenceStatus)
     CDR_FAULT_CALL(vkGetQueryPoolResults)
+    CDR_FAULT_CALL(vkGetSemaphoreCounterValue)
+    CDR_FAULT_CALL(vkGetSwapchainImagesKHR)
     CDR_FAULT_CALL(vkInvalidateMappedMemoryRanges)
     CDR_FAULT_CALL(vkMapMemory)
     CDR_FAULT_CALL(vkQueuePresentKHR)

@@ -77,32 +77,40 @@ INSTANTIATE_TEST_SUITE_P(
                     Fatal{{.call = "vkAcquireNextImageKHR", .after = 3}, kLost},
                     Fatal{{.call = "vkQueuePresentKHR", .after = 3}, kLost}));
 
-INSTANTIATE_TEST_SUITE_P(OutOfMemory, ViewerFatal,
-                         testing::Values(Fatal{{.call = "vkAllocateMemory",
-                                                .device = "render",
-                                                .times = test::kForever,
-                                                .result = VK_ERROR_OUT_OF_DEVICE_MEMORY},
-                                               kMemory},
-                                         Fatal{{.call = "vkAllocateMemory",
-                                                .device = "window",
-                                                .times = test::kForever,
-                                                .result = VK_ERROR_OUT_OF_DEVICE_MEMORY},
-                                               kMemory},
-                                         Fatal{{.call = "vkAllocateMemory",
-                                                .device = "window",
-                                                .after = 2,
-                                                .times = test::kForever,
-                                                .result = VK_ERROR_OUT_OF_DEVICE_MEMORY},
-                                               kMemory},
-                                         Fatal{{.call = "vkCreateSwapchainKHR",
-                                                .after = 1,
-                                                .result = VK_ERROR_OUT_OF_DEVICE_MEMORY},
-                                               kMemory},
-                                         Fatal{{.call = "vkAcquireNextImageKHR",
-                                                .after = 2,
-                                                .times = test::kForever,
-                                                .result = VK_ERROR_SURFACE_LOST_KHR},
-                                               "surface was lost"}));
+constexpr Fatal lacksMemory(std::string_view call) {
+    return {.fault = {.call = call, .result = VK_ERROR_OUT_OF_DEVICE_MEMORY}, .says = kMemory};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OutOfMemory, ViewerFatal,
+    testing::Values(
+        Fatal{{.call = "vkAllocateMemory",
+               .device = "render",
+               .times = test::kForever,
+               .result = VK_ERROR_OUT_OF_DEVICE_MEMORY},
+              kMemory},
+        Fatal{{.call = "vkAllocateMemory",
+               .device = "window",
+               .times = test::kForever,
+               .result = VK_ERROR_OUT_OF_DEVICE_MEMORY},
+              kMemory},
+        Fatal{{.call = "vkAllocateMemory",
+               .device = "window",
+               .after = 2,
+               .times = test::kForever,
+               .result = VK_ERROR_OUT_OF_DEVICE_MEMORY},
+              kMemory},
+        Fatal{{.call = "vkCreateSwapchainKHR", .after = 1, .result = VK_ERROR_OUT_OF_DEVICE_MEMORY}, kMemory},
+        lacksMemory("vkCreateInstance"), lacksMemory("vkEnumeratePhysicalDevices"),
+        lacksMemory("vkCreateXcbSurfaceKHR"), lacksMemory("vkGetPhysicalDeviceSurfaceSupportKHR"),
+        lacksMemory("vkGetPhysicalDeviceSurfaceFormatsKHR"),
+        lacksMemory("vkGetPhysicalDeviceSurfacePresentModesKHR"), lacksMemory("vkGetSwapchainImagesKHR"),
+        lacksMemory("vkCreateRenderPass"), lacksMemory("vkCreateFramebuffer"),
+        Fatal{{.call = "vkAcquireNextImageKHR",
+               .after = 2,
+               .times = test::kForever,
+               .result = VK_ERROR_SURFACE_LOST_KHR},
+              "surface was lost"}));
 
 /// A surface that is lost, out of date or without pixels for once.
 class ViewerMended : public ViewerFault, public testing::WithParamInterface<Fault> {};
