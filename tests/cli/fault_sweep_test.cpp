@@ -156,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(
         Swept{"translucency --size 16x16 --repeats 1 --cascades 2 --out t", "Translucency"},
         Swept{"render cubes --size 16x16 --stereo parallel --eye-distance 1 -o a.png", "Stereo"},
         Swept{"render cubes --size 16x16 --technique anchored --certify c.json -o a.png", "Certify"},
-        Swept{"devices --json d.json", "Devices"},
+        Swept{"devices --json dev.json", "Devices"},
         Swept{"orbit --frames 1 --size 16x16 --techniques anchored --json o.json", "Orbit", Sample::oneError},
         Swept{
             "scaling --draws 1 --threads 1 --cascades 1 --repeats 1 --size 16x16 --targets single --csv s.csv",

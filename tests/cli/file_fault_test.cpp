@@ -35,6 +35,7 @@ void expectWholeFiles(const TemporaryFolder& folder, bool mayHide = false) {
 struct Writer {
     const char* command;
     const char* name;
+    long stride = 4; ///< of its calls, each so many-th fails; with CDR_ALL_CASES each
 
     friend std::ostream& operator<<(std::ostream& out, const Writer& writer) { return out << writer.command; }
 };
@@ -52,15 +53,23 @@ TEST_P(FileFaults, EveryWriteMayFail) {
                               "' LD_PRELOAD='" CDR_FILE_FAULTS "' timeout 1000");
     };
     constexpr long kNever = 1'000'000'000;
+    const TemporaryFolder sound;
+    const ProgramResult served = run(kNever, ENOSPC, sound);
+    if (served.status == 2 && (served.err.find("tools/setup.sh") != std::string::npos ||
+                               served.err.find("gnuplot") != std::string::npos)) {
+        GTEST_SKIP() << served.err; // a checkout or a machine without it
+    }
+    ASSERT_EQ(served.status, 0) << served.err;
     constexpr long kMostCalls = 2000;
     std::size_t cases = 0;
     for (const int error : {ENOSPC, EACCES, EIO, ENOENT}) {
-        const long stride = takesAllCases() ? 1 : 4;
+        const long stride = takesAllCases() ? 1 : GetParam().stride;
         for (long after = error % stride; after < kMostCalls; after += stride) {
             const TemporaryFolder folder;
             const ProgramResult result = run(after, error, folder);
             SCOPED_TRACE(testing::Message() << GetParam().command << ": call " << after << ", " << error);
-            expectWholeFiles(folder);
+            // A report that cannot be finished keeps what was measured, and says where.
+            expectWholeFiles(folder, result.err.find("what was measured is in") != std::string::npos);
             ++cases;
             if (result.status == 0) {
                 EXPECT_EQ(result.err, "");
@@ -70,10 +79,8 @@ TEST_P(FileFaults, EveryWriteMayFail) {
             EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
         }
     }
-    EXPECT_GT(cases, 8u);
+    EXPECT_GE(cases, 4u);
     std::printf("%zu cases\n", cases);
-    const TemporaryFolder folder;
-    EXPECT_EQ(run(kNever, ENOSPC, folder).status, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -89,7 +96,12 @@ INSTANTIATE_TEST_SUITE_P(
         Writer{"pictures --quiet --scenes cubes --techniques log --size 16x16 --frames 1 --out p",
                "Pictures"},
         Writer{"flicker --quiet --frames 2 --size 16x16 --techniques cdr --state s.json --tga t", "Flicker"},
-        Writer{"timing --quiet --frames 1 --size 16x16 --modes log --csv t.csv --trace t.json", "Timing"}),
+        Writer{"timing --quiet --frames 1 --size 16x16 --modes log --csv t.csv --trace t.json", "Timing"},
+        Writer{"render cubes --size 16x16 --quiet --technique anchored -o a.png --certify c.json", "Certify"},
+        Writer{"inspect cubes --quiet --frames 1 --size 16x16 --techniques standard --heat-map h.png",
+               "HeatMap"},
+        Writer{"orbit --quiet --frames 1 --size 16x16 --techniques anchored --plot p.png", "Plot", 8},
+        Writer{"report --quiet --smallest --sections precision -o r", "Report", 16}),
     [](const auto& row) { return std::string(row.param.name); });
 
 /// Interrupted at random moments, a run goes on to the results of one that was not.
