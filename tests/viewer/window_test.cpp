@@ -266,6 +266,17 @@ TEST_F(ViewerTest, SurvivesRandomInput) {
     EXPECT_NE(lines[0].find("soak: 120 steps, "), std::string::npos) << lines[0];
 }
 
+TEST_F(ViewerTest, ASoakWhoseMemoryGrowsFails) {
+    // None can shrink to nothing, so any soak is over this limit.
+    const RunResult run =
+        runShell("'" CDR_VIEWER_DRIVE "' --size 64x48 --soak 1 --largest 64x48 --largest-growth=-100 cubes",
+                 folder(), environment());
+    EXPECT_EQ(run.status, 1) << run.err;
+    EXPECT_NE(run.err.find("memory grew by "), std::string::npos) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_EQ(run.lines("soak: ").size(), 1u) << run.out;
+}
+
 TEST_F(ViewerTest, SaysWhatIsWrongInOneLine) {
     const auto expectError = [&](const std::string& arguments, int status, const std::string& text) {
         const RunResult run = runShell("'" CDR_VIEWER "' " + arguments, folder(), environment());

@@ -5,11 +5,14 @@
 #include "soak.h"
 
 #include <CLI/CLI.hpp>
+#include <cdr/base/error.h>
 #include <cdr/host/standard_streams.h>
 #include <experiments/number_checks.h>
 #include <scenes/open_scene.h>
 #include <viewer/session/program.h>
 #include <viewer/session/startup.h>
+
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <optional>
@@ -21,6 +24,10 @@ namespace cdr::viewer {
 namespace {
 
 constexpr double kMaxSoakSeconds = 86'400.0;
+/// Percent by which memory may grow in a soak. The memory of one of less than a minute says nothing.
+constexpr double kLargestGrowth = 1.0;
+constexpr double kShortSoakSeconds = 60.0;
+constexpr double kMostGrowth = 1e6;
 
 /// What is asked of this program beyond the viewer's own options.
 struct DriveArguments {
@@ -29,6 +36,7 @@ struct DriveArguments {
     std::optional<double> soakSeconds;
     std::optional<std::string> largest; ///< window of a soak
     std::vector<std::string> soakScenes;
+    std::optional<double> largestGrowth; ///< in percent
 };
 
 void addDriveOptions(CLI::App& program, DriveArguments& arguments) {
@@ -52,6 +60,23 @@ void addDriveOptions(CLI::App& program, DriveArguments& arguments) {
         ->delimiter(',')
         ->check(CLI::IsMember(std::vector<std::string>(generated.begin(), generated.end())))
         ->needs(soak);
+    program
+        .add_option(
+            "--largest-growth", arguments.largestGrowth,
+            "Percent by which memory may grow in a soak, else it ends with status 1; 1 unless told, and any in a "
+            "soak of less than a minute")
+        ->check(experiments::numberFrom(-100.0, kMostGrowth))
+        ->needs(soak);
+}
+
+/// base::RunError when memory grew by more than it may.
+void requireSteadyMemory(const Soak& soak, const DriveArguments& arguments) {
+    const bool isShort = *arguments.soakSeconds < kShortSoakSeconds;
+    const double most = arguments.largestGrowth.value_or(isShort ? kMostGrowth : kLargestGrowth);
+    if (const auto growth = soak.growth(); growth && *growth > most) {
+        throw base::RunError(
+            fmt::format("memory grew by {:.2f} % in the soak, where {:.2f} % is allowed", *growth, most));
+    }
 }
 
 void run(const DriveArguments& arguments) {
@@ -69,6 +94,7 @@ void run(const DriveArguments& arguments) {
         Soak soak(*arguments.soakSeconds, input);
         runViewer(arguments.viewer, &soak);
         host::printOutput(soak.report() + "\n");
+        requireSteadyMemory(soak, arguments);
     } else if (arguments.script) {
         ScriptPlayer player(readScript(*arguments.script));
         runViewer(arguments.viewer, &player);

@@ -148,17 +148,31 @@ DriverState Soak::step(const DrivenViewer& viewer) {
     return isDone() ? DriverState::quits : DriverState::drives;
 }
 
-/// "48.1 MB after warm-up and 48.2 MB at the end (+0.21 %)"
-std::string Soak::growthOf(std::uint64_t Memory::*bytes) const {
+double Soak::Change::percent() const {
+    return warm > 0 ? 100.0 * (static_cast<double>(end) / static_cast<double>(warm) - 1.0) : 0.0;
+}
+
+Soak::Change Soak::changeOf(std::uint64_t Memory::*bytes) const {
     const auto least = [&](auto first) {
         const auto found = std::min_element(
             first, first + kCompared, [&](const Memory& a, const Memory& b) { return a.*bytes < b.*bytes; });
-        return megabytes((*found).*bytes);
+        return (*found).*bytes;
     };
-    const double warm = least(m_memory.begin());
-    const double end = least(m_memory.end() - kCompared);
-    const double growth = warm > 0.0 ? 100.0 * (end / warm - 1.0) : 0.0;
-    return fmt::format("{:.1f} MB after warm-up and {:.1f} MB at the end ({:+.2f} %)", warm, end, growth);
+    return {.warm = least(m_memory.begin()), .end = least(m_memory.end() - kCompared)};
+}
+
+std::optional<double> Soak::growth() const {
+    if (!isDone()) {
+        return std::nullopt;
+    }
+    return std::max(changeOf(&Memory::allocated).percent(), changeOf(&Memory::resident).percent());
+}
+
+/// "48.1 MB after warm-up and 48.2 MB at the end (+0.21 %)"
+std::string Soak::growthOf(std::uint64_t Memory::*bytes) const {
+    const Change change = changeOf(bytes);
+    return fmt::format("{:.1f} MB after warm-up and {:.1f} MB at the end ({:+.2f} %)", megabytes(change.warm),
+                       megabytes(change.end), change.percent());
 }
 
 std::string Soak::report() const {

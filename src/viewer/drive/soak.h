@@ -36,6 +36,9 @@ class Soak : public Driver {
     DriverState step(const DrivenViewer& viewer) override;
     /// "soak: 1800 steps, ...", one line.
     std::string report() const;
+    /// By how many percent memory grew from the warm-up to the end: what is allocated or what is resident, whichever grew more.
+    /// Empty where the soak ended early.
+    std::optional<double> growth() const;
 
   private:
     /// Playing, then at rest on the device as it was played on, then on a new one.
@@ -51,6 +54,14 @@ class Soak : public Driver {
         ResizeInput size;
     };
     bool isDone() const { return m_memory.size() > m_measurements; }
+    /// The least of the first measurements and of the last.
+    struct Change {
+        std::uint64_t warm = 0;
+        std::uint64_t end = 0;
+
+        double percent() const;
+    };
+    Change changeOf(std::uint64_t Memory::*bytes) const;
     std::string growthOf(std::uint64_t Memory::*bytes) const;
     void enter(Phase phase, const Session& session);
     void play(const DrivenViewer& viewer);
