@@ -44,6 +44,7 @@ check_all() {
         --gtest_filter='*FaultSweep*:*FileFaults*:*NumericOptions*:Signals*:*Killed*'
     CDR_ALL_CASES=1 build/release/bin/test_render --gtest_brief=1 \
         --gtest_filter='WorldTest.*:WorldSoakTest.*:SharedPipelinesTest.*:OcclusionCullingTest.*'
+    CDR_ALL_CASES=1 build/release/bin/test_depth --gtest_brief=1 --gtest_filter='WholeRange.*'
     CDR_ALL_CASES=1 ctest --preset release --tests-regex '^(Documents|Package)$'
     tools/fuzz.sh
     check_mpich

@@ -1,3 +1,5 @@
+#include "../support/all_cases.h"
+
 #include <cdr/base/error.h>
 #include <cdr/depth/advice.h>
 #include <cdr/depth/make_cascades.h>
@@ -71,6 +73,11 @@ void expectSound(const Cascades& cascades, const SplitContext& context) {
     }
 }
 
+/// 22,000 in both tests, with CDR_ALL_CASES 100,000.
+int casesOf(int sample, int all) {
+    return cdr::test::takesAllCases() ? all : sample;
+}
+
 /// Calls `test` that many times. Each may take two seconds of the CPU, a thousand times what it needs.
 template <typename Test>
 void forEachCase(int cases, const Test& test) {
@@ -84,7 +91,7 @@ void forEachCase(int cases, const Test& test) {
 TEST(WholeRange, EverySplitEndsInSoundCascadesOrIsRefused) {
     AnyNumbers random(1);
     int cut = 0;
-    forEachCase(20'000, [&](int) {
+    forEachCase(casesOf(20'000, 90'000), [&](int) {
         SplitContext context{.nearView = random.positive(),
                              .farView = random.positive(),
                              .model = {kMappings[random.below(kMappings.size())],
@@ -125,7 +132,7 @@ TEST(WholeRange, EverySplitEndsInSoundCascadesOrIsRefused) {
 TEST(WholeRange, AdviceEndsInAnAnswerOrIsRefused) {
     AnyNumbers random(2);
     int answered = 0;
-    forEachCase(2'000, [&](int) {
+    forEachCase(casesOf(2'000, 10'000), [&](int) {
         AdviceQuestion question{.scene = {.nearView = random.positive(),
                                           .farView = random.positive(),
                                           .footprintSlope = random.positive(),
