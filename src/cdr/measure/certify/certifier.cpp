@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/host/host_memory.h>
 #include <cdr/measure/certify/certifier.h>
 #include <cdr/measure/certify/device_bound.h>
 #include <cdr/measure/certify/screen_triangle.h>
@@ -63,6 +64,10 @@ void Certifier::follow(std::span<const std::uint32_t> meshes, host::WorkerPool& 
 Certifier::Findings Certifier::find(const DrawnFrame& frame, host::WorkerPool& workers) const {
     const std::uint32_t width = frame.ids.width;
     const std::uint32_t height = frame.ids.height;
+    // Of each pixel what is found, whether it is in doubt, and its truth.
+    constexpr std::uint64_t kBytes = sizeof(PixelFinding) + 1 + sizeof(TruthPixel);
+    host::requireHostBytes(kBytes * width * height,
+                           fmt::format("the certificate of {}x{} pixels", width, height));
     const DeviceBound device(frame);
     const DeviceBound float64 = DeviceBound::ofFloat64(frame);
     const std::vector<VisibleInstance> visible =

@@ -69,7 +69,8 @@ class Certifier {
     /// As TruthCaster::follow().
     void follow(std::span<const std::uint32_t> meshes, host::WorkerPool& workers);
 
-    /// The same for any number of workers. base::InputError when the sizes of the frame's rasters differ.
+    /// The same for any number of workers. base::InputError when the sizes of the frame's rasters differ, base::RunError when
+    /// the certificate takes more memory than is free.
     Certificate certify(const DrawnFrame& frame, host::WorkerPool& workers) const;
 
   private:

@@ -1,9 +1,12 @@
 #include <cdr/base/error.h>
+#include <cdr/host/host_memory.h>
 #include <cdr/measure/shadows/shadow_truth.h>
 #include <cdr/measure/truth/layered_truth.h>
 #include <cdr/measure/truth/surface_hit.h>
 #include <cdr/measure/truth/truth_air.h>
 #include <cdr/measure/truth/truth_light.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -152,6 +155,8 @@ LayeredTruth castView(const scene::Scene& scene, const scene::Camera& camera, co
     if (size.x == 0 || size.y == 0) {
         throw base::InputError("truth: a picture needs at least one pixel");
     }
+    host::requireHostBytes(std::uint64_t{size.x} * size.y * sizeof(LayeredPixel),
+                           fmt::format("the truth of {}x{} pixels with layers", size.x, size.y));
     std::vector<Shape> shapes(scene.meshes.begin(), scene.meshes.end());
     const TruthTextures textures(scene);
     std::optional<ShadowTruthCaster> shadows;

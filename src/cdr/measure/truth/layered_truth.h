@@ -26,7 +26,7 @@ using LayeredTruth = image::Raster<LayeredPixel>;
 /// Casts one float64 ray through every pixel's centre and sorts all that it meets up to the first opaque
 /// surface. Lights every surface in float64 as the shading pass does, and lays the translucent ones over each
 /// other. Shares no code with the renderer. Tries each triangle of an instance at every pixel that it may
-/// cover, so meant for meshes of few triangles. base::InputError as TruthCaster.
+/// cover, so meant for meshes of few triangles. base::InputError and base::RunError as TruthCaster.
 LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
                         std::uint32_t height, host::WorkerPool& workers);
 

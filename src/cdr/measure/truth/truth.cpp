@@ -1,7 +1,10 @@
 #include <cdr/base/error.h>
+#include <cdr/host/host_memory.h>
 #include <cdr/measure/truth/tile_bins.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/measure/truth/visible_instances.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -141,6 +144,12 @@ void castTile(std::span<const VisibleInstance> nearestFirst, std::span<const std
     }
 }
 
+TruthImage emptyTruth(std::uint32_t width, std::uint32_t height) {
+    host::requireHostBytes(std::uint64_t{width} * height * sizeof(TruthPixel),
+                           fmt::format("the truth of {}x{} pixels", width, height));
+    return {width, height};
+}
+
 } // namespace
 
 TruthCaster::TruthCaster(const scene::Scene& scene, host::WorkerPool& workers) : m_scene(&scene) {
@@ -161,14 +170,14 @@ void TruthCaster::follow(std::span<const std::uint32_t> meshes, host::WorkerPool
 
 TruthImage TruthCaster::cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
                              host::WorkerPool& workers) const {
-    TruthImage truth(width, height);
+    TruthImage truth = emptyTruth(width, height);
     castInto(camera, nullptr, workers, truth);
     return truth;
 }
 
 TruthImage TruthCaster::cast(const scene::Camera& camera, const image::Raster<std::uint8_t>& wanted,
                              host::WorkerPool& workers) const {
-    TruthImage truth(wanted.width, wanted.height);
+    TruthImage truth = emptyTruth(wanted.width, wanted.height);
     castInto(camera, &wanted, workers, truth);
     return truth;
 }

@@ -53,7 +53,8 @@ class TruthCaster {
 
     /// The picture of width x height pixels. Its bits do not depend on the number of workers.
     /// base::InputError for a camera that is not usable and for a picture without pixels. The same for an
-    /// instance that is not finite, or refers to what does not exist.
+    /// instance that is not finite, or refers to what does not exist. base::RunError when the picture takes more memory
+    /// than is free.
     TruthImage cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
                     host::WorkerPool& workers) const;
     /// The same of the pixels that are not 0 in `wanted` alone; the others stay as they begin.
