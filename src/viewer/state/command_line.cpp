@@ -2,12 +2,12 @@
 
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
+#include <experiments/aov.h>
 #include <viewer/state/camera/stereo_view.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 namespace cdr::viewer {
@@ -17,21 +17,23 @@ namespace {
 constexpr std::string_view kHarmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
                                        "_-./:,=+@%";
 
-std::string_view aovOf(ViewKind view) {
+using experiments::Aov;
+
+Aov aovOf(ViewKind view) {
     switch (view) {
     case ViewKind::cascades:
-        return "cascade";
+        return Aov::cascade;
     case ViewKind::distance:
-        return "distance";
+        return Aov::distance;
     case ViewKind::ids:
-        return "id";
+        return Aov::id;
     case ViewKind::wrong:
-        return "wrong";
+        return Aov::wrong;
     case ViewKind::shaded:
     case ViewKind::flips:
         break;
     }
-    return "color";
+    return Aov::color;
 }
 
 /// Words of a command line, quoted one by one.
@@ -90,7 +92,7 @@ void addEyes(Words& words, const ViewSettings& settings) {
     words.add("--stereo", views.stereo);
     words.add("--eye-distance", fmt::format("{}", views.eyeDistance.value_or(0.0)));
     words.addUnless(!views.converge, "--converge", fmt::format("{}", views.converge.value_or(0.0)));
-    const bool isOfColours = aovOf(settings.view) == "color"; // other outputs have no anaglyph
+    const bool isOfColours = aovOf(settings.view) == Aov::color; // other outputs have no anaglyph
     words.addUnless(*picture == experiments::StereoPicture::sideBySide || !isOfColours, "--stereo-picture",
                     nameOf(*picture));
 }
@@ -168,19 +170,24 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
                     fmt::format("{}", settings.choice.pointRadius.value_or(0.0)));
     words.addUnless(settings.seed == scenes::kDefaultSeed, "--seed", fmt::format("{}", settings.seed));
     words.add("--size", fmt::format("{}x{}", view.extent.width, view.extent.height));
-    words.addUnless(aovOf(settings.view) == "color", "--aov", aovOf(settings.view));
+    const Aov aov = aovOf(settings.view);
+    words.addUnless(aov == Aov::color, "--aov", nameOf(aov));
     words.add("--output", output);
     return words.line();
 }
 
 ViewKind viewOfAov(std::string_view aov) {
-    constexpr std::array<std::string_view, 5> kAovs{"color", "cascade", "distance", "id", "wrong"};
+    std::vector<std::string_view> known;
     for (const ViewKind view : kViewKinds) {
-        if (aovOf(view) == aov) {
+        const std::string_view name = nameOf(aovOf(view));
+        if (name == aov) {
             return view; // of two with one name the first, which is shaded
         }
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            known.push_back(name);
+        }
     }
-    throw base::InputError(base::unknownName("output", aov, kAovs));
+    throw base::InputError(base::unknownName("output", aov, known));
 }
 
 std::string shellQuoted(std::string_view word) {
