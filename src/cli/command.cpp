@@ -51,7 +51,7 @@ Command::Command(const CLI::App& app, const GlobalOptions& global, OutputOptions
       m_output(std::move(output)),
       m_console(global, m_output) {
     divideProcessors(ranks().place(), processorUse(m_global));
-    m_device = global.device == "each" ? dealtDevice(ranks().place()) : global.device;
+    m_device = deviceOf(global.device, ranks().place());
     if (global.section.empty()) { // a report has looked already
         requireKnownDevice(m_device);
     }

@@ -58,7 +58,7 @@ struct ReportArguments {
 nlohmann::ordered_json describe(const report::Section& section, const SectionOutcome& outcome,
                                 const GlobalOptions& global) {
     nlohmann::ordered_json row{{"section", section.name},
-                               {"command", report::commandLine(section, global.device)},
+                               {"command", report::commandLine(section, textOf(global.device))},
                                {"seconds", outcome.seconds},
                                {"folder", section.folder},
                                {"json", nullptr},

@@ -82,8 +82,8 @@ int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
     if (!ranks.place().node.empty()) {
         global.hostCpus = cdr::host::cpusOfParent().size();
     }
-    program.add_option(
-        "--device", global.device,
+    program.add_option_function<std::string>(
+        "--device", [&global](const std::string& text) { global.device = cdr::cli::parseDevice(text); },
         "Vulkan device by number or part of its name; each: the ranks of a machine take them in turn");
     program.add_flag("--validate", global.validate,
                      "Run under the Khronos validation layer; any message is a failure");

@@ -14,6 +14,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <variant>
 #include <vector>
 
 namespace cdr::cli {
@@ -77,7 +78,10 @@ void keepTo(const ranks::Cpus& part) {
 
 } // namespace
 
-std::string dealtDevice(const ranks::Place& place) {
+std::string deviceOf(const DeviceChoice& choice, const ranks::Place& place) {
+    if (const auto* named = std::get_if<std::string>(&choice)) {
+        return *named;
+    }
     std::vector<gpu::DeviceInfo> devices = gpu::listDevices(gpu::Instance({.extensions = {}}));
     std::erase_if(devices, [](const gpu::DeviceInfo& info) { return !info.missing.empty(); });
     const auto isProcessor = [](const gpu::DeviceInfo& info) { return info.kind == gpu::DeviceKind::cpu; };

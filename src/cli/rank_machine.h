@@ -1,5 +1,7 @@
 #pragma once
 
+#include "shared_options.h"
+
 #include <ranks/ranks.h>
 
 #include <cstdint>
@@ -7,9 +9,10 @@
 
 namespace cdr::cli {
 
-/// What --device each stands for on this rank. The ranks of a machine take its devices in turn, by number. Devices that are
-/// processors are taken only if there are no others. Empty, which means the best, if the machine has none.
-std::string dealtDevice(const ranks::Place& place);
+/// The device that --device stands for on this rank, as gpu::Device takes it. DealtDevices: the ranks of a machine take its
+/// devices in turn, by number. Devices that are processors are taken only if there are no others. Empty, which means the
+/// best, if the machine has none.
+std::string deviceOf(const DeviceChoice& choice, const ranks::Place& place);
 
 /// Where the threads of a rank may run.
 enum class ProcessorUse : std::uint8_t {

@@ -148,9 +148,7 @@ SectionOutcome SectionRunner::run(std::size_t section) {
     inside.ranks = &m_alone;
     inside.section = fmt::format("{}/{} {}, {} to go", m_done + 1, m_plan.size(), m_plan[section].name,
                                  timeText(m_forecast.secondsLeft()));
-    if (inside.device == "each") {
-        inside.device = dealtDevice(m_command.ranks().place());
-    }
+    inside.device = deviceOf(inside.device, m_command.ranks().place());
     return runSection(inside, m_plan[section], m_root);
 }
 

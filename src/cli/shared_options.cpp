@@ -19,6 +19,8 @@ namespace cdr::cli {
 
 namespace {
 
+constexpr const char* kEach = "each"; // of --device
+
 struct PictureSize {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
@@ -51,6 +53,18 @@ void addJson(CLI::App& command, OutputOptions& output) {
 void addState(CLI::App& command, std::filesystem::path& state) {
     command.add_option("--state", state,
                        "File where results are kept, to go on from when the run is interrupted");
+}
+
+DeviceChoice parseDevice(const std::string& text) {
+    if (text == kEach) {
+        return DealtDevices{};
+    }
+    return text;
+}
+
+std::string textOf(const DeviceChoice& choice) {
+    const auto* named = std::get_if<std::string>(&choice);
+    return named != nullptr ? *named : kEach;
 }
 
 std::string textOf(const CLI::App& command) {

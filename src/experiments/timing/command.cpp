@@ -217,8 +217,8 @@ nlohmann::ordered_json makeDocument(const Command& command, const TimingArgument
 std::vector<std::string> runArguments(const Command& command, const TimingArguments& arguments) {
     const experiments::TimingOptions& options = arguments.options;
     std::vector<std::string> all{"--quiet"};
-    if (!command.global().device.empty()) {
-        all.insert(all.end(), {"--device", command.global().device});
+    if (const std::string device = textOf(command.global().device); !device.empty()) {
+        all.insert(all.end(), {"--device", device});
     }
     all.insert(all.end(),
                {"timing", "--frames", std::to_string(arguments.frames.value_or(kRunFrames)), "--size",
