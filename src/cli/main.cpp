@@ -79,7 +79,7 @@ int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
     program.formatter(format);
     cdr::cli::GlobalOptions global;
     global.ranks = &ranks;
-    if (!ranks.place().node.empty()) {
+    if (ranks.place().node) {
         global.hostCpus = cdr::host::cpusOfParent().size();
     }
     program.add_option_function<std::string>(

@@ -13,7 +13,7 @@ void TimedRanks::forEachUnit(std::size_t count, const std::function<Json(std::si
         m_ranks, count,
         [&](std::size_t unit) {
             return Json{{"rank", place.index},
-                        {"node", place.node},
+                        {"node", place.node.value_or("")},
                         {"ranks_on_node", place.countOnNode},
                         {"cpus", host::allowedCpus()},
                         {"timed", time(unit)}};

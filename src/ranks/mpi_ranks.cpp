@@ -93,7 +93,7 @@ class MpiRanks final : public Ranks {
         }
         std::vector<std::string> names;
         for (const std::size_t rank : m_machine->numbersOfRanks()) {
-            names.push_back(fmt::format("rank {} of {} on {}", rank, place().count, place().node));
+            names.push_back(fmt::format("rank {} of {} on {}", rank, place().count, *place().node));
         }
         m_watch.emplace(names, place().indexOnNode, m_machine->sharedLife(), m_machine->locks(), *m_signals,
                         m_say);
@@ -234,7 +234,7 @@ class MpiRanks final : public Ranks {
                    ? ending
                    : Ending{.status = ending.status,
                             .line =
-                                fmt::format("rank {} on {}: {}", place().index, place().node, ending.line)};
+                                fmt::format("rank {} on {}: {}", place().index, *place().node, ending.line)};
     }
 
     static host::Bytes broadcast(host::Bytes bytes) {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -36,7 +37,7 @@ struct Place {
     std::size_t count = 1;
     std::size_t indexOnNode = 0;
     std::size_t countOnNode = 1;
-    std::string node{}; ///< name of its machine; empty for a process that was started alone
+    std::optional<std::string> node{}; ///< name of its machine; none for a process that was started alone
     CpuDivision
         cpus{}; ///< of its machine; nothing is known before learnMachine(), and for a process that was started alone
 };
