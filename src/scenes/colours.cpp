@@ -1,8 +1,7 @@
 #include <cdr/base/enum_names.h>
 #include <scenes/colours.h>
+#include <scenes/open_scene.h>
 #include <scenes/scene_builder.h>
-
-#include <algorithm>
 
 namespace cdr::scenes {
 
@@ -19,6 +18,9 @@ constexpr std::array<std::array<float, 3>, 7> kPalette{{{0.05f, 0.34f, 0.38f},
                                                         {0.34f, 0.16f, 0.48f},
                                                         {0.62f, 0.68f, 0.72f}}};
 
+/// The material that is in the thesis' grey in scenes that can be painted.
+constexpr std::uint32_t kGrey = 0;
+
 /// Objects in a row share a colour where there are many, since a run of one material is one draw.
 constexpr std::uint32_t kMostRuns = 4096;
 
@@ -30,7 +32,7 @@ void addPalette(scene::Scene& scene) {
     const std::uint32_t run = 1 + scene.objectCount() / kMostRuns;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         std::uint32_t& material = scene.instances.material[i];
-        if (scene.materials[material].name == "white") {
+        if (material == kGrey) {
             material = first + static_cast<std::uint32_t>(scene.instances.object[i] / run % kPalette.size());
         }
     }
@@ -46,14 +48,8 @@ Colours parseColours(std::string_view name) {
     return kColourNames.parse(name);
 }
 
-bool isGreyInThesis(const scene::Scene& scene) {
-    return std::all_of(scene.materials.begin(), scene.materials.end(), [](const scene::Material& material) {
-        return material.name == "white" || material.name == "twin" || material.name == "colour";
-    });
-}
-
-void paint(scene::Scene& scene, Colours colours) {
-    if (colours == Colours::thesis || scene.materials.empty() || !isGreyInThesis(scene)) {
+void paint(scene::Scene& scene, std::string_view name, Colours colours) {
+    if (colours == Colours::thesis || !isGreyInThesis(name)) {
         return;
     }
     addPalette(scene);

@@ -20,11 +20,9 @@ std::string_view nameOf(Colours colours);
 /// base::InputError with a suggestion for an unknown name.
 Colours parseColours(std::string_view name);
 
-/// Whether the thesis has a scene in grey, so that it can be painted, or was.
-bool isGreyInThesis(const scene::Scene& scene);
-
-/// Gives a scene in one grey other colours and light. Objects, their order and their depths stay, and so does a scene
-/// that has colours of its own.
-void paint(scene::Scene& scene, Colours colours);
+/// Gives a scene that isGreyInThesis() other colours and light. Objects, their order and their depths stay. Any other scene
+/// keeps the colours of its own.
+/// @param name as scenes::openScene() took it.
+void paint(scene::Scene& scene, std::string_view name, Colours colours);
 
 } // namespace cdr::scenes

@@ -23,28 +23,36 @@ namespace cdr::scenes {
 
 namespace {
 
+/// What a generated scene is made of.
+enum class Ingredients : std::uint8_t {
+    coloured, ///< materials of its own
+    grey,     ///< the thesis' one grey, as its first material
+    earth     ///< the files of orbitFiles()
+};
+
 struct Generator {
     std::string_view name;
+    Ingredients ingredients;
     scene::SceneSetup (*make)(std::uint64_t seed);
 };
 
 constexpr std::array kGenerators{
-    Generator{"cubes", [](std::uint64_t seed) { return makeCubes(seed); }},
-    Generator{"afc", [](std::uint64_t seed) { return makeAfc(seed); }},
-    Generator{"afc-near", [](std::uint64_t seed) { return makeAfcNear(seed); }},
-    Generator{"rotation", [](std::uint64_t seed) { return makeRotation(seed); }},
-    Generator{"ladder", [](std::uint64_t seed) { return makeLadder(seed); }},
-    Generator{"mixed", [](std::uint64_t) { return makeMixed(); }},
-    Generator{"boulders", [](std::uint64_t seed) { return makeBoulders(seed); }},
-    Generator{"sheets", [](std::uint64_t seed) { return makeSheets(seed); }},
-    Generator{"alley", [](std::uint64_t seed) { return makeAlley(seed); }},
-    Generator{"city", [](std::uint64_t seed) { return makeCity(seed); }},
-    Generator{"coplanar", [](std::uint64_t) { return makeCoplanar(); }},
-    Generator{"orbit", [](std::uint64_t) { return openOrbit(orbitFiles()).setup; }},
-    Generator{"terrain", [](std::uint64_t seed) { return makeTerrain(seed); }},
-    Generator{"eclipse", [](std::uint64_t) { return openEclipse(orbitFiles()); }},
-    Generator{"earth", [](std::uint64_t) { return openEarth(orbitFiles()).setup; }},
-    Generator{"traffic", [](std::uint64_t seed) { return makeTraffic(seed); }},
+    Generator{"cubes", Ingredients::grey, [](std::uint64_t seed) { return makeCubes(seed); }},
+    Generator{"afc", Ingredients::grey, [](std::uint64_t seed) { return makeAfc(seed); }},
+    Generator{"afc-near", Ingredients::grey, [](std::uint64_t seed) { return makeAfcNear(seed); }},
+    Generator{"rotation", Ingredients::grey, [](std::uint64_t seed) { return makeRotation(seed); }},
+    Generator{"ladder", Ingredients::grey, [](std::uint64_t seed) { return makeLadder(seed); }},
+    Generator{"mixed", Ingredients::grey, [](std::uint64_t) { return makeMixed(); }},
+    Generator{"boulders", Ingredients::coloured, [](std::uint64_t seed) { return makeBoulders(seed); }},
+    Generator{"sheets", Ingredients::coloured, [](std::uint64_t seed) { return makeSheets(seed); }},
+    Generator{"alley", Ingredients::coloured, [](std::uint64_t seed) { return makeAlley(seed); }},
+    Generator{"city", Ingredients::coloured, [](std::uint64_t seed) { return makeCity(seed); }},
+    Generator{"coplanar", Ingredients::coloured, [](std::uint64_t) { return makeCoplanar(); }},
+    Generator{"orbit", Ingredients::earth, [](std::uint64_t) { return openOrbit(orbitFiles()).setup; }},
+    Generator{"terrain", Ingredients::coloured, [](std::uint64_t seed) { return makeTerrain(seed); }},
+    Generator{"eclipse", Ingredients::earth, [](std::uint64_t) { return openEclipse(orbitFiles()); }},
+    Generator{"earth", Ingredients::earth, [](std::uint64_t) { return openEarth(orbitFiles()).setup; }},
+    Generator{"traffic", Ingredients::grey, [](std::uint64_t seed) { return makeTraffic(seed); }},
 };
 
 constexpr auto kNames = [] {
@@ -54,6 +62,12 @@ constexpr auto kNames = [] {
     return names;
 }();
 
+bool isOf(std::string_view name, Ingredients ingredients) {
+    return std::any_of(kGenerators.begin(), kGenerators.end(), [&](const Generator& generator) {
+        return generator.name == name && generator.ingredients == ingredients;
+    });
+}
+
 } // namespace
 
 std::span<const std::string_view> generatedScenes() {
@@ -61,7 +75,11 @@ std::span<const std::string_view> generatedScenes() {
 }
 
 bool readsEarth(std::string_view scene) {
-    return scene == "orbit" || scene == "eclipse" || scene == "earth";
+    return isOf(scene, Ingredients::earth);
+}
+
+bool isGreyInThesis(std::string_view scene) {
+    return isOf(scene, Ingredients::grey);
 }
 
 scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed,

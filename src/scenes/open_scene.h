@@ -17,6 +17,8 @@ std::span<const std::string_view> generatedScenes();
 /// Whether it is a generated scene that shows the Earth, from the files of orbitFiles().
 bool readsEarth(std::string_view scene);
 
+/// Whether it is a generated scene that the thesis has in one grey, which paint() can paint.
+bool isGreyInThesis(std::string_view scene);
 /// Opens one of generatedScenes(), or a `.gltf` / `.glb` file by path. A file is lit and framed so that it
 /// fills the picture. base::InputError says what is wrong, with a suggestion.
 /// @param choice what of a file is shown; refused for a generated scene, except for its textureMiB and pointRadius,

@@ -141,7 +141,7 @@ scene::SceneSetup openDrawn(Command& command, RenderArguments& arguments, const 
     arguments.choice.light = experiments::lightOf(arguments.effects);
     scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed,
                                                 scenes::shownChoice(arguments.scene, arguments.choice));
-    scenes::paint(setup.scene, plan.colours);
+    scenes::paint(setup.scene, arguments.scene, plan.colours);
     scenes::setLayers(setup.scene, plan.layers);
     // An unusable camera ends here, before the device is made.
     plan.views.camerasOf(plan.cameras.at(setup.path, plan.cameras.first));

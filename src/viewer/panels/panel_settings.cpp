@@ -63,7 +63,7 @@ void drawScenePanel(const Widgets& widgets, const RenderResult* result, ViewSett
     if (result != nullptr && result->scene != nullptr) {
         const scene::OpenedScene& opened = *result->scene;
         bool isBright = settings.colours == scenes::Colours::bright;
-        if (scenes::isGreyInThesis(opened.setup.scene) && widgets.checkbox("bright colours", isBright)) {
+        if (scenes::isGreyInThesis(settings.scene) && widgets.checkbox("bright colours", isBright)) {
             settings.colours = isBright ? scenes::Colours::bright : scenes::Colours::thesis;
         }
         widgets.sentence(fmt::format("{}, {}. Drop a .gltf or .glb file to open it.",

@@ -49,7 +49,7 @@ void SceneRenderer::open(const ViewSettings& settings) {
     }
     auto opened = std::make_shared<scene::OpenedScene>(scenes::openScene(
         settings.scene, settings.seed, scenes::shownChoice(settings.scene, settings.choice)));
-    scenes::paint(opened->setup.scene, settings.colours);
+    scenes::paint(opened->setup.scene, settings.scene, settings.colours);
     host::WorkerPool workers(settings.threads);
     visibility::prepareDetail(opened->setup.scene, settings.finish.detail, workers);
     const scene::SceneSetup& setup = opened->setup;
