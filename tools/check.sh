@@ -31,7 +31,7 @@ check_all() {
     if has_valgrind; then check_memory; fi
     for driver in mesa swiftshader; do
         tools/drivers.sh "$driver" ctest --preset release --parallel "$(nproc)" \
-            --label-regex '^test_(gpu|render|experiments|cli)$'
+            --label-regex '^test_(gpu|render|rivals|experiments|report|cli)$'
     done
     check_barriers
     tools/tidy.sh
