@@ -1,35 +1,17 @@
+#include "../support/address_limit.h"
+
 #include <cdr/base/error.h>
 #include <cdr/host/host_memory.h>
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
-#include <fstream>
+#include <cstdint>
 #include <string>
 
 namespace {
 
 using namespace cdr;
-
-/// A limit of the process' address space, until the end of the scope.
-class AddressLimit {
-  public:
-    /// @param more bytes than the process has now.
-    explicit AddressLimit(std::uint64_t more) {
-        ::getrlimit(RLIMIT_AS, &m_before);
-        std::uint64_t pages = 0;
-        std::ifstream("/proc/self/statm") >> pages;
-        rlimit limit = m_before;
-        limit.rlim_cur = pages * 4096 + more;
-        ::setrlimit(RLIMIT_AS, &limit);
-    }
-    ~AddressLimit() { ::setrlimit(RLIMIT_AS, &m_before); }
-    AddressLimit(const AddressLimit&) = delete;
-    AddressLimit& operator=(const AddressLimit&) = delete;
-
-  private:
-    rlimit m_before{};
-};
+using test::AddressLimit;
 
 constexpr std::uint64_t kMebibyte = 1 << 20;
 
