@@ -117,7 +117,7 @@ void run(Ranks& ranks, std::size_t count, const Trouble& trouble) {
     ranks.learnMachine();
     ranks.sayWhenKilled("; nothing is kept");
     const cdr::ranks::Place& place = ranks.place();
-    if (!place.node.empty() &&
+    if (place.node &&
         (place.cpus.parts.size() != place.countOnNode || place.cpus.parts[place.indexOnNode].empty())) {
         throw std::runtime_error("no CPUs were divided");
     }
