@@ -12,6 +12,7 @@ namespace {
 
 using measure::kNoHit;
 using measure::ObjectRay;
+using measure::Sidedness;
 using measure::ViewRange;
 
 scene::Mesh makeSoup(std::mt19937_64& random, std::uint32_t triangles, float side) {
@@ -32,12 +33,12 @@ scene::Mesh makeSoup(std::mt19937_64& random, std::uint32_t triangles, float sid
     return mesh;
 }
 
-double nearestByAll(const scene::Mesh& mesh, const ObjectRay& ray, bool doubleSided, const ViewRange& range) {
+double nearestByAll(const scene::Mesh& mesh, const ObjectRay& ray, Sidedness sides, const ViewRange& range) {
     const measure::ShearedRay sheared(ray);
     double best = kNoHit;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         const auto corner = [&](std::size_t k) { return mesh.vertices[mesh.indices[i + k]].position; };
-        const double hit = sheared.meet({corner(0), corner(1), corner(2)}, doubleSided);
+        const double hit = sheared.meet({corner(0), corner(1), corner(2)}, sides);
         if (hit < best && range.holds(hit)) {
             best = hit;
         }
@@ -57,10 +58,10 @@ void expectAsAll(const scene::Mesh& mesh, std::mt19937_64& random, int rays) {
         if (i % 8 == 0) {
             direction = {0.0, i % 16 ? 1.0 : -1.0, 0.0};
         }
-        const bool doubleSided = i % 2 == 0;
+        const Sidedness sides = i % 2 == 0 ? Sidedness::both : Sidedness::fronts;
         const ViewRange range{0.25, i % 3 ? 1.5 : 1e6};
-        const double expected = nearestByAll(mesh, {origin, direction}, doubleSided, range);
-        const double hit = bvh.nearest({origin, direction}, doubleSided, range);
+        const double expected = nearestByAll(mesh, {origin, direction}, sides, range);
+        const double hit = bvh.nearest({origin, direction}, sides, range);
         hits += hit < kNoHit;
         if (expected == kNoHit) {
             EXPECT_EQ(hit, kNoHit) << i;
@@ -105,7 +106,8 @@ TEST(TriangleBvh, CopesWithSizesThatDifferByOrders) {
 
 TEST(TriangleBvh, WithoutTrianglesNothingIsHit) {
     const measure::TriangleBvh bvh{scene::Mesh{}};
-    EXPECT_EQ(bvh.nearest({glm::dvec3(0, 0, 5), glm::dvec3(0, 0, -1)}, true, {0.1, 100.0}), kNoHit);
+    EXPECT_EQ(bvh.nearest({glm::dvec3(0, 0, 5), glm::dvec3(0, 0, -1)}, Sidedness::both, {0.1, 100.0}),
+              kNoHit);
 }
 
 } // namespace cdr::test

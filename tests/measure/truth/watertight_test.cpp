@@ -44,7 +44,7 @@ int expectNoLeak(const scene::Mesh& mesh, const glm::dvec3& eye) {
             const glm::dvec3 direction = aim - eye;
             if (glm::dot(aim, direction) < -0.2 * glm::length(direction)) {
                 ++rays;
-                const double hit = bvh.nearest(ObjectRay{eye, direction}, false, kAll);
+                const double hit = bvh.nearest(ObjectRay{eye, direction}, measure::Sidedness::fronts, kAll);
                 EXPECT_NEAR(hit, 1.0, 1e-9) << "leak at index " << i;
             }
         }

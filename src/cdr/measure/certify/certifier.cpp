@@ -80,7 +80,7 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, host::WorkerPool& w
             }
             const MeshOutline& outline = m_outlines[m_scene->instances.mesh[candidate.instance]];
             for (const ScreenTriangle& triangle :
-                 triangles.of(m_scene->instances, candidate.instance, outline, candidate.doubleSided)) {
+                 triangles.of(m_scene->instances, candidate.instance, outline, candidate.sides)) {
                 strip.enter(triangle, candidate.id);
             }
         }

@@ -1,6 +1,5 @@
 #include <cdr/measure/certify/screen_triangle.h>
 #include <cdr/measure/truth/lens.h>
-#include <cdr/measure/truth/object_ray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -108,7 +107,7 @@ InstanceTriangles::Polygon InstanceTriangles::clipped(const MeshOutline::Face& f
 }
 
 void InstanceTriangles::appendPart(const std::array<Corner, 3>& corners, const std::array<double, 3>& inverse,
-                                   bool isThin) {
+                                   Side side) {
     ScreenTriangle triangle;
     triangle.inverse = inverse;
     triangle.leastView = std::min({corners[0].view.z, corners[1].view.z, corners[2].view.z});
@@ -122,8 +121,8 @@ void InstanceTriangles::appendPart(const std::array<Corner, 3>& corners, const s
     const glm::dvec2 v = triangle.corners[2] - triangle.corners[0];
     const double area = cross2(u, v);
     const double off = triangle.bound.pixels;
-    triangle.isThin =
-        isThin || std::abs(area) <= 1.5 * off * (sumOf(u) + sumOf(v) + sumOf(v - u)) + 8.0 * off * off;
+    triangle.isThin = side == Side::thin ||
+                      std::abs(area) <= 1.5 * off * (sumOf(u) + sumOf(v) + sumOf(v - u)) + 8.0 * off * off;
     if (area < 0.0) {
         std::swap(triangle.corners[1], triangle.corners[2]);
         std::swap(triangle.goesOn[0], triangle.goesOn[2]); // the middle edge stays between the same corners
@@ -152,13 +151,13 @@ void InstanceTriangles::append(const MeshOutline::Face& face, Side side) {
         // Between the two parts of a polygon the surface goes on.
         corners[0].goesOn = i > 2 || corners[0].goesOn;
         corners[2].goesOn = i + 1 < polygon.count || corners[2].goesOn;
-        appendPart(corners, inverse, side == Side::thin);
+        appendPart(corners, inverse, side);
     }
 }
 
 const std::vector<ScreenTriangle>& InstanceTriangles::of(const scene::Instances& instances,
                                                          std::size_t instance, const MeshOutline& outline,
-                                                         bool doubleSided) {
+                                                         Sidedness sides) {
     m_triangles.clear();
     const std::optional<InverseBasis> inverse = invertBasis(instances.basis[instance]);
     if (!inverse) {
@@ -167,7 +166,7 @@ const std::vector<ScreenTriangle>& InstanceTriangles::of(const scene::Instances&
     place(instances, instance, outline);
     decideSides(outline, inverse->worldToObject * (m_camera.position - instances.position(instance)));
     for (std::size_t i = 0; i < outline.faces.size(); ++i) {
-        if (m_sides[i] != Side::back || doubleSided) {
+        if (m_sides[i] != Side::back || sides == Sidedness::both) {
             append(outline.faces[i], m_sides[i]);
         }
     }

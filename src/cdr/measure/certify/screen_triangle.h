@@ -2,6 +2,7 @@
 
 #include <cdr/measure/certify/device_bound.h>
 #include <cdr/measure/certify/mesh_outline.h>
+#include <cdr/measure/truth/object_ray.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 
@@ -36,9 +37,9 @@ class InstanceTriangles {
 
     /// The triangles of an instance, until the next call.
     /// @param outline of the instance's mesh.
-    /// @param doubleSided whether backs are drawn too.
+    /// @param sides which are drawn.
     const std::vector<ScreenTriangle>& of(const scene::Instances& instances, std::size_t instance,
-                                          const MeshOutline& outline, bool doubleSided);
+                                          const MeshOutline& outline, Sidedness sides);
 
   private:
     enum class Side : std::int8_t { back = -1, thin = 0, front = 1 };
@@ -57,7 +58,7 @@ class InstanceTriangles {
     Side sideOf(const MeshOutline::Face& face, const MeshOutline& outline, const glm::dvec3& eye) const;
     void append(const MeshOutline::Face& face, Side side);
     Polygon clipped(const MeshOutline::Face& face, const std::array<bool, 3>& goesOn) const;
-    void appendPart(const std::array<Corner, 3>& corners, const std::array<double, 3>& inverse, bool isThin);
+    void appendPart(const std::array<Corner, 3>& corners, const std::array<double, 3>& inverse, Side side);
     TriangleBound boundOf(double leastView, double mostView) const;
     glm::dvec2 pixelOf(const glm::dvec3& view) const;
 

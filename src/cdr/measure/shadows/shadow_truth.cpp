@@ -46,7 +46,7 @@ ShadowTruthCaster::ShadowTruthCaster(const scene::Scene& scene, std::span<const 
         if (const std::optional<InverseBasis> inverse = invertBasis(scene.instances.basis[i])) {
             m_casters[i] = {.shape = &shapes[scene.instances.mesh[i]],
                             .worldToObject = inverse->worldToObject,
-                            .doubleSided = scene.materials[scene.instances.material[i]].doubleSided};
+                            .sides = sidednessOf(scene.materials[scene.instances.material[i]])};
         }
     }
 }
@@ -59,18 +59,18 @@ ObjectRay ShadowTruthCaster::placed(const Ray& ray, std::uint32_t instance) cons
 
 ShadowTruthCaster::Hit ShadowTruthCaster::nearest(const Ray& ray, const ViewRange& range) const {
     Hit hit{.at = range.farView};
-    m_bvh.visit(ray.camera + ray.from, ray.direction, range.nearView, range.farView,
-                [&](std::uint32_t instance) {
-                    const Caster& caster = m_casters[instance];
-                    if (caster.shape != nullptr) {
-                        const double at = caster.shape->nearest(placed(ray, instance), caster.doubleSided,
-                                                                {range.nearView, hit.at});
-                        if (at < hit.at || (at == hit.at && (!hit.isHit || instance < hit.instance))) {
-                            hit = {.at = at, .instance = instance, .isHit = true};
-                        }
-                    }
-                    return hit.at;
-                });
+    m_bvh.visit(
+        ray.camera + ray.from, ray.direction, range.nearView, range.farView, [&](std::uint32_t instance) {
+            const Caster& caster = m_casters[instance];
+            if (caster.shape != nullptr) {
+                const double at =
+                    caster.shape->nearest(placed(ray, instance), caster.sides, {range.nearView, hit.at});
+                if (at < hit.at || (at == hit.at && (!hit.isHit || instance < hit.instance))) {
+                    hit = {.at = at, .instance = instance, .isHit = true};
+                }
+            }
+            return hit.at;
+        });
     return hit;
 }
 
@@ -80,7 +80,7 @@ bool ShadowTruthCaster::isBlocked(const Ray& ray, const ViewRange& range) const 
                 [&](std::uint32_t instance) {
                     const Caster& caster = m_casters[instance];
                     isBlocked = caster.shape != nullptr &&
-                                caster.shape->nearest(placed(ray, instance), true, range) < kNoHit;
+                                caster.shape->nearest(placed(ray, instance), Sidedness::both, range) < kNoHit;
                     return isBlocked ? range.nearView - 1.0 : range.farView;
                 });
     return isBlocked;
@@ -115,7 +115,7 @@ ShadowPixel ShadowTruthCaster::pixelAt(const scene::Camera& camera, const glm::d
     const Caster& caster = m_casters[hit.instance];
     const auto aside = [&](const glm::dvec2& by) {
         const Ray other = rayAt(slope + kAside * by);
-        const double at = caster.shape->nearest(placed(other, hit.instance), caster.doubleSided, range);
+        const double at = caster.shape->nearest(placed(other, hit.instance), caster.sides, range);
         return other.direction * at - point;
     };
     const glm::dvec3 normal = glm::cross(aside({step.x, 0.0}), aside({0.0, step.y}));

@@ -55,7 +55,7 @@ class ShadowTruthCaster {
     struct Caster {
         const Shape* shape = nullptr; ///< null: it cannot be hit
         glm::dmat3 worldToObject{1.0};
-        bool doubleSided = false;
+        Sidedness sides = Sidedness::fronts;
     };
     struct Hit {
         double at = 0.0; ///< parameter of the ray

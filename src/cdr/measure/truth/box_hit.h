@@ -11,8 +11,8 @@ namespace cdr::measure {
 /// The nearest visible hit on a box about the origin, as a view distance; kNoHit when there is none. Slabs
 /// (Kay and Kajiya 1986). A ray within a face's own plane counts as inside.
 /// @param halfSides object space, each at least 0.
-/// @param doubleSided whether the face where the ray leaves the box is visible too.
-inline double nearestOnBox(const ObjectRay& ray, const glm::dvec3& halfSides, bool doubleSided,
+/// @param sides both: the face where the ray leaves the box is visible too.
+inline double nearestOnBox(const ObjectRay& ray, const glm::dvec3& halfSides, Sidedness sides,
                            const ViewRange& range) {
     double enter = -kNoHit;
     double leave = kNoHit;
@@ -30,7 +30,7 @@ inline double nearestOnBox(const ObjectRay& ray, const glm::dvec3& halfSides, bo
     if (range.holds(enter)) {
         return enter;
     }
-    return doubleSided && range.holds(leave) ? leave : kNoHit;
+    return sides == Sidedness::both && range.holds(leave) ? leave : kNoHit;
 }
 
 } // namespace cdr::measure

@@ -16,6 +16,15 @@ namespace cdr::measure {
 /// The distance that stands for "no hit".
 inline constexpr double kNoHit = std::numeric_limits<double>::infinity();
 
+/// Which faces of a surface are seen.
+enum class Sidedness : std::uint8_t {
+    fronts,
+    both ///< scene::Material::doubleSided
+};
+inline Sidedness sidednessOf(const scene::Material& material) {
+    return material.doubleSided ? Sidedness::both : Sidedness::fronts;
+}
+
 /// A ray in an object's own space: origin + t * direction, where t is the view distance.
 struct ObjectRay {
     glm::dvec3 origin;

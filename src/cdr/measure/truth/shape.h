@@ -18,9 +18,9 @@ class Shape {
     explicit Shape(const scene::Mesh& mesh);
 
     /// The nearest visible hit as a view distance; kNoHit when there is none within `range`.
-    double nearest(const ObjectRay& ray, bool doubleSided, const ViewRange& range) const {
-        return m_triangles ? m_triangles->nearest(ray, doubleSided, range)
-                           : nearestOnBox(ray, m_halfSides, doubleSided, range);
+    double nearest(const ObjectRay& ray, Sidedness sides, const ViewRange& range) const {
+        return m_triangles ? m_triangles->nearest(ray, sides, range)
+                           : nearestOnBox(ray, m_halfSides, sides, range);
     }
 
     /// The enclosing box in object space. A mesh without triangles has a point.

@@ -139,7 +139,7 @@ void appendHits(const scene::Scene& scene, const TruthTextures& textures, const 
         const Triangle triangle{mesh.vertices[mesh.indices[i]].position,
                                 mesh.vertices[mesh.indices[i + 1]].position,
                                 mesh.vertices[mesh.indices[i + 2]].position};
-        const double hit = shift + sheared.meet(triangle, visible.doubleSided);
+        const double hit = shift + sheared.meet(triangle, visible.sides);
         if (!(hit < kNoHit) || !range.holds(hit)) {
             continue;
         }

@@ -120,7 +120,7 @@ TriangleBvh::TriangleBvh(const scene::Mesh& mesh) {
     }
 }
 
-double TriangleBvh::nearest(const ObjectRay& ray, bool doubleSided, const ViewRange& range) const {
+double TriangleBvh::nearest(const ObjectRay& ray, Sidedness sides, const ViewRange& range) const {
     if (m_nodes.empty()) {
         return kNoHit;
     }
@@ -136,7 +136,7 @@ double TriangleBvh::nearest(const ObjectRay& ray, bool doubleSided, const ViewRa
     double best = kNoHit;
     walk.visitLeaves(m_nodes, [&](const Node& leaf) {
         for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
-            const double hit = sheared.meet(m_triangles[i], doubleSided);
+            const double hit = sheared.meet(m_triangles[i], sides);
             if (shift + hit < best && range.holds(shift + hit)) {
                 best = shift + hit;
                 walk.shorten(hit);

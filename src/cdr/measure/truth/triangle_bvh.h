@@ -36,7 +36,7 @@ class TriangleBvh {
 
     /// The nearest visible hit as a view distance; kNoHit when there is none within `range`. Watertight: a
     /// ray through an edge or corner that triangles share hits at least one of them.
-    double nearest(const ObjectRay& ray, bool doubleSided, const ViewRange& range) const;
+    double nearest(const ObjectRay& ray, Sidedness sides, const ViewRange& range) const;
 
     /// Encloses every triangle; empty for a mesh without any.
     const Bounds& bounds() const { return m_bounds; }

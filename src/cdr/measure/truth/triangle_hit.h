@@ -35,7 +35,7 @@ class ShearedRay {
 
     /// The ray parameter of the hit, whatever its sign; kNoHit when the ray misses or meets a back that is
     /// not to be seen.
-    double meet(const Triangle& triangle, bool doubleSided) const {
+    double meet(const Triangle& triangle, Sidedness sides) const {
         const glm::dvec3 a = shear(triangle[0]);
         const glm::dvec3 b = shear(triangle[1]);
         const glm::dvec3 c = shear(triangle[2]);
@@ -45,7 +45,7 @@ class ShearedRay {
         const bool front = u >= 0.0 && v >= 0.0 && w >= 0.0;
         const bool back = u <= 0.0 && v <= 0.0 && w <= 0.0;
         const double sum = u + v + w;
-        if (!(front || (doubleSided && back)) || sum == 0.0) {
+        if (!(front || (sides == Sidedness::both && back)) || sum == 0.0) {
             return kNoHit;
         }
         return (u * a.z + v * b.z + w * c.z) / sum;
@@ -61,7 +61,7 @@ class ShearedRay {
     }
 
     /// Whether the ray, which meets the triangle, comes from its front.
-    bool meetsFront(const Triangle& triangle) const { return meet(triangle, false) < kNoHit; }
+    bool meetsFront(const Triangle& triangle) const { return meet(triangle, Sidedness::fronts) < kNoHit; }
 
   private:
     /// Twice the area of (ray, p, q), with the sign it has without rounding.

@@ -103,8 +103,8 @@ void castInstance(const VisibleInstance& instance, const PixelRect& pixels, cons
                 continue;
             }
             const ViewRange range{camera.nearView, std::min(camera.farView, secondRank + instance.layer)};
-            const double hit = instance.shape->nearest(instance.camera.ray(slopes.x[x], slopes.y[y]),
-                                                       instance.doubleSided, range);
+            const double hit =
+                instance.shape->nearest(instance.camera.ray(slopes.x[x], slopes.y[y]), instance.sides, range);
             if (hit < kNoHit) {
                 enterHit(pixel, {hit, static_cast<float>(instance.layer), instance.id});
             }

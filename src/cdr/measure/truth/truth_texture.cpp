@@ -8,12 +8,18 @@ namespace cdr::measure {
 
 namespace {
 
+/// What lies beyond the edges of a texture, along one axis; the edge itself unless it repeats.
+struct Beyond {
+    bool repeats = false;
+    bool mirrors = false; ///< every second repeat
+};
+
 /// Where a texel beyond an edge is found.
-std::uint32_t wrapped(std::int64_t i, std::int64_t size, bool repeats, bool mirrors) {
-    if (!repeats) {
+std::uint32_t wrapped(std::int64_t i, std::int64_t size, const Beyond& beyond) {
+    if (!beyond.repeats) {
         return static_cast<std::uint32_t>(std::clamp<std::int64_t>(i, 0, size - 1));
     }
-    const std::int64_t period = mirrors ? 2 * size : size;
+    const std::int64_t period = beyond.mirrors ? 2 * size : size;
     const std::int64_t inPeriod = ((i % period) + period) % period;
     return static_cast<std::uint32_t>(inPeriod < size ? inPeriod : period - 1 - inPeriod);
 }
@@ -33,9 +39,9 @@ glm::dvec4 readAt(const scene::Texture& texture, const glm::dvec2& size, bool sh
                   const glm::dvec2& uv, TexelAt texelAt) {
     const auto at = [&](double x, double y) -> glm::dvec4 {
         return texelAt(wrapped(static_cast<std::int64_t>(x), static_cast<std::int64_t>(size.x),
-                               texture.repeatU, texture.mirrorU),
+                               {.repeats = texture.repeatU, .mirrors = texture.mirrorU}),
                        wrapped(static_cast<std::int64_t>(y), static_cast<std::int64_t>(size.y),
-                               texture.repeatV, texture.mirrorV));
+                               {.repeats = texture.repeatV, .mirrors = texture.mirrorV}));
     };
     if (showsTexels) {
         const glm::dvec2 texel = glm::floor(uv * size);

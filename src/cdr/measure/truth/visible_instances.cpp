@@ -105,7 +105,7 @@ std::vector<VisibleInstance> visibleInstances(const scene::Scene& scene, std::sp
         const std::size_t i = candidate.instance;
         visible.push_back(
             {&shapes[instances.mesh[i]], candidate.instance,
-             scene.materials[instances.material[i]].doubleSided, instances.object[i] + 1,
+             sidednessOf(scene.materials[instances.material[i]]), instances.object[i] + 1,
              candidate.footprint.nearestView, candidate.layer, candidate.footprint.pixels,
              placeCamera(camera, instances, i, invertBasis(instances.basis[i])->worldToObject)});
     }

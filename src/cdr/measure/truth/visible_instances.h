@@ -17,7 +17,7 @@ namespace cdr::measure {
 struct VisibleInstance {
     const Shape* shape = nullptr;
     std::uint32_t instance = 0; ///< index in the scene
-    bool doubleSided = false;
+    Sidedness sides = Sidedness::fronts;
     std::uint32_t id = 0; ///< object index + 1
     double nearestView = 0.0;
     double layer = 0.0; ///< scene::Material::layer

@@ -97,9 +97,9 @@ void Obstacles::shortenInCell(std::size_t cell, Way& way) const {
             // The difference first: exact far from the origin, too.
             const measure::ObjectRay ray{inverse->worldToObject * (way.from - instances.position(i)),
                                          inverse->worldToObject * way.along};
-            const bool isDoubleSided = m_scene.materials[instances.material[i]].doubleSided;
-            way.share = std::min(way.share,
-                                 m_shapes[instances.mesh[i]]->nearest(ray, isDoubleSided, {0.0, way.share}));
+            const measure::Sidedness sides = measure::sidednessOf(m_scene.materials[instances.material[i]]);
+            way.share =
+                std::min(way.share, m_shapes[instances.mesh[i]]->nearest(ray, sides, {0.0, way.share}));
         }
     }
 }

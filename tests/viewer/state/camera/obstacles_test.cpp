@@ -99,7 +99,7 @@ TEST(Obstacles, AreMetAsIfEachWereLookedAt) {
         for (std::size_t i = 0; i < cubes.size(); ++i) {
             const glm::dmat3 turn = measure::invertBasis(cubes.basis[i])->worldToObject;
             share = std::min(share, box.nearest({turn * (from - cubes.position(i)), turn * (to - from)},
-                                                false, {0.0, 1.0}));
+                                                measure::Sidedness::fronts, {0.0, 1.0}));
         }
         ASSERT_EQ(obstacles.clearWay(from, to), share * glm::length(to - from)) << way;
         met += share < 1.0 ? 1 : 0;
