@@ -40,10 +40,10 @@ Accessor::Accessor(const json& root, const Buffers& buffers, int index) {
     const json& accessor = itemAt(root, "accessors", index, "accessor");
     const std::string where = fmt::format("accessor {}", index);
     m_components = componentsOf(stringMember(accessor, "type").value_or(""), where);
-    m_componentType = requiredIndex(accessor, "componentType", where);
-    m_normalized = boolMember(accessor, "normalized", where);
+    m_form.type = requiredIndex(accessor, "componentType", where);
+    m_form.normalized = boolMember(accessor, "normalized", where);
     m_count = static_cast<std::size_t>(requiredIndex(accessor, "count", where));
-    m_elementBytes = static_cast<std::size_t>(m_components) * componentBytes(m_componentType);
+    m_elementBytes = static_cast<std::size_t>(m_components) * componentBytes(m_form.type);
     if (const std::optional<int> bufferView = indexMember(accessor, "bufferView")) {
         const BufferView view = buffers.view(*bufferView);
         m_elements = locate(buffers, view, byteOffset(accessor),
@@ -106,12 +106,11 @@ const std::uint8_t* Accessor::element(std::size_t i) const {
 glm::vec4 Accessor::vector(std::size_t i) const {
     glm::vec4 result(0.0f, 0.0f, 0.0f, 1.0f);
     const std::uint8_t* bytes = element(i);
-    const std::size_t size = componentBytes(m_componentType);
+    const std::size_t size = componentBytes(m_form.type);
     for (int c = 0; c < std::min(m_components, 4); ++c) {
         result[c] = bytes == nullptr
                         ? 0.0f
-                        : static_cast<float>(component(bytes + static_cast<std::size_t>(c) * size,
-                                                       m_componentType, m_normalized));
+                        : static_cast<float>(component(bytes + static_cast<std::size_t>(c) * size, m_form));
     }
     return result;
 }
@@ -119,21 +118,20 @@ glm::vec4 Accessor::vector(std::size_t i) const {
 glm::dmat4 Accessor::matrix(std::size_t i) const {
     glm::dmat4 result(0.0);
     const std::uint8_t* bytes = element(i);
-    const std::size_t size = componentBytes(m_componentType);
+    const std::size_t size = componentBytes(m_form.type);
     for (int c = 0; bytes != nullptr && c < std::min(m_components, 16); ++c) {
-        result[c / 4][c % 4] =
-            component(bytes + static_cast<std::size_t>(c) * size, m_componentType, m_normalized);
+        result[c / 4][c % 4] = component(bytes + static_cast<std::size_t>(c) * size, m_form);
     }
     return result;
 }
 
 std::uint32_t Accessor::integer(std::size_t i) const {
     const std::uint8_t* bytes = element(i);
-    return bytes == nullptr ? 0 : unsignedAt(bytes, m_componentType);
+    return bytes == nullptr ? 0 : unsignedAt(bytes, m_form.type);
 }
 
 void Accessor::requireIndices(int index) const {
-    if (m_components != 1 || !isIndexType(m_componentType) || m_normalized) {
+    if (m_components != 1 || !isIndexType(m_form.type) || m_form.normalized) {
         refuse("accessor {} cannot hold vertex indices: it is not a SCALAR of unsigned integers", index);
     }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bytes/files.h"
+#include "component.h"
 
 #include <glm/glm.hpp>
 
@@ -57,7 +58,7 @@ class Accessor {
     /// Components of an element: 1 for SCALAR to 4 for VEC4, 16 for MAT4, 0 for smaller matrices.
     int components() const { return m_components; }
     /// glTF's number.
-    int componentType() const { return m_componentType; }
+    int componentType() const { return m_form.type; }
     /// Whether bytes in the file back its elements, sparse ones aside.
     bool hasData() const { return m_elements.isThere(); }
     /// From one element to the next in a file, 0 if they are in memory.
@@ -80,9 +81,8 @@ class Accessor {
 
     std::size_t m_count = 0;
     int m_components = 0;
-    int m_componentType = 0;
+    ComponentForm m_form;
     std::size_t m_elementBytes = 0;
-    bool m_normalized = false;
     Strided m_elements;
     std::size_t m_sparseCount = 0;
     int m_sparseIndexType = 0;

@@ -54,11 +54,11 @@ int componentsOf(std::string_view type, const std::string& where) {
     return 0;
 }
 
-double component(const std::uint8_t* bytes, int type, bool normalized) {
-    const auto scaled = [normalized](double value, double largest) {
-        return normalized ? std::max(value / largest, -1.0) : value;
+double component(const std::uint8_t* bytes, const ComponentForm& form) {
+    const auto scaled = [&form](double value, double largest) {
+        return form.normalized ? std::max(value / largest, -1.0) : value;
     };
-    switch (type) {
+    switch (form.type) {
     case kByte:
         return scaled(load<std::int8_t>(bytes), 127.0);
     case kUnsignedByte:

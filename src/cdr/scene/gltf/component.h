@@ -26,9 +26,14 @@ std::size_t componentBytes(int componentType);
 /// that we read is. Refuses a type that does not exist.
 int componentsOf(std::string_view type, const std::string& where);
 
-/// A component as a number; normalized integers span [0, 1] or [-1, 1] as glTF defines it. The bytes may lie
-/// at any alignment.
-double component(const std::uint8_t* bytes, int componentType, bool normalized);
+/// How a component is stored.
+struct ComponentForm {
+    int type = 0;            ///< ComponentType
+    bool normalized = false; ///< integers span [0, 1] or [-1, 1], as glTF defines it
+};
+
+/// A component as a number. The bytes may lie at any alignment.
+double component(const std::uint8_t* bytes, const ComponentForm& form);
 
 /// Whether a type can hold vertex indices.
 bool isIndexType(int componentType);
