@@ -34,6 +34,10 @@ std::string describe(const gpu::DeviceInfo& info) {
     return fmt::format("{}, {}", info.name, info.driver);
 }
 
+InputOwner ownerIf(bool isPicture) {
+    return isPicture ? InputOwner::picture : InputOwner::interface;
+}
+
 double secondsSince(std::chrono::steady_clock::time_point then) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
 }
@@ -105,7 +109,7 @@ void Application::handleInput() {
     const PictureArea area = pictureArea();
     for (const InputEvent& event : m_window.takeEvents()) {
         m_redraws = kSettleFrames;
-        const bool free = m_control.dragsDivider() || !m_interface.wantsPointer();
+        const InputOwner pointer = ownerIf(m_control.dragsDivider() || !m_interface.wantsPointer());
         if (const auto* drop = std::get_if<DropInput>(&event)) {
             dropFiles(*drop);
         } else if (const auto* key = std::get_if<KeyInput>(&event)) {
@@ -114,12 +118,13 @@ void Application::handleInput() {
             if (!isTyped) {
                 applyShortcut(*key, m_model);
             }
-            m_control.handle(event, area, !isTyped && !m_model.interface.panelKeys, m_model);
+            m_control.handle(event, area, ownerIf(!isTyped && !m_model.interface.panelKeys), m_model);
         } else {
-            if (free && std::holds_alternative<ButtonInput>(event) && area.contains(m_control.cursor())) {
+            if (pointer == InputOwner::picture && std::holds_alternative<ButtonInput>(event) &&
+                area.contains(m_control.cursor())) {
                 m_model.interface.panelKeys.reset(); // a click on the picture gives it the keys too
             }
-            m_control.handle(event, area, free, m_model);
+            m_control.handle(event, area, pointer, m_model);
         }
     }
     if (const auto click = m_control.takeClick()) {

@@ -60,13 +60,13 @@ void CameraControl::onRelease(int button) {
     m_dragsDivider = false;
 }
 
-void CameraControl::onButton(const ButtonInput& button, const PictureArea& area, bool free,
+void CameraControl::onButton(const ButtonInput& button, const PictureArea& area, InputOwner owner,
                              ViewerModel& model) {
     if (!button.pressed) {
         onRelease(button.button);
         return;
     }
-    if (!free || m_held || !area.contains(m_input.cursor)) {
+    if (owner == InputOwner::interface || m_held || !area.contains(m_input.cursor)) {
         return;
     }
     m_held = button.button;
@@ -102,13 +102,15 @@ void CameraControl::onMove(const MoveInput& move, const PictureArea& area, Viewe
     }
 }
 
-void CameraControl::handle(const InputEvent& event, const PictureArea& area, bool free, ViewerModel& model) {
+void CameraControl::handle(const InputEvent& event, const PictureArea& area, InputOwner owner,
+                           ViewerModel& model) {
+    const bool isOfPicture = owner == InputOwner::picture;
     if (const auto* move = std::get_if<MoveInput>(&event)) {
         onMove(*move, area, model);
     } else if (const auto* button = std::get_if<ButtonInput>(&event)) {
-        onButton(*button, area, free, model);
+        onButton(*button, area, owner, model);
     } else if (const auto* scroll = std::get_if<ScrollInput>(&event)) {
-        if (free && area.contains(m_input.cursor)) {
+        if (isOfPicture && area.contains(m_input.cursor)) {
             (m_lens ? m_input.lens : m_input.scroll) += scroll->y;
         }
     } else if (const auto* key = std::get_if<KeyInput>(&event)) {
@@ -120,7 +122,7 @@ void CameraControl::handle(const InputEvent& event, const PictureArea& area, boo
         }
         for (const auto& [code, meaning] : kKeys) {
             if (code == key->key) {
-                m_input.keys.set(meaning, key->pressed && free);
+                m_input.keys.set(meaning, key->pressed && isOfPicture);
             }
         }
     }

@@ -6,16 +6,19 @@
 #include <viewer/window/input_event.h>
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
 namespace cdr::viewer {
 
+/// Whose pointer and keys are at an event.
+enum class InputOwner : std::uint8_t { picture, interface };
+
 /// Turns events over the picture into camera motion, clicks, and moves of the divider.
 class CameraControl {
   public:
-    /// @param free whether the interface leaves pointer and keys to the picture.
-    void handle(const InputEvent& event, const PictureArea& area, bool free, ViewerModel& model);
+    void handle(const InputEvent& event, const PictureArea& area, InputOwner owner, ViewerModel& model);
     /// Moves the model's camera by what was asked since the last call.
     void apply(const PictureArea& area, double seconds, ViewerModel& model);
     /// Moves a camera as if that had been asked for.
@@ -33,7 +36,7 @@ class CameraControl {
     bool dragsDivider() const { return m_dragsDivider; }
 
   private:
-    void onButton(const ButtonInput& button, const PictureArea& area, bool free, ViewerModel& model);
+    void onButton(const ButtonInput& button, const PictureArea& area, InputOwner owner, ViewerModel& model);
     void onRelease(int button);
     void onMove(const MoveInput& move, const PictureArea& area, ViewerModel& model);
     void readGamepad();
