@@ -41,9 +41,9 @@ const GpuScene& followed(GpuScene& live) {
 std::variant<std::unique_ptr<Targets>, std::unique_ptr<FocusLayers>>
 makeOwnTargets(const gpu::Device& device, const DrawnScene& drawn, const RenderOptions& options,
                const KeptSurfaces& kept, const Picture& picture) {
-    const TargetsOptions targets =
-        targetsOptions(picture.lit().options().extent,
-                       hasFacets(options) ? kVisibilityFormat : kGBufferFormat, options, kept.emission);
+    TargetsOptions targets = targetsOptions(picture.lit().options().extent,
+                                            hasFacets(options) ? kVisibilityFormat : kGBufferFormat, options);
+    targets.emission = kept.emission;
     if (!options.focus.isOn()) {
         return makeTargets(device, options.targets, targets);
     }
@@ -62,7 +62,7 @@ makeOwnTargets(const gpu::Device& device, const DrawnScene& drawn, const RenderO
 std::unique_ptr<Targets> makeLitTargets(const gpu::Device& device, vk::Extent2D extent,
                                         const RenderOptions& options) {
     return options.surface == SurfacePath::lit
-               ? makeTargets(device, options.targets, targetsOptions(extent, kPictureFormat, options, false))
+               ? makeTargets(device, options.targets, targetsOptions(extent, kPictureFormat, options))
                : nullptr;
 }
 
@@ -86,9 +86,9 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
       ownTargets(makeOwnTargets(device, drawn, options, {needs.shiny, needs.emission}, picture)),
       targets(std::visit([](const auto& own) -> Targets& { return *own; }, ownTargets)),
       cutter(options, targets),
-      shadows(options.shadows.isOn() ? std::make_unique<ShadowPass>(device, drawn, targets.gbuffer(),
-                                                                    hasFacets(options), options.shadows)
-                                     : nullptr),
+      shadows(options.shadows.isOn()
+                  ? std::make_unique<ShadowPass>(device, drawn, targets.gbuffer(), options.shadows)
+                  : nullptr),
       shading(device, targets.gbuffer(), picture.lit(),
               {.effects = options.effects,
                .shiny = needs.shiny,

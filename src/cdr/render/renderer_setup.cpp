@@ -91,13 +91,11 @@ PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options,
             .daylight = daylight};
 }
 
-TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options,
-                              bool emission) {
+TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options) {
     return {.extent = extent,
             .format = format,
             .depthFormat = options.technique.format,
             .reversedDepth = depth::isReversed(options.technique.mapping),
-            .emission = emission,
             .occlusionRadius = options.effects.occlusion.perLayer ? options.effects.occlusion.radius : 0.0};
 }
 

@@ -21,9 +21,8 @@ std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions
 /// @param daylight of the scene; it changes no size.
 PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, const SceneTraits& scene,
                               Daylight daylight = Daylight::absent);
-/// @param emission whether surfaces keep what they emit.
-TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options,
-                              bool emission);
+/// Without emission.
+TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options);
 
 /// What a renderer is prepared for: by PrepareFor itself, and by its materials.
 struct PreparedSurfaces {

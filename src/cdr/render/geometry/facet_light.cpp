@@ -7,7 +7,8 @@ namespace cdr::render {
 
 FacetLight::FacetLight(const scene::Scene& scene) : m_scene(scene) {}
 
-void FacetLight::turn(std::size_t facet, const glm::vec3& baseColor, bool isUnlit) {
+void FacetLight::turn(std::size_t facet, const glm::vec3& baseColor, Reflection reflection) {
+    const bool isUnlit = reflection == Reflection::unlit;
     m_ambient[facet] = isUnlit ? baseColor : baseColor * m_scene.ambient;
     m_albedo[facet] = isUnlit ? glm::vec3(0.0f) : baseColor;
 }

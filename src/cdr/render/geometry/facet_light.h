@@ -10,8 +10,15 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace cdr::render {
+
+/// What a surface makes of light.
+enum class Reflection : std::uint8_t {
+    matt,
+    unlit ///< it shows its base colour in any light
+};
 
 /// What facets that are lit while they are drawn are told of their light, in float64: all that does not change across a
 /// facet. The model is that of matt surfaces in shaders/shading/lighting.glsl.
@@ -29,8 +36,8 @@ class FacetLight {
         return std::max<std::size_t>(scene.lights.size(), 1);
     }
 
-    /// What a facet of the next draws is made of. Unlit: it shows its base colour in any light.
-    void turn(std::size_t facet, const glm::vec3& baseColor, bool isUnlit);
+    /// What a facet of the next draws is made of.
+    void turn(std::size_t facet, const glm::vec3& baseColor, Reflection reflection);
     /// Lights a facet of one draw.
     /// @param normal world space, unit. @param height of the facet's plane over `origin`.
     /// @param origin of the draw, world space. @param into stride() colours.

@@ -17,6 +17,7 @@ void FacetPass::record(vk::CommandBuffer commands, const DrawJob& job, const Rec
     const visibility::DrawLists& lists = recording.lists;
     const FacetCounts& most = m_meshes.most();
     FacetStreams streams = recording.streams;
+    streams.shiny = m_pipelines.options().shiny;
     const std::size_t first = job.draws.begin;
     streams.vertices += first * most.vertices;
     streams.indices += first * most.indices;
@@ -28,8 +29,7 @@ void FacetPass::record(vk::CommandBuffer commands, const DrawJob& job, const Rec
         streams.lit += first * most.vertices * light->stride();
         commands.bindVertexBuffers(FacetPipelines::kLitBinding, {recording.lit}, {0});
     }
-    FacetWriter writer(recording.view, job.cascade, m_pipelines.options().shiny, streams,
-                       light ? &*light : nullptr);
+    FacetWriter writer(recording.view, job.cascade, streams, light ? &*light : nullptr);
 
     setCascadeViewport(commands, recording.view, job.cascade);
     commands.bindVertexBuffers(FacetPipelines::kVertexBinding, {recording.vertices}, {0});

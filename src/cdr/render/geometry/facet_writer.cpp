@@ -26,13 +26,12 @@ float along(const glm::vec4& row, const glm::vec3& corner) {
 
 } // namespace
 
-FacetWriter::FacetWriter(const FrameView& view, std::size_t cascade, bool shiny, const FacetStreams& into,
+FacetWriter::FacetWriter(const FrameView& view, std::size_t cascade, const FacetStreams& into,
                          FacetLight* light)
     : m_cameraPosition(view.camera.position),
       m_toView(glm::transpose(glm::dmat3(view.camera.right, view.camera.up, view.camera.back))),
       m_records(view.camera, view.cascades[cascade].terms.anchorView),
       m_cascadeBits(static_cast<std::uint32_t>(cascade) << shaders::kIdBits),
-      m_shiny(shiny),
       m_into(into),
       m_light(light) {}
 
@@ -65,14 +64,15 @@ void FacetWriter::turnFacet(std::size_t index, const glm::dmat3& basis, const sh
         glm::vec4(facet.color) / 255.0f *
         glm::vec4(glm::unpackHalf2x16(record.baseColorRg), glm::unpackHalf2x16(record.baseColorBa));
     if (m_light != nullptr) {
-        m_light->turn(index, glm::vec3(baseColor), (record.id & shaders::kIdUnlit) != 0);
+        m_light->turn(index, glm::vec3(baseColor),
+                      (record.id & shaders::kIdUnlit) != 0 ? Reflection::unlit : Reflection::matt);
     }
     const double scale =
         std::sqrt(glm::dot(basis[0], basis[0]) + glm::dot(basis[1], basis[1]) + glm::dot(basis[2], basis[2]));
     m_turned.records[index] = {.normal = glm::vec2(encodeOctahedral(m_toView * normal)),
                                .extent = static_cast<float>(scale * static_cast<double>(facet.extent)),
-                               .albedo =
-                                   encodeAlbedo(baseColor) | (m_shiny ? record.cutoffAndShine << 24 : 0u),
+                               .albedo = encodeAlbedo(baseColor) |
+                                         (m_into.shiny ? record.cutoffAndShine << 24 : 0u),
                                .x = 0.0f,
                                .y = 0.0f,
                                .ahead = 0.0f,

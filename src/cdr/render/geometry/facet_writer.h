@@ -24,7 +24,7 @@ struct FacetCounts {
     bool operator==(const FacetCounts&) const = default;
 };
 
-/// Where a writer writes, mapped and with room for all that it is given.
+/// What a writer writes, and where: mapped and with room for all that it is given.
 struct FacetStreams {
     shaders::FacetVertex* vertices = nullptr;
     std::uint32_t* indices = nullptr; ///< from 0, the writer's first vertex
@@ -32,6 +32,7 @@ struct FacetStreams {
     shaders::FacetRecord* facets = nullptr;
     std::uint32_t firstFacet = 0; ///< index of the first among all of the frame's
     glm::vec3* lit = nullptr;     ///< FacetLight::stride() for each vertex
+    bool shiny = false;           ///< GeometryOptions::shiny: `facets` hold how surfaces shine
 };
 
 /// Transforms solids into one cascade's vertices, and records of the facets that face the camera. Camera and
@@ -39,7 +40,7 @@ struct FacetStreams {
 class FacetWriter {
   public:
     /// @param light what writes FacetStreams::lit; null where there is none.
-    FacetWriter(const FrameView& view, std::size_t cascade, bool shiny, const FacetStreams& into,
+    FacetWriter(const FrameView& view, std::size_t cascade, const FacetStreams& into,
                 FacetLight* light = nullptr);
 
     void add(const FacetSolid& solid, const DrawSource& source, const MaterialWords& material);
@@ -68,7 +69,6 @@ class FacetWriter {
     glm::dmat3 m_toView; ///< turns world space
     DrawRecordMaker m_records;
     std::uint32_t m_cascadeBits;
-    bool m_shiny;
     FacetStreams m_into;
     FacetLight* m_light;
     FacetCounts m_counts;

@@ -66,14 +66,22 @@ Spirv vertexShader(Batching batching, const ShaderKind& kind) {
     return kind.isFaceted ? Spirv(kGeometryFacetedVert) : Spirv(kGeometryVert);
 }
 
-Spirv fragmentShader(bool writesDepth, const ShaderKind& kind, bool movesDepth) {
-    if (movesDepth) {
+/// Where the depth of a fragment comes from.
+enum class FragmentDepth : std::uint8_t {
+    rasterised,
+    written, ///< by the shader, from the view distance
+    moved    ///< by the shader, towards the camera
+};
+
+Spirv fragmentShader(const ShaderKind& kind, FragmentDepth depth) {
+    if (depth == FragmentDepth::moved) {
         return kind.isDetailed ? Spirv(kGeometryLayeredDetailedFrag) : Spirv(kGeometryLayeredFrag);
     }
+    const bool isWritten = depth == FragmentDepth::written;
     if (kind.isDetailed) {
-        return writesDepth ? Spirv(kGeometryDepthDetailedFrag) : Spirv(kGeometryDetailedFrag);
+        return isWritten ? Spirv(kGeometryDepthDetailedFrag) : Spirv(kGeometryDetailedFrag);
     }
-    if (writesDepth) {
+    if (isWritten) {
         return kind.isFaceted ? Spirv(kGeometryDepthFacetedFrag) : Spirv(kGeometryDepthFrag);
     }
     return kind.isFaceted ? Spirv(kGeometryFacetedFrag) : Spirv(kGeometryFrag);
@@ -92,22 +100,22 @@ vk::PushConstantRange pushRange(Batching batching) {
     return {.stageFlags = GeometryPipelines::kStages, .size = size};
 }
 
-std::vector<vk::VertexInputBindingDescription> bindingsFor(Batching batching, bool isDetailed) {
+std::vector<vk::VertexInputBindingDescription> bindingsFor(Batching batching, const ShaderKind& kind) {
     std::vector<vk::VertexInputBindingDescription> bindings{vertexBinding()};
     if (batching != Batching::pushConstants) {
         bindings.push_back({.binding = GeometryPipelines::kRecordBinding,
                             .stride = sizeof(shaders::DrawRecord),
                             .inputRate = vk::VertexInputRate::eInstance});
     }
-    if (isDetailed) {
+    if (kind.isDetailed) {
         bindings.push_back(detailBinding());
     }
     return bindings;
 }
 
-std::vector<vk::VertexInputAttributeDescription> attributesFor(Batching batching, bool isDetailed) {
+std::vector<vk::VertexInputAttributeDescription> attributesFor(Batching batching, const ShaderKind& kind) {
     std::vector<vk::VertexInputAttributeDescription> attributes = vertexAttributes();
-    if (isDetailed) {
+    if (kind.isDetailed) {
         const std::vector<vk::VertexInputAttributeDescription> more = detailAttributes();
         attributes.insert(attributes.end(), more.begin(), more.end());
     }
@@ -128,7 +136,7 @@ std::vector<vk::VertexInputAttributeDescription> attributesFor(Batching batching
 
 /// Those that say where a vertex is.
 std::vector<vk::VertexInputAttributeDescription> placeAttributes() {
-    std::vector<vk::VertexInputAttributeDescription> attributes = attributesFor(Batching::instanced, false);
+    std::vector<vk::VertexInputAttributeDescription> attributes = attributesFor(Batching::instanced, {});
     const auto first = attributes.begin();
     attributes.erase(first + 1, first + static_cast<std::ptrdiff_t>(vertexAttributes().size()));
     return attributes;
@@ -209,7 +217,7 @@ gpu::Pipeline GeometryPipelines::makeOccluder(const gpu::Device& device, Span sp
                                                     std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
                                                     std::bit_cast<std::uint32_t>(m_options.snapSteps.y)},
                                       .layout = m_layout,
-                                      .bindings = bindingsFor(Batching::instanced, false),
+                                      .bindings = bindingsFor(Batching::instanced, {}),
                                       .attributes = placeAttributes(),
                                       .colorFormats = {},
                                       .depthFormat = m_depthFormat,
@@ -221,18 +229,19 @@ gpu::Pipeline GeometryPipelines::makeSurfaces(const gpu::Device& device, std::ui
     const bool isWide = span == Span::wide;
     const depth::Mapping mapping = m_options.technique.mapping;
     const std::uint32_t form = depthFormOf(mapping, span);
-    const bool writesDepth = form == shaders::kDepthFormLogFragment;
     const bool isBiased = m_options.layers.method == LayerMethod::polygonOffset;
     const bool isLayered = (variant & kLayeredVariant) != 0;
-    const bool movesDepth = isLayered && !isBiased;
-    const bool cutsFragments = isWide || movesDepth;
+    const FragmentDepth depthBy = isLayered && !isBiased                   ? FragmentDepth::moved
+                                  : form == shaders::kDepthFormLogFragment ? FragmentDepth::written
+                                                                           : FragmentDepth::rasterised;
+    const bool cutsFragments = isWide || depthBy == FragmentDepth::moved;
     const ShaderKind shaderKind = shaderKindOf(variant);
     const bool hasPlanes = (variant & (kFacetedVariant | kPlanesVariant)) != 0;
     const glm::vec2 subPixels = hasPlanes ? m_options.subPixels : glm::vec2(0.0f);
     return gpu::makeGraphicsPipeline(
         device, {.name = isWide ? "geometry, wide" : "geometry",
                  .vertexSpirv = vertexShader(m_options.batching, shaderKind),
-                 .fragmentSpirv = fragmentShader(writesDepth, shaderKind, movesDepth),
+                 .fragmentSpirv = fragmentShader(shaderKind, depthBy),
                  .constants = {form, variant & kTexturedVariant ? 1u : 0u, variant & kMaskedVariant ? 1u : 0u,
                                cutsFragments ? 1u : 0u, m_options.shiny ? 1u : 0u,
                                std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
@@ -243,8 +252,8 @@ gpu::Pipeline GeometryPipelines::makeSurfaces(const gpu::Device& device, std::ui
                                variant / kDetailStep, std::bit_cast<std::uint32_t>(subPixels.x),
                                std::bit_cast<std::uint32_t>(subPixels.y)},
                  .layout = m_layout,
-                 .bindings = bindingsFor(m_options.batching, shaderKind.isDetailed),
-                 .attributes = attributesFor(m_options.batching, shaderKind.isDetailed),
+                 .bindings = bindingsFor(m_options.batching, shaderKind),
+                 .attributes = attributesFor(m_options.batching, shaderKind),
                  .colorFormats = m_options.emission ? std::vector{kGBufferFormat, kEmissionFormat}
                                                     : std::vector{kGBufferFormat},
                  .depthFormat = m_depthFormat,

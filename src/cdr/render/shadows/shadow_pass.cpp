@@ -4,6 +4,7 @@
 #include <cdr/render/shadows/receiver_push.h>
 #include <cdr/render/shadows/receiver_slices.h>
 #include <cdr/render/shadows/shadow_pass.h>
+#include <cdr/render/targets/gbuffer.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/receiver_facets_frag.h>
 #include <cdr/shaders/receiver_frag.h>
@@ -27,7 +28,12 @@ gpu::ImageOptions maskOptions(vk::Extent2D extent) {
                      vk::ImageUsageFlagBits::eTransferSrc};
 }
 
-FullscreenPassOptions receiverOptions(bool facets) {
+bool isVisibility(const gpu::Image& gbuffer) {
+    return gbuffer.options().format == kVisibilityFormat;
+}
+
+FullscreenPassOptions receiverOptions(const gpu::Image& gbuffer) {
+    const bool facets = isVisibility(gbuffer);
     return {.name = "shadow receivers",
             .fragmentSpirv = facets ? gpu::Spirv(kReceiverFacetsFrag) : kReceiverFrag,
             .bindings = facets ? std::vector{kImage, kBuffer, kTexels, kImage, kImage}
@@ -40,22 +46,21 @@ FullscreenPassOptions receiverOptions(bool facets) {
 } // namespace
 
 ShadowPass::ShadowPass(const gpu::Device& device, const DrawnScene& scene, const gpu::Image& gbuffer,
-                       bool facets, const Shadows& options)
+                       const Shadows& options)
     : m_device(device),
       m_scene(scene),
       m_gbuffer(gbuffer),
-      m_facets(facets),
       m_options(options),
       m_map(device, options.mostTexels),
       m_mask(device, maskOptions(gbuffer.options().extent), "shadow mask"),
-      m_receivers(device, receiverOptions(facets)) {}
+      m_receivers(device, receiverOptions(gbuffer)) {}
 
 ShadowPass::Slot ShadowPass::makeSlot(const ShadingInputs& shading) const {
     Slot slot{.inputs = m_receivers.makeInputs(),
               .casters = CasterDraws(m_device, m_scene),
               .views = {},
               .pushes = {}};
-    const std::uint32_t map = m_facets ? 3 : 2;
+    const std::uint32_t map = isVisibility(m_gbuffer) ? 3 : 2;
     slot.inputs.setImage(0, m_gbuffer);
     slot.inputs.setBuffer(1, shading.lights());
     slot.inputs.setImage(map, m_map.depth());

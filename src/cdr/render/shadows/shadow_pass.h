@@ -20,8 +20,7 @@ namespace cdr::render {
 class ShadowPass {
   public:
     /// @param gbuffer or the visibility buffer.
-    /// @param facets whether it is the visibility buffer.
-    ShadowPass(const gpu::Device& device, const DrawnScene& scene, const gpu::Image& gbuffer, bool facets,
+    ShadowPass(const gpu::Device& device, const DrawnScene& scene, const gpu::Image& gbuffer,
                const Shadows& options);
     /// One frame slot's.
     struct Slot {
@@ -46,7 +45,6 @@ class ShadowPass {
     const gpu::Device& m_device;
     DrawnScene m_scene;
     const gpu::Image& m_gbuffer;
-    bool m_facets;
     Shadows m_options;
     ShadowMap m_map;
     gpu::Image m_mask;

@@ -219,9 +219,10 @@ bool BinningPass::follow(Copies& copies) {
     }
     const std::uint64_t tablesBefore = std::exchange(m_meshes, m_drawn.uploaded.meshesRevision());
     if (provideBuffers() || !isGrouped || wasStaged) {
-        stageAll(copies);
+        copyAll(copies);
     } else {
-        m_isStaged = stageChanges(changed, before, tablesBefore != m_meshes, copies);
+        m_isStaged =
+            copyChanges({.instances = changed, .before = before, .tables = tablesBefore != m_meshes}, copies);
     }
     return std::exchange(copies.buffers, m_sceneBuffers) != m_sceneBuffers;
 }
@@ -287,7 +288,7 @@ BinningPass::Tables BinningPass::tables() const {
     return made;
 }
 
-void BinningPass::stageAll(Copies& copies) const {
+void BinningPass::copyAll(Copies& copies) const {
     const Tables all = tables();
     Stager stager;
     stager.add(kSpheres, 0, m_spheres);
@@ -302,10 +303,10 @@ void BinningPass::stageAll(Copies& copies) const {
 /// Whether anything changed.
 /// @param changed of the instances that were grouped before.
 /// @param hasTables whether materials or levels may be others.
-bool BinningPass::stageChanges(std::span<const std::uint32_t> changed, const Grouped& before, bool hasTables,
-                               Copies& copies) const {
+bool BinningPass::copyChanges(const Changes& changes, Copies& copies) const {
+    const Grouped& before = changes.before;
     Stager stager;
-    const std::vector<host::IndexRange> ranges = rangesOf(changed);
+    const std::vector<host::IndexRange> ranges = rangesOf(changes.instances);
     for (const host::IndexRange& range : ranges) {
         stager.add(kSpheres, range.begin, std::span(m_spheres).subspan(range.begin, range.size()));
     }
@@ -313,7 +314,7 @@ bool BinningPass::stageChanges(std::span<const std::uint32_t> changed, const Gro
         stager.add(kLooks, range.begin, std::span(m_looks).subspan(range.begin, range.size()));
     }
     Tables all;
-    if (hasTables || before.instances < m_spheres.size()) {
+    if (changes.tables || before.instances < m_spheres.size()) {
         all = tables();
         stager.add(kSpheres, before.instances, std::span(m_spheres).subspan(before.instances));
         stager.add(kLooks, before.instances, std::span(m_looks).subspan(before.instances));

@@ -72,6 +72,12 @@ class BinningPass {
         std::size_t runs = 0;
         std::size_t groups = 0;
     };
+    /// What follow() finds to be other than on the device.
+    struct Changes {
+        std::span<const std::uint32_t> instances; ///< by index, of those that were grouped
+        Grouped before;                           ///< what is beyond is new
+        bool tables = false;                      ///< materials, groups or levels
+    };
     struct Tables;
     void groupAll();
     void groupMore();
@@ -80,9 +86,8 @@ class BinningPass {
     bool readChanged(std::vector<std::uint32_t>& changed);
     bool provideBuffers();
     Tables tables() const;
-    void stageAll(Copies& copies) const;
-    bool stageChanges(std::span<const std::uint32_t> changed, const Grouped& before, bool hasTables,
-                      Copies& copies) const;
+    void copyAll(Copies& copies) const;
+    bool copyChanges(const Changes& changes, Copies& copies) const;
     gpu::Pipeline makePipeline(const gpu::Spirv& spirv, const char* name) const;
 
     const gpu::Device& m_device;

@@ -12,22 +12,27 @@ namespace {
 
 constexpr std::uint32_t kRecordBinding = 1;
 
-std::vector<vk::VertexInputBindingDescription> bindings(bool isDetailed) {
+/// Of a key, or of a kind's variant.
+bool isDetailed(std::uint32_t key) {
+    return key >= kDetailStep;
+}
+
+std::vector<vk::VertexInputBindingDescription> bindings(std::uint32_t key) {
     std::vector<vk::VertexInputBindingDescription> all{vertexBinding(),
                                                        {.binding = kRecordBinding,
                                                         .stride = sizeof(shaders::TranslucentRecord),
                                                         .inputRate = vk::VertexInputRate::eInstance}};
-    if (isDetailed) {
+    if (isDetailed(key)) {
         all.push_back(detailBinding());
     }
     return all;
 }
 
-std::vector<vk::VertexInputAttributeDescription> attributes(bool isDetailed) {
+std::vector<vk::VertexInputAttributeDescription> attributes(std::uint32_t key) {
     using shaders::TranslucentRecord;
     constexpr auto kRow = vk::Format::eR32G32B32A32Sfloat;
     std::vector<vk::VertexInputAttributeDescription> all = vertexAttributes();
-    if (isDetailed) {
+    if (isDetailed(key)) {
         const std::vector<vk::VertexInputAttributeDescription> more = detailAttributes();
         all.insert(all.end(), more.begin(), more.end());
     }
@@ -78,17 +83,16 @@ TranslucentPipelines::TranslucentPipelines(const gpu::Device& device, const GpuS
 }
 
 gpu::Pipeline TranslucentPipelines::make(std::uint32_t key) const {
-    const bool isDetailed = key >= kDetailStep;
     return gpu::makeGraphicsPipeline(
         m_device,
         {.name = m_options.name,
-         .vertexSpirv = isDetailed ? gpu::Spirv(kTranslucentDetailedVert) : gpu::Spirv(kTranslucentVert),
-         .fragmentSpirv = isDetailed ? m_options.detailedSpirv : m_options.fragmentSpirv,
+         .vertexSpirv = isDetailed(key) ? gpu::Spirv(kTranslucentDetailedVert) : gpu::Spirv(kTranslucentVert),
+         .fragmentSpirv = isDetailed(key) ? m_options.detailedSpirv : m_options.fragmentSpirv,
          .constants = {key & kTexturedVariant, (key & kShinyKey) != 0 ? 1u : 0u,
                        m_scene.scene().sky ? 1u : 0u, key / kDetailStep, m_scene.scene().air ? 1u : 0u},
          .layout = m_layout,
-         .bindings = bindings(isDetailed),
-         .attributes = attributes(isDetailed),
+         .bindings = bindings(key),
+         .attributes = attributes(key),
          .colorFormats = m_options.colorFormats,
          .blend = gpu::Blend::accumulate});
 }
