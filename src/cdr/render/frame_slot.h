@@ -14,6 +14,7 @@
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/render/shadows/shadow_pass.h>
 #include <cdr/render/submit/draw_path_factory.h>
+#include <cdr/render/submit/one_of.h>
 #include <cdr/render/targets/focus_layers.h>
 #include <cdr/render/translucency/translucent_pass.h>
 
@@ -84,12 +85,12 @@ struct Renderer::Passes {
     FrameCutter cutter;
     std::unique_ptr<ShadowPass> shadows; ///< where lights cast them
     ShadingPass shading;
-    std::unique_ptr<ResolvePass> resolve;               ///< of a visibility buffer
-    std::unique_ptr<TranslucentPass> translucent;       ///< where the scene has blended materials
-    std::unique_ptr<MotionPass> motion;                 ///< where it is worked out
-    std::unique_ptr<OcclusionCulling> occlusion{};      ///< where the CPU leaves out what is hidden
-    std::unique_ptr<DeviceOcclusion> deviceOcclusion{}; ///< where the device does
-    std::unique_ptr<DepthOutput> depthOutput{};         ///< once a host asked for depth
+    std::unique_ptr<ResolvePass> resolve;         ///< of a visibility buffer
+    std::unique_ptr<TranslucentPass> translucent; ///< where the scene has blended materials
+    std::unique_ptr<MotionPass> motion;           ///< where it is worked out
+    /// Where the CPU, or the device, leaves out what is hidden.
+    OneOf<OcclusionCulling, DeviceOcclusion> occlusion{};
+    std::unique_ptr<DepthOutput> depthOutput{}; ///< once a host asked for depth
     Readback colorCopy;
     Readback gbufferCopy;
     std::unique_ptr<Readback> motionCopy; ///< of `motion`

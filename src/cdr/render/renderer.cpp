@@ -152,7 +152,7 @@ void Renderer::makePasses() {
     auto made = std::make_unique<Passes>(m_device, m_drawn, m_options, m_needs);
     made->lightRoom = std::max<std::size_t>(m_drawn.scene.lights.size(), m_options.prepareFor.lights);
     if (m_options.occlusionCulling && m_options.submission == Submission::gpuDriven) {
-        made->deviceOcclusion = m_paths->makeDeviceOcclusion(m_options.technique, made->extent);
+        made->occlusion = m_paths->makeDeviceOcclusion(m_options.technique, made->extent);
     } else if (m_options.occlusionCulling) {
         made->occlusion = std::make_unique<OcclusionCulling>(m_device, m_drawn, m_options.technique,
                                                              made->extent, m_paths->makeOccluders(m_workers));
@@ -162,8 +162,8 @@ void Renderer::makePasses() {
     try {
         for (std::size_t slot = 0; slot < m_options.framesInFlight; ++slot) {
             Slot& begun = m_passes->slots.emplace_back();
-            begun.path =
-                m_paths->make(m_workers, m_passes->deviceOcclusion.get(), fmt::format("frame slot {}", slot));
+            begun.path = m_paths->make(m_workers, findIn<DeviceOcclusion>(m_passes->occlusion),
+                                       fmt::format("frame slot {}", slot));
             if (m_passes->litTargets != nullptr) {
                 begun.readPath = std::move(begun.path);
                 begun.path = m_paths->makeLit(m_workers, fmt::format("lit frame slot {}", slot));
@@ -211,11 +211,11 @@ Renderer::~Renderer() {
 
 void Renderer::forgetFrames() {
     m_passes->cutter.forget();
-    if (m_passes->occlusion != nullptr) {
-        m_passes->occlusion->forget();
+    if (auto* byCpu = findIn<OcclusionCulling>(m_passes->occlusion)) {
+        byCpu->forget();
     }
-    if (m_passes->deviceOcclusion != nullptr) {
-        m_passes->deviceOcclusion->forget();
+    if (auto* byDevice = findIn<DeviceOcclusion>(m_passes->occlusion)) {
+        byDevice->forget();
     }
     if (m_motion != nullptr) {
         m_motion->forget();
@@ -323,8 +323,8 @@ Renderer::Slot& Renderer::prepare(const scene::Camera& camera, const Delivery& d
         slot.stats.shadows = {.maps = slot.shadows->views.size(), .casters = slot.shadows->casters.draws()};
         slot.stats.times.shadowsMs = watch.lap("shadows");
     }
-    if (m_passes->occlusion != nullptr) {
-        slot.stats.occluders = m_passes->occlusion->drop(slot.view, m_workers, *m_visible);
+    if (auto* byCpu = findIn<OcclusionCulling>(m_passes->occlusion)) {
+        slot.stats.occluders = byCpu->drop(slot.view, m_workers, *m_visible);
         slot.stats.times.occludersMs = watch.lap("occluders");
     }
     if (slot.translucent) {

@@ -68,33 +68,31 @@ DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& sc
 
 DrawPathFactory::HostPasses DrawPathFactory::makePasses(std::optional<FacetMeshes> facets,
                                                         const GeometryOptions& options) const {
-    HostPasses passes;
     if (facets) {
-        passes.facets = std::make_unique<FacetPass>(m_device, m_scene.uploaded, std::move(*facets), options);
-    } else {
-        passes.geometry = std::make_unique<GeometryPass>(m_device, m_scene.uploaded, options);
+        return std::make_unique<FacetPass>(m_device, m_scene.uploaded, std::move(*facets), options);
     }
-    return passes;
+    return std::make_unique<GeometryPass>(m_device, m_scene.uploaded, options);
 }
 
 void DrawPathFactory::followKinds() {
     for (const HostPasses* passes : {&m_surfaces, &m_occluders}) {
-        if (passes->geometry != nullptr) {
-            passes->geometry->followKinds();
+        if (auto* geometry = findIn<GeometryPass>(*passes)) {
+            geometry->followKinds();
         }
     }
 }
 
 void DrawPathFactory::setFacets(const FacetMeshes& facets) {
     for (const HostPasses* passes : {&m_surfaces, &m_occluders, &m_lit}) {
-        if (passes->facets != nullptr) {
-            passes->facets->setMeshes(facets);
+        if (auto* pass = findIn<FacetPass>(*passes)) {
+            pass->setMeshes(facets);
         }
     }
 }
 
 const FacetMeshes* DrawPathFactory::facets() const {
-    return m_surfaces.facets != nullptr ? &m_surfaces.facets->meshes() : nullptr;
+    const auto* pass = findIn<FacetPass>(m_surfaces);
+    return pass != nullptr ? &pass->meshes() : nullptr;
 }
 
 std::unique_ptr<HostDraws> DrawPathFactory::makeOccluders(host::WorkerPool& workers) const {
@@ -103,7 +101,7 @@ std::unique_ptr<HostDraws> DrawPathFactory::makeOccluders(host::WorkerPool& work
 
 std::unique_ptr<DeviceOcclusion> DrawPathFactory::makeDeviceOcclusion(const depth::Technique& technique,
                                                                       vk::Extent2D extent) const {
-    return std::make_unique<DeviceOcclusion>(m_device, m_scene.uploaded, *m_occluders.geometry,
+    return std::make_unique<DeviceOcclusion>(m_device, m_scene.uploaded, *findIn<GeometryPass>(m_occluders),
                                              m_occlusionLayout, technique, extent);
 }
 
@@ -111,10 +109,10 @@ std::unique_ptr<HostDraws> DrawPathFactory::makeDraws(const HostPasses& passes,
                                                       host::WorkerPool& workers) const {
     const HostDrawsContext context{
         .device = m_device, .scene = m_scene.scene, .workers = workers, .trace = m_trace};
-    if (passes.facets != nullptr) {
-        return std::make_unique<FacetDraws>(context, *passes.facets);
+    if (auto* facets = findIn<FacetPass>(passes)) {
+        return std::make_unique<FacetDraws>(context, *facets);
     }
-    return std::make_unique<RecordDraws>(context, *passes.geometry);
+    return std::make_unique<RecordDraws>(context, *findIn<GeometryPass>(passes));
 }
 
 std::unique_ptr<DrawPath> DrawPathFactory::makeRecorded(const HostPasses& passes, host::WorkerPool& workers,
@@ -128,7 +126,8 @@ std::unique_ptr<DrawPath> DrawPathFactory::makeRecorded(const HostPasses& passes
 std::unique_ptr<DrawPath> DrawPathFactory::make(host::WorkerPool& workers, DeviceOcclusion* occlusion,
                                                 const std::string& name) const {
     if (m_submission == Submission::gpuDriven) {
-        return std::make_unique<GpuDrivenPath>(m_device, *m_binning, *m_surfaces.geometry, occlusion, name);
+        return std::make_unique<GpuDrivenPath>(m_device, *m_binning, *findIn<GeometryPass>(m_surfaces),
+                                               occlusion, name);
     }
     return makeRecorded(m_surfaces, workers, name);
 }

@@ -8,6 +8,7 @@
 #include <cdr/render/render_options.h>
 #include <cdr/render/submit/binning_pass.h>
 #include <cdr/render/submit/host_draws.h>
+#include <cdr/render/submit/one_of.h>
 
 #include <memory>
 #include <optional>
@@ -53,11 +54,9 @@ class DrawPathFactory {
     const FacetMeshes* facets() const;
 
   private:
-    /// What draws of the CPU are recorded with: one of both.
-    struct HostPasses {
-        std::unique_ptr<GeometryPass> geometry; ///< for a G-buffer
-        std::unique_ptr<FacetPass> facets;      ///< for a visibility buffer, or lit into the picture
-    };
+    /// What draws of the CPU are recorded with: the first for a G-buffer, the second for a visibility buffer or lit into the
+    /// picture.
+    using HostPasses = OneOf<GeometryPass, FacetPass>;
     HostPasses makePasses(std::optional<FacetMeshes> facets, const GeometryOptions& options) const;
     std::unique_ptr<HostDraws> makeDraws(const HostPasses& passes, host::WorkerPool& workers) const;
     /// Not gpu-driven.
