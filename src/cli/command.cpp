@@ -6,7 +6,6 @@
 #include <cdr/host/document.h>
 #include <cdr/host/sha256.h>
 #include <cdr/host/thread_placement.h>
-#include <cdr/scene/gltf/import_progress.h>
 #include <experiments/same_files.h>
 #include <scenes/open_scene.h>
 #include <scenes/orbit/data.h>
@@ -132,9 +131,7 @@ scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_
     bounded.textureMiB = m_global.textureMiB;
     bounded.pointRadius = m_global.pointRadius;
     scene::OpenedScene opened =
-        scene::isGltfPath(nameOrPath)
-            ? scene::openGltf(nameOrPath, bounded, progressOf("parts of " + nameOrPath))
-            : scenes::openScene(nameOrPath, seed, bounded);
+        scenes::openScene(nameOrPath, seed, bounded, progressOf("parts of " + nameOrPath));
     m_console.endProgress();
     note(source, opened.notes);
     return std::move(opened.setup);

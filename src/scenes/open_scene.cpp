@@ -83,9 +83,9 @@ bool isGreyInThesis(std::string_view scene) {
 }
 
 scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed,
-                             const scene::GltfChoice& choice) {
+                             const scene::GltfChoice& choice, const scene::ImportProgress& progress) {
     if (scene::isGltfPath(nameOrPath)) {
-        return scene::openGltf(nameOrPath, choice);
+        return scene::openGltf(nameOrPath, choice, progress);
     }
     scene::GltfChoice ofFiles = choice;
     ofFiles.textureMiB.reset(); // these hold whatever is opened

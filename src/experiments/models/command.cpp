@@ -83,10 +83,10 @@ void requirePictureMemory(std::size_t models, const experiments::ModelsOptions& 
 scene::SceneSetup openModel(Command& command, const std::string& file, const scene::GltfChoice& choice,
                             std::optional<double> seconds) {
     scene::GltfChoice chosen = choice;
-    scene::OpenedScene opened = scene::openGltf(file, chosen);
+    scene::OpenedScene opened = scenes::openScene(file, scenes::kDefaultSeed, chosen);
     if (seconds && !opened.animations.empty()) {
         chosen.seconds = seconds;
-        opened = scene::openGltf(file, chosen);
+        opened = scenes::openScene(file, scenes::kDefaultSeed, chosen);
     }
     command.note(file, opened.notes);
     return std::move(opened.setup);
@@ -123,7 +123,7 @@ void run(Command& command, ModelsArguments& arguments) {
         choice.pointRadius = command.global().pointRadius;
         const scene::SceneSetup model = openModel(command, file, choice, arguments.seconds);
         choice.light = scene::ModelLight::lamps;
-        scene::OpenedScene plain = scene::openGltf(file, choice);
+        scene::OpenedScene plain = scenes::openScene(file, scenes::kDefaultSeed, choice);
         results.push_back(
             experiments::compareModel(command.device(), model, plain.setup, light, arguments.options));
     }
