@@ -16,14 +16,14 @@ namespace cdr::experiments {
 namespace {
 
 bool isPng(const std::filesystem::path& path) {
-    return path.extension() == ".png";
+    return host::lowerExtension(path) == ".png";
 }
 
 } // namespace
 
 void requirePlottable(const std::filesystem::path& path) {
     constexpr std::array<std::string_view, 2> kExtensions{".png", ".svg"};
-    const std::string extension = path.extension().string();
+    const std::string extension = host::lowerExtension(path);
     if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
         throw base::InputError(base::unknownName("plot format", extension, kExtensions));
     }

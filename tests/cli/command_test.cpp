@@ -285,6 +285,18 @@ TEST(Commands, RenderWritesEveryOutputInEveryFormat) {
     }
 }
 
+TEST(Commands, NamesOfPicturesEndInEitherCase) {
+    const TemporaryFolder folder;
+    const std::string render = "--quiet render cubes --size 64x36 -o ";
+    for (const auto& [upper, lower] :
+         {std::pair("A.PNG", "a.png"), std::pair("A.Tga", "a.tga"), std::pair("A.EXR", "a.exr")}) {
+        const ProgramResult result = runProgram(render + upper, folder.path());
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_EQ(runProgram(render + lower, folder.path()).status, 0);
+        EXPECT_EQ(readText(folder.path() / upper), readText(folder.path() / lower)) << upper;
+    }
+}
+
 /// Against the truth of where each frame puts 100,000 objects, from 1 to 10,000,000 units away.
 TEST(Commands, RenderDrawsTrafficWithoutAWrongPixel) {
     const TemporaryFolder folder;

@@ -93,14 +93,14 @@ TEST(InspectCommand, NamesACoplanarPairAndItsRemedy) {
     writeSquares(folder.path() / "a.gltf", {{"wall", {0.3, 0.0, -30.1}, 20.0},
                                             {"poster", {1.7, 1.1, -30.1}, 4.0},
                                             {"board", {-3.0, 0.0, -20.0}, 3.0}});
-    const InspectRun run = inspect("a.gltf --fail-above 0.01 --heat-map h.png" + std::string(kSmall), folder);
+    const InspectRun run = inspect("a.gltf --fail-above 0.01 --heat-map H.PNG" + std::string(kSmall), folder);
     EXPECT_EQ(run.status, 3);
     EXPECT_EQ(run.document.at("fails"), true);
     EXPECT_EQ(findings(run.document), (std::vector<std::string>{"coplanar wall poster"}));
     EXPECT_GT(run.document.at("coplanar_fraction"), 0.01);
     EXPECT_EQ(rowOf(run.document, "anchored", "d32f").at("wrong"), 0) << "coplanar pixels are not wrong";
     EXPECT_TRUE(isSaid(run.document, "'wall' and 'poster' lie in one plane"));
-    const auto picture = readPicture(folder.path() / "h.png").pixels;
+    const auto picture = readPicture(folder.path() / "H.PNG").pixels;
     EXPECT_GT(std::count(picture.begin(), picture.end(), image::Rgba8{255, 0, 255, 255}), 100);
 }
 

@@ -40,6 +40,9 @@ TEST_F(GnuplotTest, WritesPngAndSvg) {
     EXPECT_EQ(beginOf(folder() / "it's a plot.png", 4), "\x89PNG");
     writePlot(folder() / "p.svg", "plot x\n");
     EXPECT_EQ(beginOf(folder() / "p.svg", 5), "<?xml");
+    EXPECT_NO_THROW(requirePlottable(folder() / "Q.PNG"));
+    writePlot(folder() / "Q.PNG", "plot x\n");
+    EXPECT_EQ(beginOf(folder() / "Q.PNG", 4), "\x89PNG");
 }
 
 TEST_F(GnuplotTest, ABadScriptIsReportedAndLeavesNothing) {

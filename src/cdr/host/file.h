@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -61,6 +62,9 @@ void writeText(const std::filesystem::path& path, std::string_view text);
 
 /// InputError unless `path` can be written. Changes nothing; call it before long work.
 void requireWritable(const std::filesystem::path& path);
+
+/// The extension of a path with its dot, in lower case: ".png" of "A.PNG". Empty where it has none.
+std::string lowerExtension(const std::filesystem::path& path);
 
 /// Makes a folder and those above it where they are missing. InputError when that fails.
 void makeFolder(const std::filesystem::path& path);

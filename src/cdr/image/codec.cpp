@@ -8,20 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
-
 namespace cdr::image {
-
-namespace {
-
-std::string lowerCase(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
-} // namespace
 
 void requireDecodableSize(std::uint64_t width, std::uint64_t height, const std::string& name) {
     if (width == 0 || height == 0) {
@@ -54,7 +41,7 @@ PictureSize sizeOfEncoded(std::span<const std::uint8_t> encoded, const std::stri
 }
 
 std::vector<std::uint8_t> encodeImage(const std::filesystem::path& path, const ImageRgba8& image) {
-    const std::string extension = lowerCase(path.extension().string());
+    const std::string extension = host::lowerExtension(path);
     if (extension == ".png") {
         return encodePng(image);
     }

@@ -8,6 +8,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
+#include <cdr/host/file.h>
 #include <cdr/render/part_scene.h>
 #include <experiments/certified_frame.h>
 #include <scenes/colours.h>
@@ -47,7 +48,7 @@ void checkFiles(const RenderArguments& arguments, const RenderPlan& plan, Comman
             fmt::format("{}: several frames need a number in the name, such as %04d", arguments.file));
     }
     if (!arguments.file.empty()) {
-        const std::string extension = plan.name.at(plan.cameras.first).extension().string();
+        const std::string extension = host::lowerExtension(plan.name.at(plan.cameras.first));
         constexpr std::array<std::string_view, 3> kExtensions{".png", ".tga", ".exr"};
         if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
             throw base::InputError(base::unknownName("picture format", extension, kExtensions));

@@ -1,5 +1,6 @@
 #include "frame_output.h"
 
+#include <cdr/host/file.h>
 #include <experiments/wrong_pixels_columns.h>
 
 #include <fmt/format.h>
@@ -55,7 +56,7 @@ FrameOutput::FrameOutput(std::uint32_t number, render::Frame frame, std::optiona
 }
 
 host::Bytes FrameOutput::encoded(const std::filesystem::path& path, experiments::Aov aov) const {
-    return path.extension() == ".exr"
+    return host::lowerExtension(path) == ".exr"
                ? image::encodeExr(path, experiments::channelsOf(m_frame, aov, truth()))
                : image::encodeImage(path, experiments::pictureOf(m_frame, aov, truth()));
 }

@@ -3,6 +3,7 @@
 
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
+#include <cdr/host/file.h>
 #include <cdr/host/worker_pool.h>
 #include <cdr/scene/animation/node_camera.h>
 #include <cdr/scene/animation/scene_animation.h>
@@ -13,7 +14,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -252,9 +252,7 @@ ModelLight parseModelLight(std::string_view name) {
 }
 
 bool isGltfPath(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = host::lowerExtension(path);
     return extension == ".gltf" || extension == ".glb";
 }
 
