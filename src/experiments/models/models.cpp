@@ -4,6 +4,7 @@
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/measure/truth/layered_truth.h>
 #include <cdr/render/renderer.h>
+#include <cdr/scene/frustum.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +55,7 @@ scene::Camera closer(const gpu::Device& device, const scene::SceneSetup& model,
     scene::Camera camera = model.path.at(0);
     const double share = shareShown(drawn(device, model.scene, camera, options));
     if (share > 0.0 && kMargin * share < 1.0) {
-        camera.fovY = 2.0 * std::atan(std::tan(0.5 * camera.fovY) * kMargin * share);
+        camera.fovY = 2.0 * std::atan(scene::frustumOf(camera, 1.0, 1.0).tanY * kMargin * share);
     }
     return camera;
 }
