@@ -1,3 +1,4 @@
+#include <cdr/depth/view_constants.h>
 #include <cdr/render/frame_view.h>
 
 #include <algorithm>
@@ -47,19 +48,33 @@ std::vector<CascadeView> cascadeViews(depth::Mapping mapping, const depth::Casca
     return views;
 }
 
-shaders::CascadePush makeCascadePush(const FrameView& view, std::size_t cascade) {
+depth::CascadeConstants makeCascadeConstants(const FrameView& view, std::size_t cascade) {
     const CascadeView& made = view.cascades[cascade];
     const depth::ClipTerms& terms = made.terms;
-    return {.anchorView = static_cast<float>(terms.anchorView),
-            .depthScale = static_cast<float>(terms.scale),
-            .depthOffset = static_cast<float>(terms.offset),
+    const depth::FloatPair anchor = depth::floatPair(terms.anchorView);
+    return {.anchorView = anchor.value,
+            .scale = static_cast<float>(terms.scale),
+            .offset = static_cast<float>(terms.offset),
+            .anchorRest = anchor.rest,
             .nearAhead = static_cast<float>(made.clipRange.nearView - terms.anchorView),
             .farAhead = static_cast<float>(made.clipRange.farView - terms.anchorView),
             .projectionX = static_cast<float>(1.0 / view.frustum.tanX),
-            .projectionY = static_cast<float>(-1.0 / view.frustum.tanY),
+            .projectionY = static_cast<float>(-1.0 / view.frustum.tanY)};
+}
+
+shaders::CascadePush makeCascadePush(const FrameView& view, std::size_t cascade) {
+    const depth::CascadeConstants constants = makeCascadeConstants(view, cascade);
+    const DepthSlice& slice = view.cascades[cascade].slice;
+    return {.anchorView = constants.anchorView,
+            .depthScale = constants.scale,
+            .depthOffset = constants.offset,
+            .nearAhead = constants.nearAhead,
+            .farAhead = constants.farAhead,
+            .projectionX = constants.projectionX,
+            .projectionY = constants.projectionY,
             .cascade = static_cast<std::uint32_t>(cascade),
-            .minDepth = made.slice.min,
-            .maxDepth = made.slice.max,
+            .minDepth = slice.min,
+            .maxDepth = slice.max,
             .layerOffset = 0.0f,
             .layerRank = 0.0f};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/depth/cascade_constants.h>
 #include <cdr/depth/mapping.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/host/worker_pool.h>
@@ -51,6 +52,8 @@ struct FrameView {
     std::vector<double> anchorsView() const;
 };
 
+/// What a vertex shader needs of a cascade.
+depth::CascadeConstants makeCascadeConstants(const FrameView& view, std::size_t cascade);
 /// What every draw of a cascade is pushed.
 shaders::CascadePush makeCascadePush(const FrameView& view, std::size_t cascade);
 

@@ -1,5 +1,4 @@
 #include <cdr/base/error.h>
-#include <cdr/depth/view_constants.h>
 #include <cdr/render/geometry/begin_cascade.h>
 #include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/render/output/depth_output.h>
@@ -83,19 +82,11 @@ void requireDraws(const HostFrame& host, const RenderOptions& options) {
 HostCascade hostCascadeOf(const gpu::Device& device, const RenderOptions& options, const FrameView& view,
                           std::size_t cascade, vk::CommandBuffer commands) {
     const CascadeView& made = view.cascades[cascade];
-    const shaders::CascadePush push = makeCascadePush(view, cascade);
     return {.commands = commands,
-            .index = push.cascade,
+            .index = static_cast<std::uint32_t>(cascade),
             .clipRange = made.clipRange,
             .anchorView = made.terms.anchorView,
-            .constants = {.anchorView = push.anchorView,
-                          .scale = push.depthScale,
-                          .offset = push.depthOffset,
-                          .anchorRest = depth::floatPair(made.terms.anchorView).rest,
-                          .nearAhead = push.nearAhead,
-                          .farAhead = push.farAhead,
-                          .projectionX = push.projectionX,
-                          .projectionY = push.projectionY},
+            .constants = makeCascadeConstants(view, cascade),
             .depthFormat = device.depthFormat(options.technique.format),
             .depthCompare = static_cast<VkCompareOp>(depthCompareOf(options.technique.mapping))};
 }
