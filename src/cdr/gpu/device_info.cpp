@@ -1,3 +1,4 @@
+#include "depth_attachments.h"
 #include "device_query.h"
 
 #include <cdr/base/enum_names.h>
@@ -6,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <utility>
 
@@ -17,13 +17,6 @@ namespace {
 /// Storage buffers that the binning shaders bind, and the size of their workgroups.
 constexpr std::uint32_t kGpuDrivenStorageBuffers = 14;
 constexpr std::uint32_t kGpuDrivenInvocations = 256;
-
-/// By depth::DepthFormat, the preferred one first.
-constexpr std::array<std::array<vk::Format, 2>, depth::kDepthFormats.size()> kVulkanFormats{{
-    {vk::Format::eD16Unorm, vk::Format::eUndefined},
-    {vk::Format::eX8D24UnormPack32, vk::Format::eD24UnormS8Uint},
-    {vk::Format::eD32Sfloat, vk::Format::eUndefined},
-}};
 
 constexpr base::EnumNames<DeviceKind, kDeviceKinds.size()> kKindNames{
     "kind", {"discrete", "integrated", "virtual", "cpu", "other"}};
@@ -133,13 +126,14 @@ std::optional<std::uint32_t> findQueueFamily(vk::PhysicalDevice physical) {
 }
 
 std::optional<vk::Format> findDepthFormat(vk::PhysicalDevice physical, depth::DepthFormat format) {
-    const auto& candidates = kVulkanFormats[static_cast<std::size_t>(format)];
-    const auto found = std::find_if(candidates.begin(), candidates.end(), [&](vk::Format candidate) {
-        const bool isDepth(physical.getFormatProperties(candidate).optimalTilingFeatures &
-                           vk::FormatFeatureFlagBits::eDepthStencilAttachment);
-        return candidate != vk::Format::eUndefined && isDepth;
-    });
-    return found == candidates.end() ? std::nullopt : std::optional(*found);
+    const DepthAttachments& formats = kDepthAttachments[static_cast<std::size_t>(format)];
+    for (const vk::Format candidate : {formats.alone, formats.withStencil}) {
+        if (physical.getFormatProperties(candidate).optimalTilingFeatures &
+            vk::FormatFeatureFlagBits::eDepthStencilAttachment) {
+            return candidate;
+        }
+    }
+    return std::nullopt;
 }
 
 DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {

@@ -1,20 +1,12 @@
+#include <cdr/gpu/depth_attachments.h>
 #include <cdr/render/octahedral.h>
 #include <cdr/render/targets/gbuffer.h>
 
 #include <glm/gtc/packing.hpp>
 
 #include <algorithm>
-#include <array>
 
 namespace cdr::render {
-
-namespace {
-
-/// By depth::DepthFormat: the same with a stencil plane.
-constexpr std::array<vk::Format, depth::kDepthFormats.size()> kStencilFormats{
-    vk::Format::eD16UnormS8Uint, vk::Format::eD24UnormS8Uint, vk::Format::eD32SfloatS8Uint};
-
-} // namespace
 
 glm::vec3 GBufferPixel::normalView() const {
     if (id() == 0) {
@@ -36,7 +28,7 @@ gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std
 }
 
 vk::Format depthAttachmentFormat(const gpu::Device& device, depth::DepthFormat format, vk::Format surfaces) {
-    const vk::Format marking = kStencilFormats[static_cast<std::size_t>(format)];
+    const vk::Format marking = gpu::kDepthAttachments[static_cast<std::size_t>(format)].withStencil;
     const bool isAttachment(
         vk::PhysicalDevice(device.physical()).getFormatProperties(marking).optimalTilingFeatures &
         vk::FormatFeatureFlagBits::eDepthStencilAttachment);
@@ -44,8 +36,9 @@ vk::Format depthAttachmentFormat(const gpu::Device& device, depth::DepthFormat f
 }
 
 bool hasStencil(vk::Format depthAttachment) {
-    return std::find(kStencilFormats.begin(), kStencilFormats.end(), depthAttachment) !=
-           kStencilFormats.end();
+    return std::any_of(
+        gpu::kDepthAttachments.begin(), gpu::kDepthAttachments.end(),
+        [&](const gpu::DepthAttachments& formats) { return formats.withStencil == depthAttachment; });
 }
 
 bool marksDrawn(vk::Format depthAttachment, vk::Format surfaces) {
