@@ -2,6 +2,8 @@
 // Prints one line. Writes golden, render and ten times their difference side by side to SHEET, a PNG.
 // Exit status: 0 the same, 1 different, 2 a picture is missing or unreadable.
 
+#include "../support/difference_picture.h"
+
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
 #include <cdr/image/codec.h>
@@ -26,7 +28,7 @@ void writeSheet(const std::string& path, const image::ImageRgba8& golden, const 
     image::ImageRgba8 sheet(3 * golden.width, golden.height);
     image::paste(sheet, golden, 0, 0);
     image::paste(sheet, render, golden.width, 0);
-    image::paste(sheet, image::differencePicture(golden, render, 10), 2 * golden.width, 0);
+    image::paste(sheet, test::differencePicture(golden, render, 10), 2 * golden.width, 0);
     image::writeImage(path, sheet);
 }
 

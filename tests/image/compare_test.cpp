@@ -1,4 +1,5 @@
-#include <cdr/base/error.h>
+#include "../support/difference_picture.h"
+
 #include <cdr/image/compare.h>
 
 #include <gtest/gtest.h>
@@ -61,11 +62,11 @@ TEST(Compare, AnotherSizeFails) {
 TEST(Compare, TheDifferenceShowsBothSigns) {
     ImageRgba8 render = moved(1, 0, 20);
     render.pixels[1] = {90, 100, 100, 255};
-    const ImageRgba8 difference = differencePicture(grey(), render, 10);
+    const ImageRgba8 difference = test::differencePicture(grey(), render, 10);
     EXPECT_EQ(difference.pixels[0], (Rgba8{200, 0, 0, 255}));
     EXPECT_EQ(difference.pixels[1], (Rgba8{100, 0, 0, 255}));
     EXPECT_EQ(difference.pixels[2], (Rgba8{0, 0, 0, 255}));
-    EXPECT_THROW(differencePicture(grey(), {1, 1}, 1), base::InputError);
+    EXPECT_THROW(test::differencePicture(grey(), {1, 1}, 1), base::InputError);
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "../support/difference_picture.h"
 #include "viewer_run.h"
 
 #include <cdr/image/codec.h>
@@ -185,7 +186,7 @@ TEST_F(ViewerTest, RecordsBothSidesAsAVideo) {
     EXPECT_EQ(picture("first.png").width, 2 * 212u) << "two pictures of 213, the odd column left out";
     EXPECT_EQ(picture("first.png").height, 300u);
     // One picture twice would differ by what the codec does to it alone.
-    EXPECT_GT(brightness(image::differencePicture(picture("left.png"), picture("right.png"), 1)), 6.0);
+    EXPECT_GT(brightness(test::differencePicture(picture("left.png"), picture("right.png"), 1)), 6.0);
 }
 
 TEST_F(ViewerTest, NoScriptWaitsForFramesThatNothingAsksFor) {

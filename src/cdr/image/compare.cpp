@@ -1,4 +1,3 @@
-#include <cdr/base/error.h>
 #include <cdr/image/compare.h>
 
 #include <fmt/format.h>
@@ -42,20 +41,6 @@ std::string describe(const Comparison& comparison) {
     }
     return fmt::format("{} of {} pixels beyond the tolerance, the largest difference is {} of 255",
                        comparison.beyond, comparison.pixels, comparison.largest);
-}
-
-ImageRgba8 differencePicture(const ImageRgba8& golden, const ImageRgba8& render, int gain) {
-    if (golden.width != render.width || golden.height != render.height) {
-        throw base::InputError("difference: the sizes differ");
-    }
-    ImageRgba8 picture(golden.width, golden.height, {0, 0, 0, 255});
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            const int bright = gain * std::abs(int{golden.pixels[i][c]} - int{render.pixels[i][c]});
-            picture.pixels[i][c] = static_cast<std::uint8_t>(std::min(bright, 255));
-        }
-    }
-    return picture;
 }
 
 } // namespace cdr::image

@@ -28,7 +28,4 @@ Comparison compare(const ImageRgba8& golden, const ImageRgba8& render, const Tol
 /// The comparison in one line.
 std::string describe(const Comparison& comparison);
 
-/// Absolute differences, `gain` times as bright, opaque. base::InputError when the sizes differ.
-ImageRgba8 differencePicture(const ImageRgba8& golden, const ImageRgba8& render, int gain);
-
 } // namespace cdr::image

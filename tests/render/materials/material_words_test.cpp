@@ -15,6 +15,14 @@ float cutoffOf(const MaterialWords& words) {
     return std::bit_cast<float>(words.cutoffAndShine & ~shaders::kShineMask);
 }
 
+/// The metallic and roughness that a code not 0 stands for.
+scene::Shine shineOfCode(std::uint32_t code) {
+    const std::uint32_t metallicStep = (code - 1) / shaders::kRoughnessSteps;
+    const std::uint32_t roughnessStep = (code - 1) % shaders::kRoughnessSteps;
+    return {.metallic = static_cast<float>(metallicStep) / (shaders::kMetallicSteps - 1),
+            .roughness = static_cast<float>(roughnessStep) / (shaders::kRoughnessSteps - 1)};
+}
+
 TEST(ShineCode, ZeroIsMattAlone) {
     EXPECT_EQ(shineCode({}), 0u);
     EXPECT_EQ(shineCode(scene::Shine{.metallic = 0.0f, .roughness = 0.0f}), 1u);

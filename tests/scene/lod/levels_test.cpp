@@ -181,7 +181,8 @@ TEST(SurfaceDistance, IsThatOfEveryTriangle) {
     scenes::Random random(5);
     for (int i = 0; i < 60; ++i) {
         const glm::dvec3 p = random.inCube(1.5);
-        EXPECT_NEAR(std::sqrt(surface.squaredTo(p)), distanceToSurface(p, mesh, mesh.indices), 2e-5) << i;
+        EXPECT_NEAR(std::sqrt(surface.nearestTo(p).squared), distanceToSurface(p, mesh, mesh.indices), 2e-5)
+            << i;
     }
 }
 
@@ -194,7 +195,7 @@ TEST(SurfaceDistance, TheLargerOfTwoIsThatOfAWholeSearch) {
     double known = 0.0;
     for (int i = 0; i < 200; ++i) {
         const glm::dvec3 p = random.inCube(1.5);
-        const double squared = surface.squaredTo(p);
+        const double squared = surface.nearestTo(p).squared;
         for (const double other : {0.0, 0.5 * squared, squared, 2.0 * squared}) {
             EXPECT_EQ(surface.largerSquared(p, other), std::max(other, squared)) << i;
         }

@@ -40,11 +40,4 @@ std::uint32_t shineCode(const std::optional<scene::Shine>& shine) {
            stepOf(shine->roughness, shaders::kRoughnessSteps);
 }
 
-scene::Shine shineOfCode(std::uint32_t code) {
-    const std::uint32_t metallicStep = (code - 1) / shaders::kRoughnessSteps;
-    const std::uint32_t roughnessStep = (code - 1) % shaders::kRoughnessSteps;
-    return {.metallic = static_cast<float>(metallicStep) / (shaders::kMetallicSteps - 1),
-            .roughness = static_cast<float>(roughnessStep) / (shaders::kRoughnessSteps - 1)};
-}
-
 } // namespace cdr::render

@@ -24,7 +24,4 @@ bool shines(const scene::Material& material);
 /// outside [0, 1] count as its ends.
 std::uint32_t shineCode(const std::optional<scene::Shine>& shine);
 
-/// The metallic and roughness that a code not 0 stands for: within 0.125 and 0.01 of what it was made from.
-scene::Shine shineOfCode(std::uint32_t code);
-
 } // namespace cdr::render

@@ -25,10 +25,7 @@ class SurfaceDistance {
     };
     Nearest nearestTo(const glm::dvec3& point) const;
 
-    /// Squared distance from a point to the nearest triangle.
-    double squaredTo(const glm::dvec3& point) const { return nearestTo(point).squared; }
-
-    /// The larger of `known` and squaredTo(point). Mostly the search ends early: any triangle within `known` decides it.
+    /// The larger of `known` and the squared distance. Mostly the search ends early: any triangle within `known` decides it.
     double largerSquared(const glm::dvec3& point, double known) const;
 
     /// The largest of `known` and of points spread evenly over a triangle, corners and edges among them.
