@@ -51,12 +51,12 @@ float occlusionIn(ivec2 pixel, uvec4 texel) { return occlusionOf(texel); }
 #endif
 
 #ifdef LAYER
-// One layer of several: colour times coverage, and transmittance, as gpu::Blend::over takes them.
+// One layer of several: colour times opacity, and transmittance, as gpu::Blend::over takes them.
 layout(push_constant) uniform Push { LayerFade fade; };
 vec4 background() { return vec4(0.0, 0.0, 0.0, 1.0); }
 vec4 covering(vec3 color, float ahead) {
-    float coverage = 1.0 - clamp((ahead - fade.beginAhead) * fade.perUnit, 0.0, 1.0);
-    return vec4(coverage * color, 1.0 - coverage);
+    float opacity = 1.0 - clamp((ahead - fade.beginAhead) * fade.perUnit, 0.0, 1.0);
+    return vec4(opacity * color, 1.0 - opacity);
 }
 #else
 vec4 background() { return vec4(backgroundColor(), 1.0); }

@@ -53,9 +53,9 @@ Word lastWordOf(const Ending& ending) {
 }
 
 /// MPI as long as it lives. MPI calls of one thread at a time.
-class Session {
+class MpiLifetime {
   public:
-    Session() {
+    MpiLifetime() {
         int level = MPI_THREAD_SINGLE;
         MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &level);
         if (level < MPI_THREAD_SERIALIZED) {
@@ -63,17 +63,18 @@ class Session {
             throw base::RunError("this MPI does not support threads (MPI_THREAD_SERIALIZED)");
         }
     }
-    ~Session() { MPI_Finalize(); }
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
+    ~MpiLifetime() { MPI_Finalize(); }
+    MpiLifetime(const MpiLifetime&) = delete;
+    MpiLifetime& operator=(const MpiLifetime&) = delete;
 };
 
 class MpiRanks final : public Ranks {
   public:
-    MpiRanks(std::unique_ptr<HeldSignals> signals, std::unique_ptr<Session> session, Explain explain, Say say)
+    MpiRanks(std::unique_ptr<HeldSignals> signals, std::unique_ptr<MpiLifetime> lifetime, Explain explain,
+             Say say)
         : Ranks(placeAmongAll()),
           m_signals(std::move(signals)),
-          m_session(std::move(session)),
+          m_lifetime(std::move(lifetime)),
           m_explain(std::move(explain)),
           m_say(std::move(say)) {}
 
@@ -408,8 +409,8 @@ class MpiRanks final : public Ranks {
         return kMadeTag;
     }
 
-    std::unique_ptr<HeldSignals> m_signals; ///< until the end of the run
-    std::unique_ptr<Session> m_session;     ///< ends after all below
+    std::unique_ptr<HeldSignals> m_signals;  ///< until the end of the run
+    std::unique_ptr<MpiLifetime> m_lifetime; ///< ends after all below
     Explain m_explain;
     Say m_say;
     std::optional<MpiMachine> m_machine;
@@ -425,8 +426,8 @@ class MpiRanks final : public Ranks {
 
 std::unique_ptr<Ranks> makeMpiRanks(Explain explain, Say say) {
     auto signals = std::make_unique<HeldSignals>(); // before MPI, which may start threads
-    auto session = std::make_unique<Session>();
-    return std::make_unique<MpiRanks>(std::move(signals), std::move(session), std::move(explain),
+    auto lifetime = std::make_unique<MpiLifetime>();
+    return std::make_unique<MpiRanks>(std::move(signals), std::move(lifetime), std::move(explain),
                                       std::move(say));
 }
 

@@ -233,10 +233,10 @@ void AtomicPass::recordReadback(vk::CommandBuffer commands) {
     }
 }
 
-VisibleSurfaces AtomicPass::fetch(const render::FrameView& view) const {
+FramePixels AtomicPass::fetch(const render::FrameView& view) const {
     const std::size_t pixels = std::size_t{m_extent.width} * m_extent.height;
-    VisibleSurfaces found{.ids = image::ImageU32(m_extent.width, m_extent.height),
-                          .distanceView = image::Raster<double>(m_extent.width, m_extent.height)};
+    FramePixels found{.ids = image::ImageU32(m_extent.width, m_extent.height),
+                      .distanceView = image::Raster<double>(m_extent.width, m_extent.height)};
     m_keysOnHost.invalidate();
     const std::span<const std::uint64_t> keys = m_keysOnHost.as<std::uint64_t>(pixels);
     const KeyScale scale(m_rival, view.camera);

@@ -18,7 +18,7 @@ class AtomicPass final : public VisibilityPass {
 
     void record(vk::CommandBuffer commands, const FrameDraws& draws) override;
     void recordReadback(vk::CommandBuffer commands) override;
-    VisibleSurfaces fetch(const render::FrameView& view) const override;
+    FramePixels fetch(const render::FrameView& view) const override;
 
   private:
     bool hasIdPass() const { return m_rival.key != Key::log40; }

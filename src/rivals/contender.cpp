@@ -49,7 +49,7 @@ render::FrameStats Contender::draw(const scene::Camera& camera) {
     return run(camera, Copy::none);
 }
 
-VisibleSurfaces Contender::render(const scene::Camera& camera) {
+FramePixels Contender::render(const scene::Camera& camera) {
     run(camera, Copy::surfaces);
     return m_pass->fetch(m_draws.view());
 }

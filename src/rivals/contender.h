@@ -31,7 +31,7 @@ class Contender {
 
     /// Draws a frame and copies it.
     /// @throws base::InputError as draw().
-    VisibleSurfaces render(const scene::Camera& camera);
+    FramePixels render(const scene::Camera& camera);
 
     /// Of the last frame.
     std::size_t cascades() const { return m_draws.view().cascades.size(); }

@@ -12,7 +12,7 @@ namespace cdr::rivals {
 
 namespace {
 
-using Stage = vk::PipelineStageFlagBits2;
+using PipelineStage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
 /// The bits of the distance beyond the anchor, and the id word.
@@ -24,7 +24,7 @@ struct SurfacePixel {
 };
 static_assert(sizeof(SurfacePixel) == 8);
 
-constexpr auto kTestStages = Stage::eEarlyFragmentTests | Stage::eLateFragmentTests;
+constexpr auto kTestStages = PipelineStage::eEarlyFragmentTests | PipelineStage::eLateFragmentTests;
 constexpr auto kTestAccess = Access::eDepthStencilAttachmentRead | Access::eDepthStencilAttachmentWrite;
 
 } // namespace
@@ -71,14 +71,14 @@ vk::ClearDepthStencilValue DepthTestPass::clearDepth() const {
 
 void DepthTestPass::record(vk::CommandBuffer commands, const FrameDraws& draws) {
     gpu::pipelineBarrier(
-        commands,
-        {gpu::imageBarrier(m_surfaces.handle(), vk::ImageAspectFlagBits::eColor,
-                           Stage::eCopy | Stage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
-                           Stage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
-                           vk::ImageLayout::eUndefined, vk::ImageLayout::eColorAttachmentOptimal),
-         gpu::imageBarrier(m_depth.handle(), vk::ImageAspectFlagBits::eDepth, kTestStages,
-                           Access::eDepthStencilAttachmentWrite, kTestStages, kTestAccess,
-                           vk::ImageLayout::eUndefined, vk::ImageLayout::eDepthAttachmentOptimal)});
+        commands, {gpu::imageBarrier(m_surfaces.handle(), vk::ImageAspectFlagBits::eColor,
+                                     PipelineStage::eCopy | PipelineStage::eColorAttachmentOutput,
+                                     Access::eColorAttachmentWrite, PipelineStage::eColorAttachmentOutput,
+                                     Access::eColorAttachmentWrite, vk::ImageLayout::eUndefined,
+                                     vk::ImageLayout::eColorAttachmentOptimal),
+                   gpu::imageBarrier(m_depth.handle(), vk::ImageAspectFlagBits::eDepth, kTestStages,
+                                     Access::eDepthStencilAttachmentWrite, kTestStages, kTestAccess,
+                                     vk::ImageLayout::eUndefined, vk::ImageLayout::eDepthAttachmentOptimal)});
     const vk::RenderingAttachmentInfo color{.imageView = m_surfaces.view(),
                                             .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
                                             .loadOp = vk::AttachmentLoadOp::eClear,
@@ -109,18 +109,19 @@ void DepthTestPass::record(vk::CommandBuffer commands, const FrameDraws& draws) 
 
 void DepthTestPass::recordReadback(vk::CommandBuffer commands) {
     gpu::pipelineBarrier(
-        commands, {gpu::imageBarrier(
-                      m_surfaces.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
-                      Access::eColorAttachmentWrite, Stage::eCopy, Access::eTransferRead,
-                      vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eTransferSrcOptimal)});
+        commands,
+        {gpu::imageBarrier(m_surfaces.handle(), vk::ImageAspectFlagBits::eColor,
+                           PipelineStage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
+                           PipelineStage::eCopy, Access::eTransferRead,
+                           vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eTransferSrcOptimal)});
     m_readback.record(commands, m_surfaces);
 }
 
-VisibleSurfaces DepthTestPass::fetch(const render::FrameView& view) const {
+FramePixels DepthTestPass::fetch(const render::FrameView& view) const {
     const image::Raster<SurfacePixel> pixels = m_readback.fetch<SurfacePixel>();
-    VisibleSurfaces found{.ids = image::ImageU32(pixels.width, pixels.height),
-                          .distanceView = image::Raster<double>(pixels.width, pixels.height,
-                                                                std::numeric_limits<double>::infinity())};
+    FramePixels found{.ids = image::ImageU32(pixels.width, pixels.height),
+                      .distanceView = image::Raster<double>(pixels.width, pixels.height,
+                                                            std::numeric_limits<double>::infinity())};
     const std::vector<double> anchorsView = view.anchorsView();
     for (std::size_t i = 0; i < pixels.pixels.size(); ++i) {
         const SurfacePixel& pixel = pixels.pixels[i];

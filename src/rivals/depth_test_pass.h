@@ -17,7 +17,7 @@ class DepthTestPass final : public VisibilityPass {
 
     void record(vk::CommandBuffer commands, const FrameDraws& draws) override;
     void recordReadback(vk::CommandBuffer commands) override;
-    VisibleSurfaces fetch(const render::FrameView& view) const override;
+    FramePixels fetch(const render::FrameView& view) const override;
 
   private:
     gpu::Pipeline makePipeline(const gpu::Device& device, render::Span span) const;

@@ -8,7 +8,7 @@
 namespace cdr::rivals {
 
 /// What a frame shows, on the host.
-struct VisibleSurfaces {
+struct FramePixels {
     image::ImageU32 ids;                ///< object index + 1, 0 for background
     image::Raster<double> distanceView; ///< infinity for background
 };
@@ -26,7 +26,7 @@ class VisibilityPass {
     /// Copies what was found to the host, behind record().
     virtual void recordReadback(vk::CommandBuffer commands) = 0;
     /// What was copied, once the device is done.
-    virtual VisibleSurfaces fetch(const render::FrameView& view) const = 0;
+    virtual FramePixels fetch(const render::FrameView& view) const = 0;
 };
 
 } // namespace cdr::rivals

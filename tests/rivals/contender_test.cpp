@@ -50,7 +50,7 @@ class Contenders : public test::DeviceTest {
         return all;
     }
 
-    measure::WrongPixels wrongIn(const VisibleSurfaces& surfaces, const Arena& arena,
+    measure::WrongPixels wrongIn(const FramePixels& surfaces, const Arena& arena,
                                  const scene::Camera& camera) {
         return measure::countWrong(surfaces.ids, measure::castTruth(arena.setup.scene, camera, kExtent.width,
                                                                     kExtent.height, m_workers));
@@ -70,7 +70,7 @@ TEST_F(Contenders, DepthTestsShowTheIdsAndDistancesOfTheRenderer) {
                 device(), arena.setup.scene, arena.uploaded,
                 {.width = kExtent.width, .height = kExtent.height, .technique = technique});
             const scene::Camera camera = arena.setup.path.at(0);
-            const VisibleSurfaces surfaces = contender.render(camera);
+            const FramePixels surfaces = contender.render(camera);
             const render::Frame frame = renderer.render(camera);
             EXPECT_EQ(surfaces.ids, frame.ids()) << name << " in " << scene;
             EXPECT_EQ(contender.cascades(), frame.cascades.size()) << name << " in " << scene;
@@ -140,8 +140,8 @@ TEST_F(Contenders, APrepassChangesNoPixel) {
             }
             Contender alone = make(arena, named.rival);
             Contender behind = make(arena, parseRival(named.name + "/prepass").rival);
-            const VisibleSurfaces expected = alone.render(camera);
-            const VisibleSurfaces sieved = behind.render(camera);
+            const FramePixels expected = alone.render(camera);
+            const FramePixels sieved = behind.render(camera);
             EXPECT_EQ(sieved.ids, expected.ids) << named.name << " in " << scene;
             EXPECT_EQ(sieved.distanceView, expected.distanceView) << named.name << " in " << scene;
         }
@@ -155,7 +155,7 @@ TEST_F(Contenders, ADistanceAndAnIdComeTogether) {
     for (const NamedRival& named : drawable()) {
         Contender contender = make(arena, named.rival);
         contender.draw(arena.setup.path.at(3)); // what it leaves must not be seen
-        const VisibleSurfaces surfaces = contender.render(camera);
+        const FramePixels surfaces = contender.render(camera);
         std::size_t covered = 0;
         std::size_t torn = 0;
         for (std::size_t i = 0; i < surfaces.ids.pixels.size(); ++i) {
@@ -180,7 +180,7 @@ TEST_F(Contenders, DistancesAreThoseOfTheTruth) {
         // A float32 holds 24 bits of a distance, and its interpolation rounds some more.
         const double allowed = named.rival.distance == Distance::object ? 2e-5 : 2.0;
         Contender contender = make(arena, named.rival);
-        const VisibleSurfaces surfaces = contender.render(camera);
+        const FramePixels surfaces = contender.render(camera);
         double worst = 0.0;
         for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
             if (inner.pixels[i] != 0 && surfaces.ids.pixels[i] == truth.pixels[i].id) {

@@ -9,7 +9,7 @@ namespace cdr::gpu {
 namespace {
 
 /// @param parts go one after the other.
-Buffer stage(const Device& device, std::span<const std::span<const std::byte>> parts) {
+Buffer stagingBuffer(const Device& device, std::span<const std::span<const std::byte>> parts) {
     std::size_t bytes = 0;
     for (const std::span<const std::byte> part : parts) {
         bytes += part.size();
@@ -23,8 +23,8 @@ Buffer stage(const Device& device, std::span<const std::span<const std::byte>> p
     return staging;
 }
 
-Buffer stage(const Device& device, std::span<const std::byte> bytes) {
-    return stage(device, std::span(&bytes, 1));
+Buffer stagingBuffer(const Device& device, std::span<const std::byte> bytes) {
+    return stagingBuffer(device, std::span(&bytes, 1));
 }
 
 /// Where each level lies in a buffer that has all of them, one after the other.
@@ -51,7 +51,7 @@ Buffer uploadBuffer(const Device& device, std::span<const std::byte> bytes, vk::
     if (bytes.empty()) {
         return buffer;
     }
-    const Buffer staging = stage(device, bytes);
+    const Buffer staging = stagingBuffer(device, bytes);
     runOnce(device, [&](vk::CommandBuffer commands) {
         commands.copyBuffer(staging.handle(), buffer.handle(), vk::BufferCopy{.size = bytes.size()});
     });
@@ -101,7 +101,7 @@ void writeBuffer(const Device& device, const Buffer& buffer, std::span<const Buf
     if (copies.empty()) {
         return;
     }
-    const Buffer staging = stage(device, bytes);
+    const Buffer staging = stagingBuffer(device, bytes);
     runOnce(device, [&](vk::CommandBuffer commands) {
         commands.copyBuffer(staging.handle(), buffer.handle(), copies);
     });
@@ -115,21 +115,21 @@ Image uploadImage(const Device& device, vk::Extent2D extent, vk::Format format,
                  .usage = vk::ImageUsageFlagBits::eTransferDst | vk::ImageUsageFlagBits::eSampled,
                  .levels = static_cast<std::uint32_t>(levels.size())},
                 name);
-    const Buffer staging = stage(device, levels);
+    const Buffer staging = stagingBuffer(device, levels);
     const std::vector<vk::BufferImageCopy> copies = copiesOf(extent, levels);
-    using Stage = vk::PipelineStageFlagBits2;
+    using PipelineStage = vk::PipelineStageFlagBits2;
     using Access = vk::AccessFlagBits2;
     runOnce(device, [&](vk::CommandBuffer commands) {
         pipelineBarrier(commands,
-                        {imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor, Stage::eNone,
-                                      Access::eNone, Stage::eCopy, Access::eTransferWrite,
+                        {imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eNone,
+                                      Access::eNone, PipelineStage::eCopy, Access::eTransferWrite,
                                       vk::ImageLayout::eUndefined, vk::ImageLayout::eTransferDstOptimal)});
         commands.copyBufferToImage(staging.handle(), image.handle(), vk::ImageLayout::eTransferDstOptimal,
                                    copies);
         pipelineBarrier(
             commands,
-            {imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor, Stage::eCopy,
-                          Access::eTransferWrite, Stage::eFragmentShader, Access::eShaderSampledRead,
+            {imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eCopy,
+                          Access::eTransferWrite, PipelineStage::eFragmentShader, Access::eShaderSampledRead,
                           vk::ImageLayout::eTransferDstOptimal, vk::ImageLayout::eShaderReadOnlyOptimal)});
     });
     return image;

@@ -64,8 +64,8 @@ bool Presenter::isStale() const {
         return true;
     }
     // Some surfaces are suboptimal forever; making the same swapchain each frame would not help.
-    return m_swapchain->state() > SurfaceState::suboptimal ||
-           (m_swapchain->state() == SurfaceState::suboptimal &&
+    return m_swapchain->state() > SwapchainState::suboptimal ||
+           (m_swapchain->state() == SwapchainState::suboptimal &&
             m_swapchain->isOutgrown(m_device, m_ui.surface(), m_wanted));
 }
 
@@ -136,10 +136,10 @@ bool Presenter::draw(const PictureLayout& layout, ImDrawData* interface, image::
         submit(commands, slot, m_swapchain->image(*image));
         m_swapchain->present(m_device.queue(), *image);
     }
-    if (m_swapchain->state() == SurfaceState::lost) {
+    if (m_swapchain->state() == SwapchainState::lost) {
         loseSurface();
     }
-    if (m_swapchain->state() > SurfaceState::suboptimal) {
+    if (m_swapchain->state() > SwapchainState::suboptimal) {
         return false;
     }
     m_surfacesLost = 0;
@@ -152,20 +152,21 @@ bool Presenter::draw(const PictureLayout& layout, ImDrawData* interface, image::
 
 void Presenter::record(vk::CommandBuffer commands, std::size_t slot, const Swapchain::Image& target,
                        const PictureLayout& layout, ImDrawData* interface) {
-    using Stage = vk::PipelineStageFlagBits2;
+    using PipelineStage = vk::PipelineStageFlagBits2;
     using Access = vk::AccessFlagBits2;
     for (const auto& picture : m_pictures) {
         picture->recordUpload(commands, slot);
     }
     gpu::pipelineBarrier(
-        commands, {gpu::imageBarrier(target.image, vk::ImageAspectFlagBits::eColor, Stage::eAllTransfer,
-                                     Access::eNone, Stage::eAllTransfer, Access::eTransferWrite,
-                                     vk::ImageLayout::eUndefined, vk::ImageLayout::eTransferDstOptimal)});
+        commands,
+        {gpu::imageBarrier(target.image, vk::ImageAspectFlagBits::eColor, PipelineStage::eAllTransfer,
+                           Access::eNone, PipelineStage::eAllTransfer, Access::eTransferWrite,
+                           vk::ImageLayout::eUndefined, vk::ImageLayout::eTransferDstOptimal)});
     commands.clearColorImage(target.image, vk::ImageLayout::eTransferDstOptimal, kBackground, kWhole);
     gpu::pipelineBarrier(
         commands,
-        {gpu::imageBarrier(target.image, vk::ImageAspectFlagBits::eColor, Stage::eAllTransfer,
-                           Access::eTransferWrite, Stage::eAllTransfer, Access::eTransferWrite,
+        {gpu::imageBarrier(target.image, vk::ImageAspectFlagBits::eColor, PipelineStage::eAllTransfer,
+                           Access::eTransferWrite, PipelineStage::eAllTransfer, Access::eTransferWrite,
                            vk::ImageLayout::eTransferDstOptimal, vk::ImageLayout::eTransferDstOptimal)});
     const vk::Rect2D area = within(layout.area, m_swapchain->extent());
     const double divider = layout.pictures > 1 ? layout.divider : 1.0;

@@ -69,13 +69,13 @@ void Swapchain::note(vk::Result result, const char* call) {
     case vk::Result::eSuccess:
         break;
     case vk::Result::eSuboptimalKHR:
-        m_state = std::max(m_state, SurfaceState::suboptimal);
+        m_state = std::max(m_state, SwapchainState::suboptimal);
         break;
     case vk::Result::eErrorOutOfDateKHR:
-        m_state = std::max(m_state, SurfaceState::outOfDate);
+        m_state = std::max(m_state, SwapchainState::outOfDate);
         break;
     case vk::Result::eErrorSurfaceLostKHR:
-        m_state = SurfaceState::lost;
+        m_state = SwapchainState::lost;
         break;
     default:
         vk::resultCheck(result, call);

@@ -11,7 +11,7 @@
 namespace cdr::viewer {
 
 /// What a window system said last of the surface that a swapchain was made for.
-enum class SurfaceState : std::uint8_t {
+enum class SwapchainState : std::uint8_t {
     fits,
     suboptimal, ///< shows what is drawn, but perhaps scaled
     outOfDate,  ///< a new swapchain is due
@@ -46,7 +46,7 @@ class Swapchain {
     std::optional<std::uint32_t> acquire(vk::Semaphore ready);
     /// Shows an image, if the surface is still what it was.
     void present(vk::Queue queue, std::uint32_t image);
-    SurfaceState state() const { return m_state; }
+    SwapchainState state() const { return m_state; }
     /// Whether a swapchain made now would be another one.
     bool isOutgrown(const gpu::Device& device, vk::SurfaceKHR surface, vk::Extent2D wanted) const;
 
@@ -66,7 +66,7 @@ class Swapchain {
     vk::Format m_format;
     vk::SurfaceTransformFlagBitsKHR m_transform{};
     bool m_isReadable = false;
-    SurfaceState m_state = SurfaceState::fits;
+    SwapchainState m_state = SwapchainState::fits;
     vk::UniqueSwapchainKHR m_swapchain;
     std::vector<Image> m_images;
 };

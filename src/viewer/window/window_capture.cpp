@@ -19,25 +19,25 @@ WindowCapture::WindowCapture(const gpu::Device& device, const Swapchain& swapcha
 }
 
 void WindowCapture::record(vk::CommandBuffer commands, vk::Image image) const {
-    using Stage = vk::PipelineStageFlagBits2;
+    using PipelineStage = vk::PipelineStageFlagBits2;
     using Access = vk::AccessFlagBits2;
-    const auto turn = [&](Stage srcStage, Access src, Stage dstStage, Access dst, vk::ImageLayout from,
-                          vk::ImageLayout to) {
+    const auto turn = [&](PipelineStage srcStage, Access src, PipelineStage dstStage, Access dst,
+                          vk::ImageLayout from, vk::ImageLayout to) {
         gpu::pipelineBarrier(commands, {gpu::imageBarrier(image, vk::ImageAspectFlagBits::eColor, srcStage,
                                                           src, dstStage, dst, from, to)});
     };
-    turn(Stage::eColorAttachmentOutput, Access::eColorAttachmentWrite, Stage::eCopy, Access::eTransferRead,
-         vk::ImageLayout::ePresentSrcKHR, vk::ImageLayout::eTransferSrcOptimal);
+    turn(PipelineStage::eColorAttachmentOutput, Access::eColorAttachmentWrite, PipelineStage::eCopy,
+         Access::eTransferRead, vk::ImageLayout::ePresentSrcKHR, vk::ImageLayout::eTransferSrcOptimal);
     commands.copyImageToBuffer(
         image, vk::ImageLayout::eTransferSrcOptimal, m_buffer.handle(),
         vk::BufferImageCopy{.imageSubresource = {vk::ImageAspectFlagBits::eColor, 0, 0, 1},
                             .imageExtent = {m_extent.width, m_extent.height, 1}});
-    turn(Stage::eCopy, Access::eTransferRead, Stage::eBottomOfPipe, Access::eNone,
+    turn(PipelineStage::eCopy, Access::eTransferRead, PipelineStage::eBottomOfPipe, Access::eNone,
          vk::ImageLayout::eTransferSrcOptimal, vk::ImageLayout::ePresentSrcKHR);
     gpu::pipelineBarrier(commands, {},
-                         {{.srcStageMask = Stage::eCopy,
+                         {{.srcStageMask = PipelineStage::eCopy,
                            .srcAccessMask = Access::eTransferWrite,
-                           .dstStageMask = Stage::eHost,
+                           .dstStageMask = PipelineStage::eHost,
                            .dstAccessMask = Access::eHostRead}});
 }
 

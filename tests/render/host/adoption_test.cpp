@@ -155,16 +155,18 @@ class DeviceEngine : public adoption::Engine {
     }
 
     void enterLayouts() {
-        using Stage = vk::PipelineStageFlagBits2;
+        using PipelineStage = vk::PipelineStageFlagBits2;
         using Access = vk::AccessFlagBits2;
         gpu::pipelineBarrier(
             m_commands,
-            {gpu::imageBarrier(m_ids.handle(), vk::ImageAspectFlagBits::eColor, Stage::eNone, Access::eNone,
-                               Stage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
-                               vk::ImageLayout::eUndefined, vk::ImageLayout::eColorAttachmentOptimal),
-             gpu::imageBarrier(m_depth.handle(), vk::ImageAspectFlagBits::eDepth, Stage::eNone, Access::eNone,
-                               Stage::eAllGraphics, Access::eMemoryRead | Access::eMemoryWrite,
-                               vk::ImageLayout::eUndefined, vk::ImageLayout::eDepthAttachmentOptimal)});
+            {gpu::imageBarrier(m_ids.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eNone,
+                               Access::eNone, PipelineStage::eColorAttachmentOutput,
+                               Access::eColorAttachmentWrite, vk::ImageLayout::eUndefined,
+                               vk::ImageLayout::eColorAttachmentOptimal),
+             gpu::imageBarrier(m_depth.handle(), vk::ImageAspectFlagBits::eDepth, PipelineStage::eNone,
+                               Access::eNone, PipelineStage::eAllGraphics,
+                               Access::eMemoryRead | Access::eMemoryWrite, vk::ImageLayout::eUndefined,
+                               vk::ImageLayout::eDepthAttachmentOptimal)});
     }
 
     const gpu::Device& m_device;

@@ -62,7 +62,7 @@ glm::dvec4 readFirst(const scene::Texture& texture, bool showsTexels, const glm:
 }
 
 /// How much of the span [begin, end) of a side the texel i covers.
-double coverage(double begin, double end, std::uint32_t i) {
+double overlap(double begin, double end, std::uint32_t i) {
     return std::max(0.0, std::min(end, i + 1.0) - std::max<double>(begin, i));
 }
 
@@ -72,9 +72,9 @@ glm::vec4 average(const scene::Texture& texture, const glm::dvec2& begin, const 
     const auto lastX = static_cast<std::uint32_t>(std::ceil(end.x));
     const auto lastY = static_cast<std::uint32_t>(std::ceil(end.y));
     for (auto y = static_cast<std::uint32_t>(begin.y); y < std::min(lastY, texture.pixels.height); ++y) {
-        const double share = coverage(begin.y, end.y, y);
+        const double share = overlap(begin.y, end.y, y);
         for (auto x = static_cast<std::uint32_t>(begin.x); x < std::min(lastX, texture.pixels.width); ++x) {
-            sum += share * coverage(begin.x, end.x, x) * linearOf(texture.pixels.at(x, y), texture.content);
+            sum += share * overlap(begin.x, end.x, x) * linearOf(texture.pixels.at(x, y), texture.content);
         }
     }
     return {sum / ((end.x - begin.x) * (end.y - begin.y))};

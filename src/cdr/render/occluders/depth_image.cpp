@@ -6,10 +6,10 @@ namespace cdr::render {
 
 namespace {
 
-using Stage = vk::PipelineStageFlagBits2;
+using PipelineStage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
-constexpr auto kDepthStages = Stage::eEarlyFragmentTests | Stage::eLateFragmentTests;
+constexpr auto kDepthStages = PipelineStage::eEarlyFragmentTests | PipelineStage::eLateFragmentTests;
 constexpr auto kDepthAccess = Access::eDepthStencilAttachmentRead | Access::eDepthStencilAttachmentWrite;
 
 } // namespace
@@ -27,7 +27,7 @@ std::size_t occluderCopyBytes(vk::Extent2D extent) {
 
 void beginOccluders(vk::CommandBuffer primary, const gpu::Image& depth, vk::RenderingFlags flags) {
     gpu::pipelineBarrier(
-        primary, {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, Stage::eCopy,
+        primary, {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, PipelineStage::eCopy,
                                     Access::eNone, kDepthStages, kDepthAccess, vk::ImageLayout::eUndefined,
                                     vk::ImageLayout::eDepthAttachmentOptimal)});
     const vk::RenderingAttachmentInfo attachment{.imageView = depth.view(),
@@ -45,7 +45,7 @@ void copyOccluders(vk::CommandBuffer primary, const gpu::Image& depth, vk::Buffe
     gpu::pipelineBarrier(
         primary,
         {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, kDepthStages,
-                           Access::eDepthStencilAttachmentWrite, Stage::eCopy, Access::eTransferRead,
+                           Access::eDepthStencilAttachmentWrite, PipelineStage::eCopy, Access::eTransferRead,
                            vk::ImageLayout::eDepthAttachmentOptimal, vk::ImageLayout::eTransferSrcOptimal)});
     const auto& [width, height] = depth.options().extent;
     primary.copyImageToBuffer(

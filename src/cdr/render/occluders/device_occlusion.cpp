@@ -16,7 +16,7 @@ namespace cdr::render {
 
 namespace {
 
-using Stage = vk::PipelineStageFlagBits2;
+using PipelineStage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
 constexpr auto kBufferType = vk::DescriptorType::eStorageBuffer;
@@ -147,9 +147,10 @@ void DeviceOcclusion::prepare(const FrameView& view, std::size_t instances, Slot
 
 void DeviceOcclusion::begin(vk::CommandBuffer primary) const {
     // Frames before saw other instances, and read the tiles and the copy.
-    gpu::pipelineBarrier(primary, {},
-                         {orderOf(Stage::eComputeShader, Access::eShaderStorageWrite,
-                                  Stage::eComputeShader | Stage::eCopy, kUsed | Access::eTransferWrite)});
+    gpu::pipelineBarrier(
+        primary, {},
+        {orderOf(PipelineStage::eComputeShader, Access::eShaderStorageWrite,
+                 PipelineStage::eComputeShader | PipelineStage::eCopy, kUsed | Access::eTransferWrite)});
 }
 
 void DeviceOcclusion::draw(vk::CommandBuffer primary, const Slot& slot,
@@ -162,16 +163,17 @@ void DeviceOcclusion::draw(vk::CommandBuffer primary, const Slot& slot,
     }
     primary.endRendering();
     copyOccluders(primary, m_depth, m_copy.handle());
-    gpu::pipelineBarrier(primary, {},
-                         {orderOf(Stage::eCopy, Access::eTransferWrite, Stage::eComputeShader, kUsed)});
+    gpu::pipelineBarrier(
+        primary, {},
+        {orderOf(PipelineStage::eCopy, Access::eTransferWrite, PipelineStage::eComputeShader, kUsed)});
     primary.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *m_layout, kOcclusionSet, slot.set, {});
     const Grid tiles = tilesOf(m_extent);
     const auto reduce = [&](vk::Pipeline pipeline, const Grid& grid) {
         primary.bindPipeline(vk::PipelineBindPoint::eCompute, pipeline);
         primary.dispatch(partsOf(grid.size(), kReduceInvocations), 1, 1);
-        gpu::pipelineBarrier(
-            primary, {},
-            {orderOf(Stage::eComputeShader, Access::eShaderStorageWrite, Stage::eComputeShader, kUsed)});
+        gpu::pipelineBarrier(primary, {},
+                             {orderOf(PipelineStage::eComputeShader, Access::eShaderStorageWrite,
+                                      PipelineStage::eComputeShader, kUsed)});
     };
     reduce(*m_reduce, tiles);
     reduce(*m_reduceSquares, tiles.coarser(shaders::kSquareSide));

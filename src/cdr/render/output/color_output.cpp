@@ -8,7 +8,7 @@ namespace cdr::render {
 
 namespace {
 
-using Stage = vk::PipelineStageFlagBits2;
+using PipelineStage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
 constexpr vk::ImageSubresourceLayers kColorLayer{vk::ImageAspectFlagBits::eColor, 0, 0, 1};
@@ -37,20 +37,20 @@ void convertPicture(vk::CommandBuffer primary, const gpu::Image& picture, const 
 } // namespace
 
 void recordColorOutput(vk::CommandBuffer primary, const gpu::Image& picture, const SurfaceImage& into) {
-    const auto barrier = [&](Stage srcStage, vk::AccessFlags2 srcAccess, Stage dstStage,
+    const auto barrier = [&](PipelineStage srcStage, vk::AccessFlags2 srcAccess, PipelineStage dstStage,
                              vk::AccessFlags2 dstAccess, vk::ImageLayout before, vk::ImageLayout after) {
         gpu::pipelineBarrier(primary,
                              {gpu::imageBarrier(into.image, vk::ImageAspectFlagBits::eColor, srcStage,
                                                 srcAccess, dstStage, dstAccess, before, after)});
     };
-    barrier(Stage::eAllCommands, Access::eMemoryWrite, Stage::eAllTransfer, Access::eTransferWrite,
-            vk::ImageLayout::eUndefined, vk::ImageLayout::eTransferDstOptimal);
+    barrier(PipelineStage::eAllCommands, Access::eMemoryWrite, PipelineStage::eAllTransfer,
+            Access::eTransferWrite, vk::ImageLayout::eUndefined, vk::ImageLayout::eTransferDstOptimal);
     if (vk::Format(into.format) == picture.options().format) {
         copyPicture(primary, picture, into);
     } else {
         convertPicture(primary, picture, into);
     }
-    barrier(Stage::eAllTransfer, Access::eTransferWrite, Stage::eAllCommands,
+    barrier(PipelineStage::eAllTransfer, Access::eTransferWrite, PipelineStage::eAllCommands,
             Access::eMemoryRead | Access::eMemoryWrite, vk::ImageLayout::eTransferDstOptimal,
             vk::ImageLayout(into.layout));
 }

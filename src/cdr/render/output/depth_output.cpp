@@ -10,11 +10,11 @@ namespace cdr::render {
 
 namespace {
 
-using Stage = vk::PipelineStageFlagBits2;
+using PipelineStage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
 constexpr auto kDepthStage = vk::ShaderStageFlagBits::eFragment;
-constexpr auto kTests = Stage::eEarlyFragmentTests | Stage::eLateFragmentTests;
+constexpr auto kTests = PipelineStage::eEarlyFragmentTests | PipelineStage::eLateFragmentTests;
 
 std::vector<vk::DescriptorType> depthBindings() {
     return {vk::DescriptorType::eCombinedImageSampler, vk::DescriptorType::eStorageBuffer};
@@ -67,10 +67,10 @@ DepthOutput::Inputs DepthOutput::makeInputs(const gpu::Image& gbuffer, const Sha
 
 void DepthOutput::record(vk::CommandBuffer primary, const Inputs& inputs, const HostDepth& into) const {
     m_device.beginLabel(primary, "host depth");
-    gpu::pipelineBarrier(primary,
-                         {depthBarrier(into.image.image, Stage::eAllCommands, Access::eMemoryWrite, kTests,
-                                       Access::eDepthStencilAttachmentWrite, vk::ImageLayout::eUndefined,
-                                       vk::ImageLayout::eDepthAttachmentOptimal)});
+    gpu::pipelineBarrier(
+        primary, {depthBarrier(into.image.image, PipelineStage::eAllCommands, Access::eMemoryWrite, kTests,
+                               Access::eDepthStencilAttachmentWrite, vk::ImageLayout::eUndefined,
+                               vk::ImageLayout::eDepthAttachmentOptimal)});
     const vk::RenderingAttachmentInfo depth{.imageView = into.image.view,
                                             .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
                                             .loadOp = vk::AttachmentLoadOp::eDontCare,
@@ -84,9 +84,9 @@ void DepthOutput::record(vk::CommandBuffer primary, const Inputs& inputs, const 
     primary.endRendering();
     gpu::pipelineBarrier(
         primary,
-        {depthBarrier(into.image.image, kTests, Access::eDepthStencilAttachmentWrite, Stage::eAllCommands,
-                      Access::eMemoryRead | Access::eMemoryWrite, vk::ImageLayout::eDepthAttachmentOptimal,
-                      vk::ImageLayout(into.image.layout))});
+        {depthBarrier(into.image.image, kTests, Access::eDepthStencilAttachmentWrite,
+                      PipelineStage::eAllCommands, Access::eMemoryRead | Access::eMemoryWrite,
+                      vk::ImageLayout::eDepthAttachmentOptimal, vk::ImageLayout(into.image.layout))});
     m_device.endLabel(primary);
 }
 

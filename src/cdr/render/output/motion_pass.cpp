@@ -11,7 +11,7 @@ namespace cdr::render {
 
 namespace {
 
-using Stage = vk::PipelineStageFlagBits2;
+using PipelineStage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
 constexpr std::uint32_t kRecordsBinding = 2;
@@ -97,10 +97,10 @@ void MotionPass::record(vk::CommandBuffer primary, const Inputs& inputs) const {
         m_deformed.record(primary, inputs.m_deformed, inputs.m_inputs.set(), m_image);
     }
     gpu::pipelineBarrier(
-        primary,
-        {gpu::imageBarrier(m_image.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
-                           Access::eColorAttachmentWrite, Stage::eAllTransfer, Access::eTransferRead,
-                           vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eTransferSrcOptimal)});
+        primary, {gpu::imageBarrier(
+                     m_image.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eColorAttachmentOutput,
+                     Access::eColorAttachmentWrite, PipelineStage::eAllTransfer, Access::eTransferRead,
+                     vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eTransferSrcOptimal)});
     m_device.endLabel(primary);
 }
 

@@ -12,7 +12,7 @@ namespace cdr::render {
 
 namespace {
 
-using Stage = vk::PipelineStageFlagBits2;
+using PipelineStage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 using Usage = vk::ImageUsageFlagBits;
 
@@ -65,8 +65,9 @@ void Picture::finish(vk::CommandBuffer primary) const {
     }
     gpu::pipelineBarrier(
         primary,
-        {gpu::imageBarrier(encoded().handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
-                           Access::eColorAttachmentWrite, Stage::eAllTransfer, Access::eTransferRead,
+        {gpu::imageBarrier(encoded().handle(), vk::ImageAspectFlagBits::eColor,
+                           PipelineStage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
+                           PipelineStage::eAllTransfer, Access::eTransferRead,
                            vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eTransferSrcOptimal)});
     m_device.endLabel(primary);
 }

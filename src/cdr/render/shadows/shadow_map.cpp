@@ -12,13 +12,13 @@ namespace cdr::render {
 
 namespace {
 
-using Stage = vk::PipelineStageFlagBits2;
+using PipelineStage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
 constexpr auto kDepthFormat = vk::Format::eD32Sfloat;
 constexpr auto kSlopeFormat = vk::Format::eR16G16B16A16Sfloat;
 constexpr auto kPushStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
-constexpr auto kDepthStages = Stage::eEarlyFragmentTests | Stage::eLateFragmentTests;
+constexpr auto kDepthStages = PipelineStage::eEarlyFragmentTests | PipelineStage::eLateFragmentTests;
 
 gpu::ImageOptions depthOptions(std::uint32_t side) {
     return {.extent = {side, side},
@@ -69,26 +69,27 @@ constexpr auto kColorWrites = Access::eColorAttachmentWrite;
 void handToAttachments(vk::CommandBuffer primary, const gpu::Image& depth, const gpu::Image& slope) {
     using Layout = vk::ImageLayout;
     gpu::pipelineBarrier(
-        primary, {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, Stage::eFragmentShader,
-                                    Access::eNone, kDepthStages, kDepthWrites, Layout::eUndefined,
-                                    Layout::eDepthAttachmentOptimal),
-                  gpu::imageBarrier(slope.handle(), vk::ImageAspectFlagBits::eColor, Stage::eFragmentShader,
-                                    Access::eNone, Stage::eColorAttachmentOutput, kColorWrites,
-                                    Layout::eUndefined, Layout::eColorAttachmentOptimal)});
+        primary,
+        {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, PipelineStage::eFragmentShader,
+                           Access::eNone, kDepthStages, kDepthWrites, Layout::eUndefined,
+                           Layout::eDepthAttachmentOptimal),
+         gpu::imageBarrier(slope.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eFragmentShader,
+                           Access::eNone, PipelineStage::eColorAttachmentOutput, kColorWrites,
+                           Layout::eUndefined, Layout::eColorAttachmentOptimal)});
 }
 
 /// And back.
 void handToShaders(vk::CommandBuffer primary, const gpu::Image& depth, const gpu::Image& slope) {
     using Layout = vk::ImageLayout;
     gpu::pipelineBarrier(
-        primary,
-        {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, kDepthStages,
-                           Access::eDepthStencilAttachmentWrite, Stage::eFragmentShader,
-                           Access::eShaderSampledRead, Layout::eDepthAttachmentOptimal,
-                           Layout::eShaderReadOnlyOptimal),
-         gpu::imageBarrier(slope.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
-                           kColorWrites, Stage::eFragmentShader, Access::eShaderSampledRead,
-                           Layout::eColorAttachmentOptimal, Layout::eShaderReadOnlyOptimal)});
+        primary, {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, kDepthStages,
+                                    Access::eDepthStencilAttachmentWrite, PipelineStage::eFragmentShader,
+                                    Access::eShaderSampledRead, Layout::eDepthAttachmentOptimal,
+                                    Layout::eShaderReadOnlyOptimal),
+                  gpu::imageBarrier(slope.handle(), vk::ImageAspectFlagBits::eColor,
+                                    PipelineStage::eColorAttachmentOutput, kColorWrites,
+                                    PipelineStage::eFragmentShader, Access::eShaderSampledRead,
+                                    Layout::eColorAttachmentOptimal, Layout::eShaderReadOnlyOptimal)});
 }
 
 } // namespace

@@ -26,7 +26,7 @@ namespace {
 /// In BinningPass::SceneBuffers.
 enum SceneBuffer : std::size_t { kSpheres, kLooks, kMaterials, kRuns, kGroups, kLevels };
 
-using Stage = vk::PipelineStageFlagBits2;
+using PipelineStage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
 /// Runs of a group, whose commands one invocation of bin_commands.comp lists. lavapipe ends a loop after 65,535 turns, and
@@ -84,7 +84,7 @@ std::vector<host::IndexRange> rangesOf(std::span<const std::uint32_t> places) {
 }
 
 vk::MemoryBarrier2 barrier(vk::PipelineStageFlags2 stages, vk::AccessFlags2 access) {
-    return {.srcStageMask = Stage::eComputeShader,
+    return {.srcStageMask = PipelineStage::eComputeShader,
             .srcAccessMask = Access::eShaderStorageWrite,
             .dstStageMask = stages,
             .dstAccessMask = access};
@@ -346,9 +346,9 @@ void BinningPass::recordCopies(vk::CommandBuffer commands, const Copies& copies)
         return;
     }
     gpu::pipelineBarrier(commands, {},
-                         {{.srcStageMask = Stage::eComputeShader | Stage::eCopy,
+                         {{.srcStageMask = PipelineStage::eComputeShader | PipelineStage::eCopy,
                            .srcAccessMask = Access::eTransferWrite,
-                           .dstStageMask = Stage::eCopy,
+                           .dstStageMask = PipelineStage::eCopy,
                            .dstAccessMask = Access::eTransferWrite}});
     for (std::size_t i = 0; i < copies.regions.size(); ++i) {
         if (!copies.regions[i].empty()) {
@@ -356,9 +356,9 @@ void BinningPass::recordCopies(vk::CommandBuffer commands, const Copies& copies)
         }
     }
     gpu::pipelineBarrier(commands, {},
-                         {{.srcStageMask = Stage::eCopy,
+                         {{.srcStageMask = PipelineStage::eCopy,
                            .srcAccessMask = Access::eTransferWrite,
-                           .dstStageMask = Stage::eComputeShader,
+                           .dstStageMask = PipelineStage::eComputeShader,
                            .dstAccessMask = Access::eShaderStorageRead}});
 }
 
@@ -370,7 +370,7 @@ void BinningPass::record(vk::CommandBuffer commands, Kept kept, std::size_t casc
     const auto listGroups =
         static_cast<std::uint32_t>((lists + kCommandInvocations - 1) / kCommandInvocations);
     const auto next =
-        barrier(Stage::eComputeShader, Access::eShaderStorageRead | Access::eShaderStorageWrite);
+        barrier(PipelineStage::eComputeShader, Access::eShaderStorageRead | Access::eShaderStorageWrite);
     m_device.beginLabel(commands, "cull and bin");
     commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *m_layout, 0, sets, {});
     const auto dispatch = [&](vk::Pipeline pipeline, std::uint32_t groups, const vk::MemoryBarrier2& after) {
@@ -381,9 +381,10 @@ void BinningPass::record(vk::CommandBuffer commands, Kept kept, std::size_t casc
     dispatch(*m_count[static_cast<std::size_t>(kept)], blocks, next);
     dispatch(*m_scan, 1, next);
     dispatch(*m_fill, blocks, next);
-    dispatch(*m_commands, listGroups,
-             barrier(Stage::eDrawIndirect | Stage::eVertexAttributeInput | Stage::eHost,
-                     Access::eIndirectCommandRead | Access::eVertexAttributeRead | Access::eHostRead));
+    dispatch(
+        *m_commands, listGroups,
+        barrier(PipelineStage::eDrawIndirect | PipelineStage::eVertexAttributeInput | PipelineStage::eHost,
+                Access::eIndirectCommandRead | Access::eVertexAttributeRead | Access::eHostRead));
     m_device.endLabel(commands);
 }
 

@@ -50,7 +50,7 @@ class FocusLayers final : public Targets {
     struct Layer {
         gpu::Image gbuffer;
         gpu::Image depth;
-        gpu::Image lit;    ///< colour times coverage, and transmittance
+        gpu::Image lit;    ///< colour times opacity, and transmittance
         PassInputs merged; ///< what merging reads
         PassInputs laid;   ///< what composing reads
     };

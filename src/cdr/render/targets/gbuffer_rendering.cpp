@@ -9,10 +9,10 @@ namespace cdr::render {
 
 namespace {
 
-using Stage = vk::PipelineStageFlagBits2;
+using PipelineStage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
-constexpr auto kDepthStages = Stage::eEarlyFragmentTests | Stage::eLateFragmentTests;
+constexpr auto kDepthStages = PipelineStage::eEarlyFragmentTests | PipelineStage::eLateFragmentTests;
 constexpr auto kDepthAccess = Access::eDepthStencilAttachmentRead | Access::eDepthStencilAttachmentWrite;
 constexpr auto kColorAccess = Access::eColorAttachmentRead | Access::eColorAttachmentWrite;
 
@@ -49,23 +49,24 @@ vk::ImageMemoryBarrier2 marksBarrier(const gpu::Image& marks) {
 
 vk::ImageMemoryBarrier2 attachBarrier(const gpu::Image& gbuffer) {
     // A host may have read the last frame's in any stage, and nobody need have read it at all.
-    return gpu::imageBarrier(gbuffer.handle(), vk::ImageAspectFlagBits::eColor, Stage::eAllCommands,
-                             Access::eColorAttachmentWrite, Stage::eColorAttachmentOutput, kColorAccess,
-                             vk::ImageLayout::eUndefined, vk::ImageLayout::eColorAttachmentOptimal);
-}
-
-vk::ImageMemoryBarrier2 chainBarrier(const gpu::Image& gbuffer) {
-    return gpu::imageBarrier(gbuffer.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
-                             Access::eColorAttachmentWrite, Stage::eColorAttachmentOutput, kColorAccess,
-                             vk::ImageLayout::eColorAttachmentOptimal,
+    return gpu::imageBarrier(gbuffer.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eAllCommands,
+                             Access::eColorAttachmentWrite, PipelineStage::eColorAttachmentOutput,
+                             kColorAccess, vk::ImageLayout::eUndefined,
                              vk::ImageLayout::eColorAttachmentOptimal);
 }
 
+vk::ImageMemoryBarrier2 chainBarrier(const gpu::Image& gbuffer) {
+    return gpu::imageBarrier(
+        gbuffer.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eColorAttachmentOutput,
+        Access::eColorAttachmentWrite, PipelineStage::eColorAttachmentOutput, kColorAccess,
+        vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eColorAttachmentOptimal);
+}
+
 vk::ImageMemoryBarrier2 readBarrier(const gpu::Image& gbuffer) {
-    return gpu::imageBarrier(gbuffer.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
-                             Access::eColorAttachmentWrite, Stage::eFragmentShader,
-                             Access::eShaderSampledRead, vk::ImageLayout::eColorAttachmentOptimal,
-                             vk::ImageLayout::eShaderReadOnlyOptimal);
+    return gpu::imageBarrier(
+        gbuffer.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eColorAttachmentOutput,
+        Access::eColorAttachmentWrite, PipelineStage::eFragmentShader, Access::eShaderSampledRead,
+        vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eShaderReadOnlyOptimal);
 }
 
 void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope) {

@@ -11,7 +11,7 @@ namespace cdr::render {
 
 namespace {
 
-using Stage = vk::PipelineStageFlagBits2;
+using PipelineStage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
 using Usage = vk::BufferUsageFlagBits;
@@ -90,25 +90,25 @@ void FragmentList::makeNodes(std::uint64_t fragments) {
 
 void FragmentList::recordClear(vk::CommandBuffer primary) const {
     gpu::pipelineBarrier(primary, {},
-                         {{.srcStageMask = Stage::eFragmentShader | Stage::eTransfer,
+                         {{.srcStageMask = PipelineStage::eFragmentShader | PipelineStage::eTransfer,
                            .srcAccessMask = Access::eShaderStorageWrite,
-                           .dstStageMask = Stage::eTransfer,
+                           .dstStageMask = PipelineStage::eTransfer,
                            .dstAccessMask = Access::eTransferWrite}});
     primary.fillBuffer(m_heads.handle(), 0, VK_WHOLE_SIZE, shaders::kNoNode);
     primary.fillBuffer(m_count.handle(), 0, VK_WHOLE_SIZE, 0);
     gpu::pipelineBarrier(primary, {},
-                         {{.srcStageMask = Stage::eTransfer,
+                         {{.srcStageMask = PipelineStage::eTransfer,
                            .srcAccessMask = Access::eTransferWrite,
-                           .dstStageMask = Stage::eFragmentShader,
+                           .dstStageMask = PipelineStage::eFragmentShader,
                            .dstAccessMask = Access::eShaderStorageRead | Access::eShaderStorageWrite}});
 }
 
 void FragmentList::recordCount(vk::CommandBuffer primary) const {
     primary.copyBuffer(m_count.handle(), m_readCount.handle(), {{0, 0, sizeof(std::uint32_t)}});
     gpu::pipelineBarrier(primary, {},
-                         {{.srcStageMask = Stage::eTransfer,
+                         {{.srcStageMask = PipelineStage::eTransfer,
                            .srcAccessMask = Access::eTransferWrite,
-                           .dstStageMask = Stage::eHost,
+                           .dstStageMask = PipelineStage::eHost,
                            .dstAccessMask = Access::eHostRead}});
 }
 

@@ -18,7 +18,7 @@ namespace cdr::render {
 
 namespace {
 
-using Stage = vk::PipelineStageFlagBits2;
+using PipelineStage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
 TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, const gpu::SetLayout& list,
@@ -74,9 +74,9 @@ void SortedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& fram
         }
     }
     gpu::pipelineBarrier(primary, {chainBarrier(frame.lit)},
-                         {{.srcStageMask = Stage::eFragmentShader,
+                         {{.srcStageMask = PipelineStage::eFragmentShader,
                            .srcAccessMask = Access::eShaderStorageWrite,
-                           .dstStageMask = Stage::eFragmentShader | Stage::eTransfer,
+                           .dstStageMask = PipelineStage::eFragmentShader | PipelineStage::eTransfer,
                            .dstAccessMask = Access::eShaderStorageRead | Access::eShaderStorageWrite |
                                             Access::eTransferRead}});
     list.recordCount(primary);
@@ -93,9 +93,9 @@ void SortedBlend::recordNext(vk::CommandBuffer primary, const TranslucentFrame& 
     }
     constexpr auto kLists = Access::eShaderStorageRead | Access::eShaderStorageWrite;
     gpu::pipelineBarrier(primary, images,
-                         {{.srcStageMask = Stage::eFragmentShader,
+                         {{.srcStageMask = PipelineStage::eFragmentShader,
                            .srcAccessMask = kLists,
-                           .dstStageMask = Stage::eFragmentShader,
+                           .dstStageMask = PipelineStage::eFragmentShader,
                            .dstAccessMask = kLists}});
 }
 
