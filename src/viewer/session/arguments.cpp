@@ -5,6 +5,7 @@
 #include <cdr/base/error.h>
 #include <cdr/host/document.h>
 #include <cdr/host/worker_pool.h>
+#include <cdr/render/targets/targets_choice.h>
 #include <experiments/help_format.h>
 #include <experiments/number_checks.h>
 #include <scenes/open_scene.h>
