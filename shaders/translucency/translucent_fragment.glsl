@@ -128,12 +128,12 @@ float layerShift(float ahead) {
     return min(push.layerOffset + push.layerSlope * steepness, 0.5 * (inCentreRange.x + ahead));
 }
 
-// Discards what belongs to another cascade or is occluded.
+// Discards what belongs to another range or is occluded.
 TranslucentFragment translucentFragment() {
     float ahead = inNormalAhead.w;
     float shift = layerShift(ahead); // this and textures before anything is discarded, since they need derivatives
     Surface surface = surfaceHere();
-    // Half-open: of two cascades that meet, exactly one keeps a fragment, since both compare the same bits.
+    // Half-open: of two ranges that meet, exactly one keeps a fragment, since both compare the same bits.
     if (!(ahead >= inCentreRange.z && ahead < inCentreRange.w)) {
         discard;
     }

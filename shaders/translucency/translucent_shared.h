@@ -12,14 +12,15 @@ namespace cdr::shaders {
 #define CDR_CONST const uint
 #endif
 
-// One translucent draw in one cascade: object to view space, relative to the plane through the instance's own
-// centre. It is the same for every cascade and mapping. So a triangle has the same bits in every cascade.
+// One translucent draw: object to view space, relative to the plane through the instance's own centre. It is drawn in one range
+// of view distances: a cascade's, or all of them where fragments are sorted. The record is the same for every cascade and
+// mapping. So a triangle has the same bits in every cascade.
 struct TranslucentRecord {
     vec4 right;       // row of (view * basis) in xyz, translation in w: view-space x
     vec4 up;          // the same for view-space y
     vec4 ahead;       // the same for the view distance, without translation
-    vec4 centreRange; // view distance of the centre, a float and its rest; then [near, far) of the cascade
-                      // less the centre, formed in float64: the far end of one cascade is the near end of the
+    vec4 centreRange; // view distance of the centre, a float and its rest; then [near, far) of the range
+                      // less the centre, formed in float64: the far end of one range is the near end of the
                       // next to the bit
     uint id;          // object index + 1, and kIdUnlit
     uint baseColorRg; // linear base colour factor as four halves
@@ -27,13 +28,13 @@ struct TranslucentRecord {
     uint shine; // DrawRecord's
 };
 
-// What the draws of one cascade share; push constants.
+// What the draws of one range share; push constants.
 struct TranslucentPush {
     float projectionX; // as CascadePush has them
     float projectionY;
     float
         behind; // view distance below which vertices are clipped: nearer than anything visible, and in front
-    float nearView;    // the cascade's, for weights
+    float nearView;    // the range's, for weights
     float spread;      // 1 / ln(far / near)
     uint width;        // of the picture
     uint capacity;     // of the fragment list, in fragments

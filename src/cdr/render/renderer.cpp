@@ -271,6 +271,9 @@ void Renderer::settle(Slot& slot) {
             if (slot.path->needsVisible()) {
                 cull(slot.view); // by now the list may be a later frame's
             }
+            if (slot.translucent) {
+                m_passes->translucent->prepareAgain(*slot.translucent, slot.view, m_workers);
+            }
             launch(slot, {.destination = slot.destination});
         }
     }

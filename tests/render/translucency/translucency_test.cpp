@@ -120,6 +120,22 @@ TEST_F(TranslucencyTest, SheetsLieInSeveralCascades) {
     EXPECT_GT(eight.stats.translucency.draws, one.stats.translucency.draws * 3 / 2);
 }
 
+/// Where no instance is drawn twice, nothing depends on two draws that interpolate alike.
+TEST_F(TranslucencyTest, SortedDrawsEachInstanceOnce) {
+    const std::size_t visible =
+        draw(m_sheets.scene, m_camera, optionsFor(countOf(depth::Mapping::anchored, 1), {}))
+            .stats.translucency.draws;
+    ASSERT_EQ(visible, 64u);
+    for (const depth::Technique& technique : techniquesToBlend()) {
+        render::RenderOptions options = optionsFor(technique, Translucency::sorted);
+        options.width = 32;
+        options.height = 18;
+        const render::TranslucencyStats stats = draw(m_sheets.scene, m_camera, options).stats.translucency;
+        EXPECT_EQ(stats.method, Translucency::sorted);
+        EXPECT_EQ(stats.draws, visible) << nameOf(technique);
+    }
+}
+
 TEST_F(TranslucencyTest, OrderOfInstancesChangesNoBitWhenSorted) {
     const render::RenderOptions options =
         optionsFor(countOf(depth::Mapping::anchored, 4), Translucency::sorted);

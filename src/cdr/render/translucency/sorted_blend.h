@@ -8,7 +8,7 @@
 
 namespace cdr::render {
 
-/// Translucency::sorted: all cascades put their fragments into one list per pixel, which is sorted in place
+/// Translucency::sorted: each instance is drawn once, whatever the cascades. Its fragments go into one list per pixel, which is sorted in place
 /// by metric view distance and blended once. The order is total, so the picture has the same bits for every
 /// order of instances, thread count, targets, submission and number of cascades.
 class SortedBlend {

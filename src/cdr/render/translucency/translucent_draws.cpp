@@ -59,7 +59,10 @@ bool haveCommon(const depth::Interval& distances, const shaders::TranslucentSlic
 
 } // namespace
 
-depth::Cascades translucentRanges(const FrameView& view) {
+depth::Cascades translucentRanges(const FrameView& view, Translucency method) {
+    if (method == Translucency::sorted) {
+        return {{view.camera.nearView, view.camera.farView}};
+    }
     depth::Cascades ranges;
     double nearView = view.camera.nearView;
     for (std::size_t i = 0; i < view.cascades.size(); ++i) {
@@ -75,8 +78,8 @@ TranslucentDraws::TranslucentDraws(const gpu::Device& device, const DrawnScene& 
     : m_device(device),
       m_scene(scene) {}
 
-void TranslucentDraws::prepare(const FrameView& view, host::WorkerPool& workers) {
-    m_ranges = translucentRanges(view);
+void TranslucentDraws::prepare(const FrameView& view, Translucency method, host::WorkerPool& workers) {
+    m_ranges = translucentRanges(view, method);
     m_frustum = view.frustum;
     m_nearView = view.camera.nearView;
     visibility::cullSpheres(m_scene.scene.instances, m_scene.uploaded.blended(), view.camera, view.frustum,

@@ -5,6 +5,7 @@
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/drawn_scene.h>
 #include <cdr/render/frame_view.h>
+#include <cdr/render/translucency/translucency.h>
 #include <cdr/render/translucency/translucent_pipelines.h>
 #include <cdr/render/view_transform.h>
 #include <cdr/shaders/translucent_shared.h>
@@ -16,9 +17,10 @@
 
 namespace cdr::render {
 
-/// Where a translucent fragment belongs: to the one range that holds its view distance. Without gap or
-/// overlap from the camera's near plane to its far plane, one per cascade, whatever the cascades leave out.
-depth::Cascades translucentRanges(const FrameView& view);
+/// Where a translucent fragment belongs: to the one range that holds its view distance. Without gap or overlap from the
+/// camera's near plane to its far plane. Weighted sums are those of a cascade, so there is one range for each. What is
+/// sorted needs one range alone, whatever the mapping: distances are metric, and no depth buffer is asked.
+depth::Cascades translucentRanges(const FrameView& view, Translucency method);
 
 /// One frame's translucent draws: culled, binned into ranges and written on the calling thread's time, since
 /// they are few, for every submission alike. Within a range they keep scene order. Owned by one frame slot.
@@ -29,7 +31,7 @@ class TranslucentDraws {
 
     /// Overwrites the lists and records. The last frame that drew them must have finished. base::RunError,
     /// with both figures, when the records need more memory than there is.
-    void prepare(const FrameView& view, host::WorkerPool& workers);
+    void prepare(const FrameView& view, Translucency method, host::WorkerPool& workers);
 
     std::size_t ranges() const { return m_ranges.size(); }
     bool isEmpty(std::size_t range) const { return m_lists.range(range).size() == 0; }

@@ -81,12 +81,18 @@ TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) co
 
 void TranslucentPass::prepare(Slot& slot, const FrameView& view, std::uint32_t subPixelBits,
                               host::WorkerPool& workers) const {
-    slot.draws.prepare(view, workers);
+    slot.refusal = m_refusal;
+    slot.draws.prepare(view, methodOf(slot), workers);
     if (slot.shadows) {
         slot.shadows->prepare(view, slot.draws.visible(), subPixelBits, workers);
         slot.shadows->bind(slot.surroundings, kShadowBinding, *m_sampler);
     }
-    slot.refusal = m_refusal;
+}
+
+void TranslucentPass::prepareAgain(Slot& slot, const FrameView& view, host::WorkerPool& workers) const {
+    if (methodOf(slot) != m_options.method) {
+        slot.draws.prepare(view, methodOf(slot), workers);
+    }
 }
 
 void TranslucentPass::record(vk::CommandBuffer primary, Slot& slot) const {
@@ -98,7 +104,7 @@ void TranslucentPass::record(vk::CommandBuffer primary, Slot& slot) const {
                                  .lit = m_lit,
                                  .counter = m_counter.get(),
                                  .shadows = slot.shadows ? &*slot.shadows : nullptr};
-    if (sorts(slot)) {
+    if (methodOf(slot) == Translucency::sorted) {
         m_sorted->record(primary, frame, *slot.list);
     } else {
         m_weighted.record(primary, frame);
@@ -106,13 +112,13 @@ void TranslucentPass::record(vk::CommandBuffer primary, Slot& slot) const {
 }
 
 bool TranslucentPass::settle(Slot& slot, TranslucencyStats& stats) const {
-    const bool sorted = sorts(slot);
+    const bool sorted = methodOf(slot) == Translucency::sorted;
     const std::uint32_t fragments = sorted ? slot.list->count() : 0;
     if (sorted && fragments > slot.list->capacity()) {
         slot.refusal = slot.list->grow(fragments);
         return false;
     }
-    stats = {.method = sorted ? Translucency::sorted : Translucency::weighted,
+    stats = {.method = methodOf(slot),
              .draws = slot.draws.draws(),
              .fragments = fragments,
              .bytes = sorted ? slot.list->bytes() : WeightedBlend::predictBytes(m_lit.options().extent),

@@ -13,8 +13,8 @@
 namespace cdr::render {
 
 /// Draws a scene's translucent surfaces over its lit opaque ones. It does not depend on targets, depth mapping or
-/// depth buffer. A fragment is occluded if the final G-buffer holds a smaller metric view distance. It belongs to
-/// the one cascade whose range holds its distance.
+/// depth buffer. A fragment is occluded if the final G-buffer holds a smaller metric view distance. Where
+/// sums are weighted, it belongs to the one cascade whose range holds its distance.
 class TranslucentPass {
   public:
     /// What one frame slot owns.
@@ -42,6 +42,8 @@ class TranslucentPass {
     /// Decides what a frame draws; the slot's last frame must have finished.
     void prepare(Slot& slot, const FrameView& view, std::uint32_t subPixelBits,
                  host::WorkerPool& workers) const;
+    /// Before a frame is drawn again, for what settle() changed. The scene must be that of prepare().
+    void prepareAgain(Slot& slot, const FrameView& view, host::WorkerPool& workers) const;
     /// After shading; the lit image stays a colour attachment.
     void record(vk::CommandBuffer primary, Slot& slot) const;
     /// After the frame ran. False when its fragments found no room; draw it again.
@@ -54,7 +56,9 @@ class TranslucentPass {
     image::ImageU32 fragmentCounts() const { return m_counter ? m_counter->fetch() : image::ImageU32(); }
 
   private:
-    bool sorts(const Slot& slot) const { return slot.list && !slot.refusal; }
+    static Translucency methodOf(const Slot& slot) {
+        return slot.list && !slot.refusal ? Translucency::sorted : Translucency::weighted;
+    }
 
     const gpu::Device& m_device;
     DrawnScene m_scene;
