@@ -12,13 +12,14 @@ layout(location = 0) out vec3 outDeformed; // right, up and view distance of the
 layout(location = 1) out float outBeyond;  // view distance beyond the instance's origin
 
 void main() {
-    float right = dot(push.right.xyz, inPosition) + push.right.w;
-    float up = dot(push.up.xyz, inPosition) + push.up.w;
-    float beyond = dot(push.ahead.xyz, inPosition);
-    float distanceView = push.ahead.w + beyond;
+    // Rounded as geometry.vert rounds: the fragment shader compares distances with those of the G-buffer.
+    precise float right = dot(push.right.xyz, inPosition) + push.right.w;
+    precise float up = dot(push.up.xyz, inPosition) + push.up.w;
+    precise float beyond = dot(push.ahead.xyz, inPosition);
+    precise float distanceView = push.ahead.w + beyond;
     // No depth is tested, so z only has to lie between the clip planes.
     gl_Position = vec4(vec2(right, up) * push.projection, 0.5 * distanceView, distanceView);
-    vec3 moved = inBefore - inPosition;
+    precise vec3 moved = inBefore - inPosition;
     outDeformed = vec3(dot(push.rightBefore.xyz, moved), dot(push.upBefore.xyz, moved), dot(push.aheadBefore.xyz, moved));
     outBeyond = beyond;
 }

@@ -22,6 +22,15 @@
 #ifndef CDR_DEPTH_GLSL
 #define CDR_DEPTH_GLSL
 
+// Rounded as written, so that pipelines agree to the bit. GLSL has no word for it before 4.00.
+#ifndef CDR_PRECISE
+#if __VERSION__ < 400
+#define CDR_PRECISE
+#else
+#define CDR_PRECISE precise
+#endif
+#endif
+
 // One cascade's cdr::depth::ClipTerms, rounded to float.
 //   standard           anchorView 0      scale f/(f-n)   offset -fn/(f-n)
 //   reversed           anchorView 0      scale -n/(f-n)  offset fn/(f-n)    no far plane: scale 0, offset n
@@ -37,7 +46,8 @@ struct CdrDepth {
 // Clip position under standard, reversed, anchored and anchored-reversed: one row of a projection matrix, so early depth
 // tests and multisampling stay as they are.
 vec4 cdrClipPosition(vec2 projected, float ahead, CdrDepth depth) {
-    return vec4(projected, depth.scale * ahead + depth.offset, depth.anchorView + ahead);
+    CDR_PRECISE vec4 position = vec4(projected, depth.scale * ahead + depth.offset, depth.anchorView + ahead);
+    return position;
 }
 
 // Logarithmic depth in [0, 1] of a view distance, for gl_FragDepth or a vertex. A vertex behind the camera has no
@@ -51,7 +61,7 @@ float cdrLogDepth(float distanceView, CdrDepth depth) {
 // triangle that spans the share e of the distance.
 // @range ahead: in front of the camera, as cdrLogDepth() says.
 vec4 cdrClipPositionLog(vec2 projected, float ahead, CdrDepth depth) {
-    float distanceView = depth.anchorView + ahead;
+    CDR_PRECISE float distanceView = depth.anchorView + ahead;
     return vec4(projected, cdrLogDepth(distanceView, depth) * distanceView, distanceView);
 }
 
@@ -64,12 +74,17 @@ vec4 cdrClipPositionLogTangent(vec2 projected, float ahead, float touchView, Cdr
     const float kMargin = 2e-6; // covers the roundings of both sides
     float distanceView = depth.anchorView + ahead;
     float atTouch = cdrLogDepth(touchView, depth) - kMargin;
-    return vec4(projected, (atTouch + depth.offset) * distanceView - depth.offset * touchView, distanceView);
+    CDR_PRECISE vec4 position =
+        vec4(projected, (atTouch + depth.offset) * distanceView - depth.offset * touchView, distanceView);
+    return position;
 }
 
 // Signed distances to the near and far plane of a cascade, positive inside, for gl_ClipDistance[0] and [1].
 // rangeAhead: the planes of cdr::depth::clipRange(), less anchorView, subtracted in float64; the nearer first.
-vec2 cdrInside(float ahead, vec2 rangeAhead) { return vec2(ahead - rangeAhead.x, rangeAhead.y - ahead); }
+vec2 cdrInside(float ahead, vec2 rangeAhead) {
+    CDR_PRECISE vec2 inside = vec2(ahead - rangeAhead.x, rangeAhead.y - ahead);
+    return inside;
+}
 
 // The same for wide draws: triangles many times longer than their distance, which clip distances cut inexactly. It cuts only
 // what lies behind the camera. The fragment shader cuts the rest: it discards what cdrIsOutside() of its own `ahead`.

@@ -4,6 +4,7 @@
 
 #define vec2 float2
 #define vec4 float4
+#define CDR_PRECISE precise
 #include "cdr_depth.glsl"
 #undef vec2
 #undef vec4

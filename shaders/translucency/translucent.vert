@@ -31,14 +31,19 @@ layout(location = 3) flat out vec4 outCentreRange;
 layout(location = 4) flat out uint outId;
 layout(location = 5) flat out uint outShine;
 
+// The same bits in every draw: an instance is drawn once for each cascade or slice of shadows that it is in, and each
+// fragment must be in one of them.
+invariant gl_Position;
+
 void main() {
-    float x = dot(inRight.xyz, inPosition) + inRight.w;
-    float y = dot(inUp.xyz, inPosition) + inUp.w;
-    float ahead = dot(inAhead.xyz, inPosition);
-    float distanceView = inCentreRange.x + ahead;
+    precise float x = dot(inRight.xyz, inPosition) + inRight.w;
+    precise float y = dot(inUp.xyz, inPosition) + inUp.w;
+    precise float ahead = dot(inAhead.xyz, inPosition);
+    precise float distanceView = inCentreRange.x + ahead;
     // No depth buffer: what is in front of what the fragment shader finds by distances alone.
     gl_Position = vec4(x * push.projectionX, y * push.projectionY, 0.0, distanceView);
-    gl_ClipDistance[0] = distanceView - push.behind;
+    precise float inFront = distanceView - push.behind;
+    gl_ClipDistance[0] = inFront;
 
     // As geometry.vert turns them.
     vec3 back = -inAhead.xyz;

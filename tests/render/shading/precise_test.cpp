@@ -1,11 +1,20 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/shaders/caster_vert.h>
+#include <cdr/shaders/facet_vert.h>
+#include <cdr/shaders/geometry_faceted_vert.h>
+#include <cdr/shaders/geometry_pushed_vert.h>
+#include <cdr/shaders/geometry_vert.h>
+#include <cdr/shaders/output_deformed_motion_vert.h>
+#include <cdr/shaders/output_motion_frag.h>
 #include <cdr/shaders/receiver_facets_frag.h>
 #include <cdr/shaders/receiver_frag.h>
 #include <cdr/shaders/shading_frag.h>
 #include <cdr/shaders/shading_occluded_frag.h>
 #include <cdr/shaders/shading_shadowed_frag.h>
+#include <cdr/shaders/translucent_detailed_vert.h>
+#include <cdr/shaders/translucent_sorted_frag.h>
 #include <cdr/shaders/translucent_sorted_shadowed_frag.h>
+#include <cdr/shaders/translucent_vert.h>
 #include <cdr/shaders/translucent_weighted_frag.h>
 
 #include <gtest/gtest.h>
@@ -103,6 +112,23 @@ TEST(PreciseDistances, SmallDifferencesOfLargeOnesAreRoundedAsWritten) {
         {"translucent receivers", kTranslucentSortedShadowedFrag, "texelsAt", 1},
         {"translucent receivers", kTranslucentSortedShadowedFrag, "texelsBefore", 1},
         {"casters", kCasterVert, "main", 6},
+        {"geometry", kGeometryVert, "main", 3},
+        {"geometry", kGeometryVert, "cdrClipPosition", 2},
+        {"geometry", kGeometryVert, "cdrClipPositionLog", 1},
+        {"geometry", kGeometryVert, "cdrClipPositionLogTangent", 4},
+        {"geometry", kGeometryVert, "cdrInside", 2},
+        {"geometry of facets", kGeometryFacetedVert, "main", 3},
+        {"geometry, pushed", kGeometryPushedVert, "main", 3},
+        {"facets", kFacetVert, "cdrClipPosition", 2},
+        {"facets", kFacetVert, "cdrInside", 2},
+        {"translucent surfaces", kTranslucentVert, "main", 4},
+        {"translucent surfaces with detail", kTranslucentDetailedVert, "main", 4},
+        {"sorted translucency", kTranslucentSortedFrag, "cdrExactSum", 6},
+        {"sorted translucency", kTranslucentSortedFrag, "cdrPairSum", 1},
+        {"motion", kOutputMotionFrag, "cdrExactSum", 6},
+        {"motion", kOutputMotionFrag, "cdrUpperHalf", 2},
+        {"motion", kOutputMotionFrag, "cdrExactProduct", 6},
+        {"motion of deformed meshes", kOutputDeformedMotionVert, "main", 4},
     };
     for (const Case& each : cases) {
         SCOPED_TRACE(each.name + ": " + each.function);
