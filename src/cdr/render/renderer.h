@@ -169,6 +169,8 @@ class CDR_EXPORT Renderer {
     void launch(Slot& slot, const Delivery& delivery);
     /// What the frame draws into.
     Targets& drawnTargets() const;
+    /// Makes them attachments, once a host that knows the frame's images has read the last one's.
+    void beginTargets(VkCommandBuffer primary);
     /// Lists a frame's draws and begins its commands. @param watch that times the frame up to its submission.
     void beginFrame(Slot& slot, const Delivery& delivery, host::StageWatch& watch);
     /// Records the cascades into drawnTargets(), which somebody began.
@@ -192,7 +194,8 @@ class CDR_EXPORT Renderer {
     RenderOptions m_options;
     host::WorkerPool m_workers;
     Needs m_needs;
-    std::uint64_t m_revision = 0; ///< of the scene, as the passes know it
+    std::uint64_t m_revision = 0;            ///< of the scene, as the passes know it
+    mutable bool m_areSurfacesNamed = false; ///< by surfaces(), so a host may read them in any stage
     FacetsMadeFrom m_facetsMadeFrom;
     std::unique_ptr<DrawPathFactory> m_paths;
     std::unique_ptr<Passes> m_passes;

@@ -13,13 +13,20 @@ namespace cdr::render {
 void Renderer::launch(Slot& slot, const Delivery& delivery) {
     host::StageWatch watch(m_options.trace);
     beginFrame(slot, delivery, watch);
-    drawnTargets().begin(slot.path->primary());
+    beginTargets(slot.path->primary());
     recordDraws(slot);
     finishFrame(slot, delivery, watch);
 }
 
 Targets& Renderer::drawnTargets() const {
     return m_passes->litTargets != nullptr ? *m_passes->litTargets : m_passes->targets;
+}
+
+void Renderer::beginTargets(VkCommandBuffer primary) {
+    if (m_areSurfacesNamed) {
+        waitForHostReads(primary);
+    }
+    drawnTargets().begin(primary);
 }
 
 void Renderer::beginFrame(Slot& slot, const Delivery& delivery, host::StageWatch& watch) {

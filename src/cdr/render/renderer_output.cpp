@@ -21,6 +21,7 @@ vk::ImageMemoryBarrier2 copyBarrier(const gpu::Image& image) {
 } // namespace
 
 Surfaces Renderer::surfaces() const {
+    m_areSurfacesNamed = true;
     const auto imageOf = [](const gpu::Image& image, vk::ImageLayout layout) {
         return SurfaceImage{.image = image.handle(),
                             .view = image.view(),

@@ -183,8 +183,10 @@ void Presenter::record(vk::CommandBuffer commands, std::size_t slot, const Swapc
 void Presenter::submit(vk::CommandBuffer commands, const Slot& slot, const Swapchain::Image& target) const {
     const vk::SemaphoreSubmitInfo wait{.semaphore = *slot.imageReady,
                                        .stageMask = vk::PipelineStageFlagBits2::eAllTransfer};
+    // Whichever comes last: the interface, or a capture's copy.
     const vk::SemaphoreSubmitInfo signal{.semaphore = *target.drawn,
-                                         .stageMask = vk::PipelineStageFlagBits2::eAllCommands};
+                                         .stageMask = vk::PipelineStageFlagBits2::eColorAttachmentOutput |
+                                                      vk::PipelineStageFlagBits2::eAllTransfer};
     const vk::CommandBufferSubmitInfo buffer{.commandBuffer = commands};
     vk::Queue(m_device.queue())
         .submit2(vk::SubmitInfo2{.waitSemaphoreInfoCount = 1,

@@ -32,7 +32,7 @@ void WindowCapture::record(vk::CommandBuffer commands, vk::Image image) const {
         image, vk::ImageLayout::eTransferSrcOptimal, m_buffer.handle(),
         vk::BufferImageCopy{.imageSubresource = {vk::ImageAspectFlagBits::eColor, 0, 0, 1},
                             .imageExtent = {m_extent.width, m_extent.height, 1}});
-    turn(PipelineStage::eCopy, Access::eTransferRead, PipelineStage::eBottomOfPipe, Access::eNone,
+    turn(PipelineStage::eCopy, Access::eTransferRead, PipelineStage::eCopy, Access::eNone,
          vk::ImageLayout::eTransferSrcOptimal, vk::ImageLayout::ePresentSrcKHR);
     gpu::pipelineBarrier(commands, {},
                          {{.srcStageMask = PipelineStage::eCopy,

@@ -1,4 +1,5 @@
 #include "../fixture.h"
+#include "host_side.h"
 #include "read_image.h"
 #include "read_spirv.h"
 
@@ -7,6 +8,7 @@
 
 #include <array>
 #include <cstring>
+#include <functional>
 #include <vector>
 
 namespace cdr::render_test {
@@ -18,8 +20,12 @@ using Decoded = std::array<float, 12>;
 
 class DecodeTest : public RenderTest {
   protected:
+    using Recorder = std::function<void(vk::CommandBuffer)>;
+
+    /// @param run has commands recorded, and waits until they have run.
     image::Raster<Decoded> decode(const char* shader, const render::SurfaceImage& gbuffer,
-                                  const std::vector<double>& anchorsView) {
+                                  const std::vector<double>& anchorsView,
+                                  const std::function<void(const Recorder&)>& run) {
         using Type = vk::DescriptorType;
         const std::vector<Type> bindings{Type::eSampledImage, Type::eStorageBuffer};
         constexpr auto kStage = vk::ShaderStageFlagBits::eCompute;
@@ -40,7 +46,7 @@ class DecodeTest : public RenderTest {
                                  "decoded");
         gpu::writeImageBinding(device(), set, 0, Type::eSampledImage, gbuffer.view, {});
         gpu::writeBufferBinding(device(), set, 1, Type::eStorageBuffer, values.handle());
-        gpu::runOnce(device(), [&](vk::CommandBuffer commands) {
+        run([&](vk::CommandBuffer commands) {
             commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
             commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, set, {});
             commands.pushConstants<decltype(anchors)>(*layout, kStage, 0, anchors);
@@ -70,7 +76,8 @@ TEST_F(DecodeTest, AHostsShadersReadWhatAFrameHolds) {
     const render::Surfaces surfaces = renderer.surfaces();
     ASSERT_LE(surfaces.anchorsView.size(), 8u);
     ASSERT_GT(surfaces.anchorsView.size(), 1u);
-    const auto decoded = decode(CDR_DECODE_GBUFFER, surfaces.gbuffer, surfaces.anchorsView);
+    const auto runOnce = [&](const Recorder& record) { gpu::runOnce(device(), record); };
+    const auto decoded = decode(CDR_DECODE_GBUFFER, surfaces.gbuffer, surfaces.anchorsView, runOnce);
     std::size_t compared = 0;
     for (std::uint32_t y = 0; y < frame.height(); ++y) {
         for (std::uint32_t x = 0; x < frame.width(); ++x) {
@@ -94,7 +101,7 @@ TEST_F(DecodeTest, AHostsShadersReadWhatAFrameHolds) {
         }
     }
     EXPECT_GT(compared, 1000u);
-    const auto byHlsl = decode(CDR_DECODE_GBUFFER_HLSL, surfaces.gbuffer, surfaces.anchorsView);
+    const auto byHlsl = decode(CDR_DECODE_GBUFFER_HLSL, surfaces.gbuffer, surfaces.anchorsView, runOnce);
     for (std::size_t i = 0; i < decoded.pixels.size(); ++i) {
         if (decoded.pixels[i][2] != 0.0f) {
             for (std::size_t k = 0; k < 4; ++k) { // what is not a rounded direction or colour
@@ -104,6 +111,36 @@ TEST_F(DecodeTest, AHostsShadersReadWhatAFrameHolds) {
                 ASSERT_NEAR(byHlsl.pixels[i][k], decoded.pixels[i][k], 1e-6f) << i;
             }
         }
+    }
+}
+
+/// A compute shader reads a frame's G-buffer, and the next frame follows in the same command buffer. So the validation layer
+/// sees both.
+TEST_F(DecodeTest, AFrameWaitsForWhatAHostReadsInAnyStage) {
+    const scene::SceneSetup setup = scenes::makeAfc(1);
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    options.framesInFlight = 2;
+    const render::GpuScene gpuScene(device(), setup.scene);
+    HostSide host(device(), {options.width, options.height});
+    render::Renderer renderer(device(), setup.scene, gpuScene, options);
+    const render::Frame wanted = renderer.render(setup.path.at(7));
+    const render::HostFrame frame = host.begin();
+    renderer.record(setup.path.at(7), frame);
+    const render::Surfaces surfaces = renderer.surfaces();
+    const auto readAndDrawOn = [&](const Recorder& read) {
+        gpu::pipelineBarrier(frame.commands, {},
+                             {{.srcStageMask = vk::PipelineStageFlagBits2::eAllCommands,
+                               .srcAccessMask = vk::AccessFlagBits2::eMemoryWrite,
+                               .dstStageMask = vk::PipelineStageFlagBits2::eComputeShader,
+                               .dstAccessMask = vk::AccessFlagBits2::eShaderSampledRead}});
+        read(frame.commands);
+        renderer.record(setup.path.at(200), frame);
+        host.submit();
+        renderer.finish();
+    };
+    const auto decoded = decode(CDR_DECODE_GBUFFER, surfaces.gbuffer, surfaces.anchorsView, readAndDrawOn);
+    for (std::size_t i = 0; i < decoded.pixels.size(); ++i) {
+        ASSERT_EQ(decoded.pixels[i][2], static_cast<float>(wanted.gbuffer.pixels[i].id())) << i;
     }
 }
 

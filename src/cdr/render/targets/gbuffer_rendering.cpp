@@ -48,8 +48,10 @@ vk::ImageMemoryBarrier2 marksBarrier(const gpu::Image& marks) {
 }
 
 vk::ImageMemoryBarrier2 attachBarrier(const gpu::Image& gbuffer) {
-    // A host may have read the last frame's in any stage, and nobody need have read it at all.
-    return gpu::imageBarrier(gbuffer.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eAllCommands,
+    // The last frame's was shaded from or copied, and nobody need have read it at all.
+    constexpr auto kUsers =
+        PipelineStage::eColorAttachmentOutput | PipelineStage::eFragmentShader | PipelineStage::eAllTransfer;
+    return gpu::imageBarrier(gbuffer.handle(), vk::ImageAspectFlagBits::eColor, kUsers,
                              Access::eColorAttachmentWrite, PipelineStage::eColorAttachmentOutput,
                              kColorAccess, vk::ImageLayout::eUndefined,
                              vk::ImageLayout::eColorAttachmentOptimal);
@@ -67,6 +69,14 @@ vk::ImageMemoryBarrier2 readBarrier(const gpu::Image& gbuffer) {
         gbuffer.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eColorAttachmentOutput,
         Access::eColorAttachmentWrite, PipelineStage::eFragmentShader, Access::eShaderSampledRead,
         vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eShaderReadOnlyOptimal);
+}
+
+void waitForHostReads(vk::CommandBuffer primary) {
+    gpu::pipelineBarrier(primary, {},
+                         {{.srcStageMask = PipelineStage::eAllCommands,
+                           .srcAccessMask = Access::eNone,
+                           .dstStageMask = PipelineStage::eColorAttachmentOutput,
+                           .dstAccessMask = Access::eNone}});
 }
 
 void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope) {

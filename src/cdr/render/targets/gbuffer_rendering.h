@@ -23,7 +23,8 @@ struct GBufferScope {
 /// The depth attachment if it marks what is drawn, else null.
 const gpu::Image* marksOf(const gpu::Image& depth, const gpu::Image& surfaces);
 
-/// Makes a G-buffer a colour attachment, waiting for whoever used it before in this queue. Contents are lost.
+/// Makes a G-buffer a colour attachment, waiting for the passes and copies of the renderer that used it before in this queue.
+/// Contents are lost. What a host may have read needs waitForHostReads() before.
 vk::ImageMemoryBarrier2 attachBarrier(const gpu::Image& gbuffer);
 /// Lets a colour attachment that a rendering scope wrote be the attachment of the next one.
 vk::ImageMemoryBarrier2 chainBarrier(const gpu::Image& gbuffer);
@@ -32,6 +33,9 @@ vk::ImageMemoryBarrier2 readBarrier(const gpu::Image& gbuffer);
 
 /// Lets fragments be tested against marks that a rendering scope made.
 vk::ImageMemoryBarrier2 marksBarrier(const gpu::Image& marks);
+
+/// Lets colour attachments that a host may have read, in any stage, be written by what follows. Outside a rendering scope.
+void waitForHostReads(vk::CommandBuffer primary);
 
 /// Makes the images attachments, waiting for whoever used them before in this queue. Contents are lost.
 void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope);

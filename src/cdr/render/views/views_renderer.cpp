@@ -161,7 +161,7 @@ void ViewsRenderer::launchTogether(Cameras cameras, std::span<Renderer::Delivery
             renderer.beginFrame(slot, deliveries[i], watch);
             if (i == 0) {
                 for (const auto& each : m_renderers) {
-                    each->drawnTargets().begin(slot.path->primary());
+                    each->beginTargets(slot.path->primary());
                 }
             }
             renderer.recordDraws(slot);
