@@ -100,6 +100,19 @@ TEST_F(FlickerTest, ARunThatIsInterruptedEndsAsOneThatIsNot) {
     expectSame(runFlicker(device(), options), expected);
 }
 
+/// Another run by its figures and by its state.
+TEST_F(FlickerTest, RoundedVerticesAreAnotherRun) {
+    FlickerOptions options = smallRun();
+    options.frames = 1;
+    options.techniques = {depth::namedTechnique("anchored")};
+    options.state = state();
+    const FlickerResult exact = runFlicker(device(), options).at(0);
+    options.snapBits = 2;
+    EXPECT_THROW(runFlicker(device(), options), base::InputError);
+    options.state.reset();
+    EXPECT_GT(runFlicker(device(), options).at(0).wrong.edgeWrong, exact.wrong.edgeWrong);
+}
+
 /// A fitted split remembers frames, and a coarse buffer shows where it cut. The frame before is not enough: its
 /// bounds are kept from still earlier frames.
 TEST_F(FlickerTest, AResumedRunRemembersWhatFittedSplitsDo) {

@@ -1,6 +1,10 @@
+#include "../support/shared_device.h"
+
 #include <experiments/orbit/orbit.h>
+#include <scenes/mixed.h>
 
 #include <gtest/gtest.h>
+#include <ranks/one_process.h>
 
 namespace cdr::experiments {
 namespace {
@@ -29,6 +33,24 @@ TEST(OrbitPlot, DrawsALinePerTechniqueAndNoneAsTheFloor) {
     EXPECT_NE(script.find("60 1e-05\n"), std::string::npos) << script;
     EXPECT_NE(script.find("title 'anchored'"), std::string::npos) << script;
     EXPECT_NE(script.find("a ''device''"), std::string::npos) << script;
+}
+
+using OrbitDrawn = cdr::test::DeviceTest;
+
+/// In a scene that is less to make.
+TEST_F(OrbitDrawn, RoundedVerticesAreWrongAtMoreEdges) {
+    const scene::SceneSetup setup = scenes::makeMixed();
+    OrbitOptions options{.width = 320, .height = 180, .frames = 1, .techniques = {}};
+    options.techniques = {depth::namedTechnique("anchored")};
+    ranks::OneProcess alone;
+    const auto edgeWrong = [&](std::uint32_t snapBits) {
+        options.snapBits = snapBits;
+        return runOrbit(
+                   device(), setup, options, [](auto, auto, const auto&) {}, alone)
+            .results.at(0)
+            .wrong.edgeWrong;
+    };
+    EXPECT_GT(edgeWrong(2), edgeWrong(0));
 }
 
 } // namespace

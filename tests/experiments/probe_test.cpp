@@ -43,4 +43,23 @@ TEST_F(Probe, PredictionsHoldOverTechniquesFormatsAndDistances) {
     EXPECT_GE(resolved, 5 * available(depth::kDepthFormats).size());
 }
 
+/// As graphics cards with few sub-pixel bits draw: the gaps that they resolve are larger.
+TEST_F(Probe, RoundedVerticesResolveLess) {
+    ProbeOptions options;
+    options.distancesView = {1000.0};
+    options.techniques = {depth::namedTechnique("anchored")};
+    options.formats = {depth::DepthFormat::d32f};
+    options.width = 640;
+    options.height = 360;
+    ranks::OneProcess alone;
+    const auto resolved = [&](std::uint32_t snapBits) {
+        options.snapBits = snapBits;
+        return runProbe(
+                   device(), options, [](auto, auto, const auto&) {}, alone)
+            .at(0)
+            .resolvedView.value();
+    };
+    EXPECT_GT(resolved(4), resolved(0));
+}
+
 } // namespace

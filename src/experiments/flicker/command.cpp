@@ -180,6 +180,7 @@ void run(Command& command, FlickerArguments& arguments) {
                                           {"height", options.height},
                                           {"frames", options.frames},
                                           {"seed", options.seed},
+                                          {"snap_bits", options.snapBits},
                                           {"near_object", options.nearObject},
                                           {"flip_every", options.flipEvery}});
     document["results"] = experiments::jsonOf(columns, results);
@@ -196,6 +197,7 @@ void addOptions(CLI::App& command, FlickerArguments& arguments) {
     addRivalList(command, options.rivalsBeside, "none");
     command.add_option("--format", arguments.format, "Depth format of all: d16, d24 or d32f");
     addSeed(command, options.seed, "Seed of the field");
+    addSnapBits(command, options.snapBits);
     command.add_flag("--near-object", options.nearObject,
                      "A tiny object stays beside the camera, so fitting near and far does not help");
     command.add_flag("--moved", arguments.moved,

@@ -73,7 +73,8 @@ class Flicker {
             const render::RenderOptions drawn{.width = options.width,
                                               .height = options.height,
                                               .technique = technique,
-                                              .threads = options.threads};
+                                              .threads = options.threads,
+                                              .snapBits = options.snapBits};
             addLane(name, technique.format,
                     Drawer(std::make_unique<render::Renderer>(device, m_setup.scene, m_gpuScene, drawn)));
         }

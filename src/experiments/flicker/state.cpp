@@ -28,6 +28,7 @@ std::string digestOf(const FlickerOptions& options, const gpu::DeviceInfo& devic
                                  {"size", {options.width, options.height}},
                                  {"frames", options.frames},
                                  {"seed", options.seed},
+                                 {"snap_bits", options.snapBits},
                                  {"near_object", options.nearObject},
                                  {"flip_every", options.flipEvery}};
     for (const auto& [name, technique] : options.techniques) {

@@ -131,6 +131,7 @@ void run(Command& command, OrbitArguments& arguments) {
     auto document = command.makeDocument({{"width", options.width},
                                           {"height", options.height},
                                           {"frames", options.frames},
+                                          {"snap_bits", options.snapBits},
                                           {"instances", setup.scene.instances.size()}});
     if (folder.isWanted()) {
         document["window_picture"] = kWindowPicture;
@@ -154,6 +155,7 @@ void addOptions(CLI::App& command, OrbitArguments& arguments) {
     addState(command, arguments.state);
     addSize(command, options.width, options.height);
     addThreads(command, options.threads, "Threads that cull, bin, record and cast the truth");
+    addSnapBits(command, options.snapBits);
     command.add_option(
         "--out", arguments.folder,
         "Folder for pictures of the first and the last frame, what is wrong in them, and all on one sheet");

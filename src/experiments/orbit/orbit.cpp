@@ -31,7 +31,8 @@ class Zoom {
             const render::RenderOptions drawn{.width = options.width,
                                               .height = options.height,
                                               .technique = technique,
-                                              .threads = options.threads};
+                                              .threads = options.threads,
+                                              .snapBits = options.snapBits};
             m_drawers.emplace_back(
                 std::make_unique<render::Renderer>(device, setup.scene, m_gpuScene, drawn));
             m_names.push_back(name);

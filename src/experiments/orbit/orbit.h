@@ -22,6 +22,7 @@ struct OrbitOptions {
     std::uint32_t height = 720;
     std::uint32_t frames = 25; ///< spread evenly over the path, its last among them
     std::size_t threads = 1;
+    std::uint32_t snapBits = 0; ///< render::RenderOptions::snapBits; rivals are not snapped
     std::vector<depth::NamedTechnique> techniques;  ///< all presets when empty
     std::vector<rivals::NamedRival> rivalsBeside{}; ///< measured as the techniques are, behind them
 };

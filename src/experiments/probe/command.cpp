@@ -115,8 +115,10 @@ void run(Command& command, ProbeArguments& arguments) {
     command.console().line(fmt::format("\n{}; seed {}; one picture each of {}x{}", command.opened().text(),
                                        options.seed, options.width, options.height));
 
-    auto document =
-        command.makeDocument({{"width", options.width}, {"height", options.height}, {"seed", options.seed}});
+    auto document = command.makeDocument({{"width", options.width},
+                                          {"height", options.height},
+                                          {"seed", options.seed},
+                                          {"snap_bits", options.snapBits}});
     document["results"] = experiments::jsonOf(columns, results);
     document["missing_formats"] = missing;
     addNeeds(document, options.rivalsBeside);
@@ -135,6 +137,7 @@ void addOptions(CLI::App& command, ProbeArguments& arguments) {
     addSize(command, options.width, options.height);
     addThreads(command, options.threads, "Threads that cull, bin and record");
     addSeed(command, options.seed, "Seed of the ladder");
+    addSnapBits(command, options.snapBits);
     addState(command, arguments.state);
 }
 

@@ -107,7 +107,8 @@ class Prober {
                 render::RenderOptions drawn{.width = m_options.width,
                                             .height = m_options.height,
                                             .technique = technique,
-                                            .threads = m_options.threads};
+                                            .threads = m_options.threads,
+                                            .snapBits = m_options.snapBits};
                 Drawer drawer(std::make_unique<render::Renderer>(m_device, setup.scene, gpuScene, drawn));
                 const auto forecast =
                     depth::forecast(technique, forecastScene(setup, ladder, m_options.height));

@@ -32,6 +32,7 @@ struct ProbeOptions {
     std::uint32_t height = 720;
     std::size_t threads = 1;
     std::uint64_t seed = 2013;
+    std::uint32_t snapBits = 0; ///< render::RenderOptions::snapBits; rivals are not snapped
 };
 
 /// One technique and format, or one rival, at one distance.
