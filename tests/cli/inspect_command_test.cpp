@@ -166,6 +166,15 @@ TEST(InspectCommand, FindsADecalThatSank) {
     EXPECT_TRUE(isSaid(run.document, "'decal' lies behind 'wall' by 0.001, and no view shows it"));
 }
 
+/// Cubes that lie whole behind others, as solid things do, are no decals that sank.
+TEST(InspectCommand, CallsNothingSunkInMixed) {
+    const TemporaryFolder folder;
+    const InspectRun run = inspect("mixed --size 320x180 --json a.json", folder);
+    EXPECT_GT(run.document.at("pairs_found"), 20);
+    EXPECT_EQ(findings(run.document), std::vector<std::string>());
+    EXPECT_FALSE(isSaid(run.document, "no view shows it"));
+}
+
 TEST(InspectCommand, FormulasAndPicturesAgreeOnGeneratedScenes) {
     const TemporaryFolder folder;
     const InspectRun run = inspect("afc --frames 2 --size 320x180 --json a.json", folder);

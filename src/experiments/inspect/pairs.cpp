@@ -1,5 +1,7 @@
 #include "pairs.h"
 
+#include "thickness.h"
+
 #include <cdr/measure/truth/object_ray.h>
 
 #include <algorithm>
@@ -18,6 +20,8 @@ constexpr double kVertexRounding = 0x1p-22;
 
 /// A gap that is small beside an object's own size.
 constexpr double kClose = 0.01;
+/// A thickness that is small beside an object's own size: that of decals, signs and plates.
+constexpr double kThin = 0.1;
 
 /// Whether all neighbours of a pixel, which is not at the border, are as `isAlike` says.
 template <typename IsAlike>
@@ -65,6 +69,13 @@ double PairCollector::extentAt(std::uint32_t object, const glm::dvec3& place) co
         }
     }
     return extent;
+}
+
+/// Solid objects close behind others are hidden as anything else is: a step forward would not bring them into view.
+bool PairCollector::isThin(std::uint32_t object) const {
+    return std::all_of(m_instances[object].begin(), m_instances[object].end(), [&](std::uint32_t i) {
+        return thicknessOf(m_scene, i) <= kThin * m_scene.instances.radius[i];
+    });
 }
 
 image::Raster<std::uint8_t> PairCollector::coplanarMask(const scene::Camera& camera,
@@ -138,8 +149,8 @@ std::vector<ObjectPair> PairCollector::pairs() const {
     std::vector<ObjectPair> all;
     for (const auto& [ids, found] : m_pairs) {
         all.push_back(found.pair);
-        all.back().isSunk =
-            !found.pair.isCoplanar() && !m_isSeen[found.pair.back] && 2 * found.close >= found.pair.pixels;
+        all.back().isSunk = !found.pair.isCoplanar() && !m_isSeen[found.pair.back] &&
+                            2 * found.close >= found.pair.pixels && isThin(found.pair.back);
     }
     const auto order = [](const ObjectPair& pair) {
         return std::make_tuple(!pair.isCoplanar(), -static_cast<double>(pair.coplanar),

@@ -26,7 +26,7 @@ struct ObjectPair {
         std::numeric_limits<double>::infinity(); ///< the smallest over the distance, along the view
     double atView = 0.0;                         ///< where that is
     double widestGapView = 0.0;                  ///< over all pixels of the pair
-    /// The object behind lies close behind the other in most pixels, and none of any view shows it: a decal that sank.
+    /// The object behind is thin, lies close behind the other in most pixels, and no view shows it: a decal that sank.
     bool isSunk = false;
 
     /// No depth buffer separates faces that lie in one plane.
@@ -51,6 +51,7 @@ class PairCollector {
 
   private:
     double extentAt(std::uint32_t object, const glm::dvec3& place) const;
+    bool isThin(std::uint32_t object) const;
 
     const scene::Scene& m_scene;
     std::vector<std::vector<std::uint32_t>> m_instances; ///< per object
