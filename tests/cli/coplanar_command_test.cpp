@@ -29,6 +29,7 @@ TEST(CoplanarCommand, CountsWhichOfTwoFacesIsSeen) {
         const bool isNone = row.at("method") == "none";
         EXPECT_EQ(row.at("wrong_share").get<double>() > 0.01, isNone) << methods.back();
         EXPECT_GE(row.at("wrong").get<int>(), row.at("wrong_views").get<int>());
+        EXPECT_LE(row.at("coverage_flips").get<int>(), row.at("flips").get<int>());
         if (row.at("method") == "layers") {
             EXPECT_EQ(row.at("wrong"), 0) << methods.back();
         }
@@ -42,6 +43,20 @@ TEST(CoplanarCommand, CountsWhichOfTwoFacesIsSeen) {
               (std::vector<std::string>{"reversed, none", "reversed, polygon offset", "reversed, layers",
                                         "anchored, none", "anchored, polygon offset", "anchored, layers"}));
     EXPECT_NE(result.out.find("through a wall"), std::string::npos);
+}
+
+/// Vertices that are rounded to halves of a pixel cover pixels that no ray meets them in, and some of these flip.
+TEST(CoplanarCommand, TellsFlipsByCoverageFromOthers) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        "--quiet coplanar --frames 8 --search-views 1 --size 160x90 --techniques anchored --snap-bits 1 --json c.json",
+        folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json results = json::parse(readText(folder.path() / "c.json")).at("results");
+    const json& none = results.at(0);
+    EXPECT_GT(none.at("coverage_flips").get<int>(), 0);
+    EXPECT_LE(none.at("coverage_flips").get<int>(), none.at("coverage").get<int>());
+    EXPECT_GT(none.at("flips").get<int>(), 10 * none.at("coverage_flips").get<int>());
 }
 
 } // namespace

@@ -50,7 +50,8 @@ experiments::Columns<experiments::CoplanarResult> coplanarColumns() {
             {.key = "coverage", .value = &Result::coverage},
             {.key = "wrong_views", .value = &Result::wrongViews, .heading = "views with any"},
             {.key = "through", .value = &Result::through, .heading = "through a wall"},
-            {.key = "flips", .value = &Result::flips, .heading = "flips"}};
+            {.key = "flips", .value = &Result::flips, .heading = "flips"},
+            {.key = "coverage_flips", .value = &Result::coverageFlips, .heading = "by coverage"}};
 }
 
 void run(Command& command, CoplanarArguments& arguments) {

@@ -43,6 +43,7 @@ struct PairCount {
     std::array<std::uint64_t, 2> coverage{};
     std::array<std::uint64_t, 2> through{};
     std::uint64_t flips = 0;
+    std::uint64_t coverageFlips = 0;
 };
 
 class CoplanarComparison {
@@ -105,10 +106,11 @@ class CoplanarComparison {
         Json pictures = Json::array();
         for (std::size_t i = 0; i < m_results.size(); ++i) {
             std::array<image::ImageU32, 2> ids;
+            image::Raster<std::uint8_t> steadyCovered = steady;
             for (std::size_t eye = 0; eye < cameras.size(); ++eye) {
                 const render::Frame frame = m_renderers[i]->render(cameras[eye]);
                 ids[eye] = frame.ids();
-                count(frame, ids[eye], truths[eye], inner[eye], eye, counts[i]);
+                count(frame, ids[eye], truths[eye], inner[eye], eye, counts[i], steadyCovered);
                 if (counts[i].wrong[eye] > m_worst[i]) {
                     m_worst[i] = counts[i].wrong[eye];
                     pictures.push_back(
@@ -118,6 +120,8 @@ class CoplanarComparison {
                 }
             }
             counts[i].flips = measure::countFlips(ids[0], ids[1], steady).flips;
+            counts[i].coverageFlips =
+                counts[i].flips - measure::countFlips(ids[0], ids[1], steadyCovered).flips;
         }
         return {{"counts", packed(counts)}, {"pictures", std::move(pictures)}};
     }
@@ -135,6 +139,7 @@ class CoplanarComparison {
                 result.wrongViews += counts[i].wrong[eye] > 0 ? 1 : 0;
             }
             result.flips += counts[i].flips;
+            result.coverageFlips += counts[i].coverageFlips;
         }
         for (const Json& picture : made.at("pictures")) {
             const auto i = picture.at("result").get<std::size_t>();
@@ -189,8 +194,10 @@ class CoplanarComparison {
                            [&](const measure::TruthPixel& seen) { return seen.id == id; });
     }
 
+    /// @param steady loses the pixels that count as `coverage`.
     void count(const render::Frame& frame, const image::ImageU32& ids, const measure::TruthImage& truth,
-               const image::Raster<std::uint8_t>& inner, std::size_t eye, PairCount& counted) {
+               const image::Raster<std::uint8_t>& inner, std::size_t eye, PairCount& counted,
+               image::Raster<std::uint8_t>& steady) {
         const measure::WrongPixels wrong = measure::countWrong(ids, truth, inner);
         counted.pixels[eye] = wrong.pixels;
         for (std::uint32_t y = 0; y < ids.height; ++y) {
@@ -201,7 +208,10 @@ class CoplanarComparison {
                     continue;
                 }
                 counted.through[eye] += id == m_hiddenId ? 1 : 0;
-                counted.coverage[eye] += id != seen.secondId && isCovering(frame.camera, x, y, id) ? 1 : 0;
+                if (id != seen.secondId && isCovering(frame.camera, x, y, id)) {
+                    ++counted.coverage[eye];
+                    steady.at(x, y) = 0;
+                }
             }
         }
         counted.wrong[eye] = wrong.wrong - counted.coverage[eye];

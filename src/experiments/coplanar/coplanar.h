@@ -53,6 +53,7 @@ struct CoplanarResult {
     std::uint64_t wrongViews = 0; ///< with any
     std::uint64_t through = 0;    ///< that show what lies behind the thin wall
     std::uint64_t flips = 0; ///< from a view to its second one, measure::countFlips(), `coverage` included
+    std::uint64_t coverageFlips = 0; ///< of those: where a pixel of either view is one of `coverage`
     image::ImageRgba8
         picture{}; ///< heat map of the view with the most wrong pixels; empty where there is none
 };
