@@ -5,6 +5,7 @@ import { h } from "./view/elements.js";
 import { copyInFull, unitChoice } from "./view/figures.js";
 import { fillAdvise } from "./view/section_advise.js";
 import { fillCertificates } from "./view/section_certificates.js";
+import { fillCoplanar } from "./view/section_coplanar.js";
 import { fillDetail } from "./view/section_detail.js";
 import { fillEffects } from "./view/section_effects.js";
 import { fillFocus } from "./view/section_focus.js";
@@ -20,6 +21,7 @@ import { fillProbe } from "./view/section_probe.js";
 import { fillRivals } from "./view/section_rivals.js";
 import { fillScaling } from "./view/section_scaling.js";
 import { fillShadows } from "./view/section_shadows.js";
+import { fillStereo } from "./view/section_stereo.js";
 import { fillTiming } from "./view/section_timing.js";
 import { fillFailure, fillSource, partOf } from "./view/source.js";
 import { fillVerdicts, repeatInSections } from "./view/verdict_list.js";
@@ -40,10 +42,11 @@ const fillers = {
     orbit: fillOrbit,
     advise: fillAdvise,
     inspect: fillInspect,
+    coplanar: fillCoplanar,
 };
 
 /** Parts of the page that several results fill together. */
-const gatherers = { shadows: fillShadows, certificates: fillCertificates };
+const gatherers = { shadows: fillShadows, stereo: fillStereo, certificates: fillCertificates };
 
 /** Takes a section and its link from the page. */
 function removeSection(section) {

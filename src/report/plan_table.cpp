@@ -50,6 +50,30 @@ PlanRow certificateOf(const TimedScene& scene, const std::string& technique) {
             .fullSeconds = scene.fullSeconds};
 }
 
+/// Two eyes, or one, in `alley`. An output that is a picture goes to a file; `wrong` is counted alone.
+PlanRow stereoOf(const std::string& stereo, const std::string& aov) {
+    const bool isPicture = aov == "color";
+    const std::string name = "stereo-" + stereo + (isPicture ? "-picture" : "");
+    PlanRow row{.name = name,
+                .command = "render",
+                .options = {{"", {"alley"}},
+                            {"--technique", {"anchored"}},
+                            {"--colours", {"bright"}},
+                            {"--shadows", {"anchored"}},
+                            {"--aov", {aov}},
+                            {"--size", {"160x90", "640x360", "1280x720"}}},
+                .folderOption = isPicture ? "-o" : "",
+                .folder = isPicture ? name + ".png" : "",
+                .quickSeconds = 1.0,
+                .fullSeconds = 4.0};
+    if (stereo != "none") {
+        row.options.insert(row.options.end(),
+                           {{"--stereo", {stereo}}, {"--eye-distance", {"0.3"}}, {"--converge", {"9"}}});
+    }
+    row.options.insert(row.options.end(), {{"--threads", {kThreads}}, {"--seed", {kSeed}}});
+    return row;
+}
+
 } // namespace
 
 const std::vector<PlanRow>& planTable() {
@@ -204,6 +228,23 @@ const std::vector<PlanRow>& planTable() {
          .folder = "inspect.png",
          .quickSeconds = 8.0,
          .fullSeconds = 120.0},
+        {.name = "coplanar",
+         .command = "coplanar",
+         .options = {{"--frames", {"1", "20", "5000"}},
+                     {"--search-views", {"1", "4", "50"}},
+                     {"--size", {"64x36", "160x90", "160x90"}},
+                     {"--techniques", {"anchored", "standard,reversed,anchored", ""}},
+                     threads,
+                     seed},
+         .folderOption = "--out",
+         .folder = "coplanar",
+         .quickSeconds = 15.0,
+         .fullSeconds = 1500.0},
+        stereoOf("none", "wrong"),
+        stereoOf("parallel", "wrong"),
+        stereoOf("toed-in", "wrong"),
+        stereoOf("parallel", "color"),
+        stereoOf("toed-in", "color"),
         certificateOf({"afc", 0.2, 2.0}, "standard"),
         certificateOf({"afc", 0.2, 2.0}, "reversed"),
         certificateOf({"afc", 0.2, 2.0}, "anchored"),

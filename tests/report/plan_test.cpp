@@ -73,6 +73,20 @@ TEST(Plan, ShadowsAndCertificatesAreOfEachScene) {
     EXPECT_EQ(countOf("certificates-"), 9);
 }
 
+TEST(Plan, FacesAtOnePlaceAndEyesHaveSections) {
+    EXPECT_EQ(
+        lineOf({.effort = Effort::smallest}, "coplanar"),
+        "cdr coplanar --frames 1 --search-views 1 --size 64x36 --techniques anchored --threads 1 --seed "
+        "2013 --out coplanar --json data/coplanar.json");
+    EXPECT_EQ(lineOf({}, "stereo-none"),
+              "cdr render alley --technique anchored --colours bright --shadows anchored --aov wrong --size "
+              "640x360 --threads 1 --seed 2013 --json data/stereo-none.json");
+    EXPECT_EQ(lineOf({}, "stereo-toed-in-picture"),
+              "cdr render alley --technique anchored --colours bright --shadows anchored --aov color --size "
+              "640x360 --stereo toed-in --eye-distance 0.3 --converge 9 --threads 1 --seed 2013 "
+              "-o stereo-toed-in-picture.png --json data/stereo-toed-in-picture.json");
+}
+
 std::vector<std::string> namesOf(const std::vector<std::string>& sections) {
     std::vector<std::string> names;
     for (const Section& section : makePlan({.sections = sections})) {
@@ -88,6 +102,8 @@ TEST(Plan, HoldsWhatIsAskedForInThePagesOrder) {
     EXPECT_EQ(namesOf({"certificates-afc", "flicker-near"}),
               (Names{"flicker-near", "certificates-afc-standard", "certificates-afc-reversed",
                      "certificates-afc-anchored"}));
+    EXPECT_EQ(namesOf({"stereo"}), (Names{"stereo-none", "stereo-parallel", "stereo-toed-in",
+                                          "stereo-parallel-picture", "stereo-toed-in-picture"}));
     for (const char* none : {"", "flick", "flicker-", "probe "}) {
         EXPECT_THROW(namesOf({"probe", none}), base::InputError) << none;
     }

@@ -244,7 +244,7 @@ test("each section names its command, device and commit, and links its JSON", as
     const page = await openReport();
     const manifest = JSON.parse(readFileSync(join(report, "report.json")));
     const sources = await page.$$eval(".source pre code", (codes) => codes.map((code) => code.textContent));
-    assert.equal(manifest.results.length, 28);
+    assert.equal(manifest.results.length, 34);
     for (const row of manifest.results) {
         assert.equal(row.failure, null);
         assert.ok(sources.includes(row.command), row.command);
@@ -273,6 +273,22 @@ test("shadows and certificates have a table each over all of their scenes", asyn
     const files = await page.$$eval("#certificates tbody a", (links) => links.map((link) => link.getAttribute("href")));
     assert.equal(new Set(files).size, 9);
     files.forEach((file) => assert.equal(JSON.parse(readFileSync(join(report, file))).rule, "the float64 ray through a pixel's centre decides"));
+    await close(page);
+});
+
+test("faces at one place have a row for each method, and eyes a picture and a row each", async () => {
+    const page = await openReport();
+    const cells = (section) => page.$$eval(`#${section} tbody tr`, (rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
+    const coplanar = await cells("coplanar");
+    assert.deepEqual(coplanar.map((row) => row[1]), ["None", "Polygon offset", "Layers"]);
+    assert.match(coplanar[1][2], /^\S+, \S+$/);
+    assert.ok(Number(coplanar[0][3].replaceAll(",", "")) > 0 && coplanar[2][3] === "0", "wrong");
+    assert.match(await page.locator("#coplanar img").getAttribute("src"), /^coplanar\/anchored_none\.png$/);
+    const stereo = await cells("stereo");
+    assert.deepEqual(stereo.map((row) => row[0]), ["One eye", "Parallel eyes", "Toed-in eyes"]);
+    assert.ok(stereo.every((row) => row[8] === "0"), "wrong");
+    assert.deepEqual(await page.$$eval("#stereo img", (images) => images.map((image) => image.getAttribute("src"))),
+        ["stereo-parallel-picture.png", "stereo-toed-in-picture.png"]);
     await close(page);
 });
 
