@@ -43,6 +43,12 @@ TEST(CertifyCommand, WritesPicturesThatAreRightAndTheirCertificate) {
         EXPECT_EQ(frame.at("refused"), 0);
         EXPECT_GE(frame.at("repaired"), frame.at("wrong_before"));
         EXPECT_EQ(frame.at("hash"), rows[i].at("hash"));
+        const json& bound = frame.at("bound");
+        EXPECT_GT(bound.at("pixels"), frame.at("snap_pixels")) << "half a sub-pixel, and roundings";
+        EXPECT_LT(bound.at("pixels"), frame.at("snap_pixels").get<double>() + 0.01);
+        EXPECT_GT(bound.at("distance"), 0.0);
+        EXPECT_GT(bound.at("depth"), 0.0);
+        EXPECT_GT(bound.at("depth_step"), 0.0);
         EXPECT_EQ(frame.at("camera").at("eye").size(), 3u);
         EXPECT_EQ(rows[i].at("cast"), frame.at("cast"));
         EXPECT_EQ(rows[i].at("wrong"), 0);

@@ -22,6 +22,13 @@ nlohmann::ordered_json jsonOf(const scene::Camera& camera) {
             {"far", camera.farView}};
 }
 
+nlohmann::ordered_json jsonOf(const measure::FrameBound& bound) {
+    return {{"pixels", bound.pixels},
+            {"distance", bound.distanceView},
+            {"depth", bound.depth},
+            {"depth_step", bound.stepView}};
+}
+
 } // namespace
 
 nlohmann::ordered_json certificateOf(std::uint32_t number, const scene::Camera& camera,
@@ -30,6 +37,7 @@ nlohmann::ordered_json certificateOf(std::uint32_t number, const scene::Camera& 
     nlohmann::ordered_json json{{"frame", number},
                                 {"camera", jsonOf(camera)},
                                 {"snap_pixels", certified.snapPixels},
+                                {"bound", jsonOf(certificate.bound)},
                                 {"pixels", certificate.pixels},
                                 {"certified", certificate.certified},
                                 {"proven", certificate.proven},

@@ -281,6 +281,22 @@ TEST(Certifier, NamesTheMaterialThatItCannotFollow) {
     EXPECT_EQ(saysOf([](auto&) {}), "");
 }
 
+/// A wider sub-pixel widens what corners may be off by as much, and a coarser buffer its step alone.
+TEST(Certifier, SaysWhatItAllowedFor) {
+    Drawn drawn;
+    const measure::FrameBound fine = drawn.certificate.bound;
+    EXPECT_GT(fine.pixels, kEighthBits);
+    EXPECT_GT(fine.distanceView, 0.0);
+    EXPECT_GT(fine.depth, 0.0);
+    EXPECT_GT(fine.stepView, 0.0);
+    drawn.frame.snapPixels += 0.25;
+    drawn.frame.technique.format = depth::DepthFormat::d16;
+    const measure::FrameBound coarse = certified(drawn.made.scene, drawn.frame).bound;
+    EXPECT_DOUBLE_EQ(coarse.pixels, fine.pixels + 0.25);
+    EXPECT_GE(coarse.distanceView, fine.distanceView); // more triangles may be examined
+    EXPECT_GT(coarse.stepView, 10.0 * fine.stepView);
+}
+
 TEST(Certifier, RefusesRastersOfUnlikeSizes) {
     Drawn drawn;
     drawn.frame.distancesView = image::Raster<double>(8, 8);

@@ -61,7 +61,8 @@ void Certifier::follow(std::span<const std::uint32_t> meshes, host::WorkerPool& 
     });
 }
 
-Certifier::Findings Certifier::find(const DrawnFrame& frame, host::WorkerPool& workers) const {
+Certifier::Findings Certifier::find(const DrawnFrame& frame, host::WorkerPool& workers,
+                                    FrameBound& frameBound) const {
     const std::uint32_t width = frame.ids.width;
     const std::uint32_t height = frame.ids.height;
     // Of each pixel what is found, whether it is in doubt, and its truth.
@@ -73,6 +74,7 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, host::WorkerPool& w
     const std::vector<VisibleInstance> visible =
         visibleInstances(*m_scene, m_caster.shapes(), frame.camera, width, height, workers, kMarginPixels);
     const auto enterAll = [&](OrderStrip& strip, const DeviceBound& bound) {
+        FrameBound largest;
         InstanceTriangles triangles(frame.camera, width, height, bound);
         for (const VisibleInstance& candidate : visible) {
             if (strip.hides(candidate.pixels, candidate.nearestView)) {
@@ -82,18 +84,24 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, host::WorkerPool& w
             for (const ScreenTriangle& triangle :
                  triangles.of(m_scene->instances, candidate.instance, outline, candidate.sides)) {
                 strip.enter(triangle, candidate.id);
+                largest.add(triangle.bound);
             }
         }
+        return largest;
     };
     Findings findings(width, height);
-    workers.run((height + kBandRows - 1) / kBandRows, [&](std::size_t band, std::size_t) {
+    std::vector<FrameBound> bounds((height + kBandRows - 1) / kBandRows);
+    workers.run(bounds.size(), [&](std::size_t band, std::size_t) {
         const auto top = static_cast<std::uint32_t>(band) * kBandRows;
         const PixelRect rows{0, top, width, std::min(top + kBandRows, height)};
         OrderStrip strip(frame, device, rows);
-        enterAll(strip, device);
+        bounds[band] = enterAll(strip, device);
         std::vector<glm::uvec2> open;
         for (std::uint32_t y = rows.top; y < rows.bottom; ++y) {
             for (std::uint32_t x = 0; x < width; ++x) {
+                if (frame.ids.at(x, y) != 0) {
+                    bounds[band].add(FrameBound{.stepView = device.stepView(frame.distancesView.at(x, y))});
+                }
                 findings.at(x, y) = strip.findingAt(x, y);
                 if (findings.at(x, y).verdict == PixelVerdict::open) {
                     open.emplace_back(x, y);
@@ -111,6 +119,9 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, host::WorkerPool& w
             }
         }
     });
+    for (const FrameBound& bound : bounds) {
+        frameBound.add(bound);
+    }
     return findings;
 }
 
@@ -141,8 +152,8 @@ void Certifier::repair(const DrawnFrame& frame, const Findings& findings, host::
 
 Certificate Certifier::certify(const DrawnFrame& frame, host::WorkerPool& workers) const {
     requireSound(frame);
-    const Findings findings = find(frame, workers);
     Certificate certificate;
+    const Findings findings = find(frame, workers, certificate.bound);
     certificate.pixels = findings.pixels.size();
     for (std::size_t i = 0; i < findings.pixels.size(); ++i) {
         const PixelVerdict verdict = findings.pixels[i].verdict;

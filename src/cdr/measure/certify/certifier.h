@@ -2,6 +2,7 @@
 
 #include <cdr/host/worker_pool.h>
 #include <cdr/image/image.h>
+#include <cdr/measure/certify/device_bound.h>
 #include <cdr/measure/certify/drawn_frame.h>
 #include <cdr/measure/certify/mesh_outline.h>
 #include <cdr/measure/certify/order_strip.h>
@@ -38,6 +39,7 @@ struct Certificate {
     std::uint64_t wrong = 0;     ///< of those cast: whose object was drawn wrong
     std::optional<glm::uvec2> firstRefused; ///< in the order of rows
     std::vector<PixelRepair> repairs;       ///< of those cast: what to draw there; in the order of rows
+    FrameBound bound;                       ///< how far off the device may have drawn
 
     bool isRefused() const { return refused > 0; }
     double certifiedFraction() const {
@@ -76,7 +78,7 @@ class Certifier {
   private:
     using Findings = image::Raster<PixelFinding>;
 
-    Findings find(const DrawnFrame& frame, host::WorkerPool& workers) const;
+    Findings find(const DrawnFrame& frame, host::WorkerPool& workers, FrameBound& bound) const;
     /// Casts what the findings leave open.
     void repair(const DrawnFrame& frame, const Findings& findings, host::WorkerPool& workers,
                 Certificate& certificate) const;

@@ -29,6 +29,17 @@ double cellBegin(std::uint64_t number) {
 
 } // namespace
 
+void FrameBound::add(const TriangleBound& bound) {
+    add(FrameBound{.pixels = bound.pixels, .distanceView = bound.distanceView, .depth = bound.depth});
+}
+
+void FrameBound::add(const FrameBound& other) {
+    pixels = std::max(pixels, other.pixels);
+    distanceView = std::max(distanceView, other.distanceView);
+    depth = std::max(depth, other.depth);
+    stepView = std::max(stepView, other.stepView);
+}
+
 DeviceBound::DeviceBound(const DrawnFrame& frame, double rounding, double snapPixels)
     : m_rounding(rounding),
       m_snapPixels(snapPixels),

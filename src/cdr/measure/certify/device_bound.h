@@ -25,6 +25,19 @@ struct TriangleBound {
     double bend = 0.0;         ///< by which share of the distance interpolated logarithms are off
 };
 
+/// What may go wrong with a frame: the largest of each part over the triangles and pixels that were examined.
+struct FrameBound {
+    double pixels = 0.0;       ///< TriangleBound::pixels; half a sub-pixel is a part of it
+    double distanceView = 0.0; ///< TriangleBound::distanceView, scene units
+    double depth = 0.0;        ///< TriangleBound::depth, depth of 0 to 1
+    double stepView = 0.0;     ///< step of the depth buffer at a drawn distance, scene units
+
+    /// Takes a triangle's bound in.
+    void add(const TriangleBound& bound);
+    /// Takes that of another part of the frame in.
+    void add(const FrameBound& other);
+};
+
 /// How far off a device may draw, from its stated sub-pixel bits and from float32's arithmetic. With u = 2^-24:
 ///
 /// - A corner's x has at most 4 roundings of a sum of products, 2 of a projection and 2 of w, itself a sum. A division adds
