@@ -66,6 +66,31 @@ TEST(Advice, NamesTheSimplestThatSuffices) {
     EXPECT_EQ(simplest(1e6, 1e-8), "none");
 }
 
+/// Its figure is its forecast, which is finer than that of the preset. A measurement may make it the only one that is enough.
+TEST(Advice, EndsWithAnchoredReversedFittedAsFineAsCanBe) {
+    const char* finest = "anchored-reversed/fitted:1e-9";
+    const AdviceQuestion asked = question(1e6, 1e-6);
+    const Advice predicted = advise(asked);
+    const AdviceRow& last = predicted.rows.back();
+    EXPECT_EQ(nameOf(last.technique), nameOf(parseTechnique(finest)));
+    const auto resolvedBy = [&](const char* name) {
+        return forecastOf(name, last.technique.format, 1e6).resolvedView();
+    };
+    EXPECT_EQ(last.resolvedView(), resolvedBy(finest));
+    EXPECT_LT(last.resolvedView(), resolvedBy("anchored") / 1.5);
+    EXPECT_EQ(costOf(last).substr(0, 42), "float64 offset per object, flipped compare");
+
+    std::vector<std::optional<Measurement>> measurements(
+        predicted.rows.size(), Measurement{.resolvedView = 2e-6, .largestView = 1.0});
+    measurements.back() = {.resolvedView = 0.8e-6, .largestView = 1.0};
+    const Advice advice = advise(asked, measurements);
+    ASSERT_EQ(advice.simplest, advice.rows.size() - 1);
+    const std::vector<std::string> lines = explain(asked, advice);
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+        return line.find("detail at one distance") != std::string::npos;
+    }));
+}
+
 TEST(Advice, EverySimplerTechniqueFallsShort) {
     for (const double separation : {1e-6, 1e-4, 1e-2, 1.0, 100.0}) {
         const Advice advice = advise(question(1e5, separation));
@@ -161,10 +186,14 @@ TEST(Advice, TheWidestContentIsResolvedAndTwiceThatIsNot) {
     AdviceQuestion asked = question(1e6, 1e-4);
     const Advice advice = advise(asked);
     ASSERT_GT(advice.widestSpanView, 100.0);
+    const auto suffices = [&] { // anchored with its target set to the separation, before the finest
+        const Advice made = advise(asked);
+        return made.rows[made.rows.size() - asked.formats.size() - 1].suffices;
+    };
     asked.scene.spanView = 0.99 * advice.widestSpanView;
-    EXPECT_TRUE(advise(asked).rows.back().suffices);
+    EXPECT_TRUE(suffices());
     asked.scene.spanView = 4.0 * advice.widestSpanView;
-    EXPECT_FALSE(advise(asked).rows.back().suffices);
+    EXPECT_FALSE(suffices());
 }
 
 TEST(Advice, RefusesNonsense) {

@@ -19,6 +19,9 @@ constexpr std::array kSimplestFirst{"standard", "reversed", "log", "cdr", "logcd
 /// between float32 values is up to two steps.
 constexpr double kStepsPerSeparation = 5.0;
 
+/// As fine as the most cascades allow, for detail at one distance. No visible content reaches its target.
+constexpr const char* kFinest = "anchored-reversed/fitted:1e-9";
+
 Technique anchoredFor(double separationView, DepthFormat format) {
     return Technique{
         Mapping::anchored,
@@ -138,6 +141,10 @@ std::vector<Technique> techniquesFor(const AdviceQuestion& question) {
     for (const DepthFormat format : question.formats) {
         techniques.push_back(anchoredFor(question.separationView, format));
     }
+    for (const DepthFormat format : question.formats) {
+        techniques.push_back(parseTechnique(kFinest));
+        techniques.back().format = format;
+    }
     return techniques;
 }
 
@@ -210,6 +217,9 @@ std::string costOf(const AdviceRow& row) {
                        : isAnchored(row.technique.mapping) ? "float64 offset per object"
                        : isReversed(row.technique.mapping) ? "flipped compare"
                                                            : "";
+    if (isAnchored(row.technique.mapping) && isReversed(row.technique.mapping)) {
+        cost += ", flipped compare";
+    }
     if (row.forecast.cascades > 1) {
         const std::size_t clears = row.forecast.cascades - 1;
         cost += base::concat(cost.empty() ? "" : ", ", clears, " more depth clear", clears == 1 ? "" : "s");
@@ -234,12 +244,18 @@ std::vector<std::string> explain(const AdviceQuestion& question, const Advice& a
         if (row.forecast.cascades > 1) {
             lines.emplace_back("What straddles a boundary between cascades is drawn once more.");
         }
+        if (row.technique.mapping == Mapping::anchoredReversed) {
+            lines.emplace_back(
+                "It suits detail at one distance: its steps grow with the range that is visible.");
+        }
         if (isLog(row.technique.mapping)) {
             lines.emplace_back(
                 "Set depth per fragment on triangles that span more than 2 % of their distance.");
         }
     } else {
-        const AdviceRow& best = advice.rows.back();
+        const AdviceRow& best = *std::min_element(
+            advice.rows.begin(), advice.rows.end(),
+            [](const AdviceRow& a, const AdviceRow& b) { return a.resolvedView() < b.resolvedView(); });
         lines.push_back(base::concat("Nothing here resolves ", lengthText(question.separationView), " at ",
                                      lengthText(at), ": ", describe(best), " comes to ",
                                      lengthText(best.resolvedView()), ", limited by ", limitOf(best), "."));
