@@ -100,33 +100,41 @@ TEST_F(LayersTest, HoldWhereVerticesAreRoundedToSubPixels) {
 
 TEST_F(LayersTest, GiveOnePictureHoweverTheFrameIsDrawn) {
     const scene::SceneSetup setup = scenes::makeCoplanar();
+    const render::GpuScene gpuScene(device(), setup.scene);
     const scene::Camera camera = setup.path.at(6);
-    render::RenderOptions options = optionsFor(depth::parseTechnique("cdr"));
-    const std::string wanted = hashOf(draw(setup.scene, camera, options));
-    for (const render::TargetsKind targets :
-         {render::TargetsKind::accumulate, render::TargetsKind::pool, render::TargetsKind::layers}) {
-        render::RenderOptions other = options;
-        other.targets = targets;
-        other.threads = 3;
-        EXPECT_EQ(hashOf(draw(setup.scene, camera, other)), wanted);
-    }
-    for (const render::Submission submission : submissions()) {
-        render::RenderOptions other = options;
-        other.submission = submission;
-        EXPECT_EQ(hashOf(draw(setup.scene, camera, other)), wanted);
-    }
-    for (const render::Batching batching : render::kBatchings) {
-        render::RenderOptions other = options;
-        other.batching = batching;
-        EXPECT_EQ(hashOf(draw(setup.scene, camera, other)), wanted);
+    for (const depth::NamedTechnique& named : depth::presets()) {
+        const render::RenderOptions options = thumbnailOptions(named.technique);
+        const auto hashWith = [&](const render::RenderOptions& other) {
+            return hashOf(render::Renderer(device(), setup.scene, gpuScene, other).render(camera));
+        };
+        const std::string wanted = hashWith(options);
+        for (const render::TargetsKind targets :
+             {render::TargetsKind::accumulate, render::TargetsKind::pool, render::TargetsKind::layers}) {
+            render::RenderOptions other = options;
+            other.targets = targets;
+            other.threads = 3;
+            EXPECT_EQ(hashWith(other), wanted) << named.name << " " << nameOf(targets);
+        }
+        for (const render::Submission submission : submissions()) {
+            render::RenderOptions other = options;
+            other.submission = submission;
+            EXPECT_EQ(hashWith(other), wanted) << named.name << " " << nameOf(submission);
+        }
+        for (const render::Batching batching : render::kBatchings) {
+            render::RenderOptions other = options;
+            other.batching = batching;
+            EXPECT_EQ(hashWith(other), wanted) << named.name << " " << nameOf(batching);
+        }
     }
 }
 
 TEST_F(LayersTest, OnePassKeepsThem) {
     const scene::SceneSetup setup = scenes::makeCoplanar();
-    render::RenderOptions options = optionsFor(depth::parseTechnique("anchored"));
-    options.targets = render::TargetsKind::onePass;
-    EXPECT_LE(wrongOver(setup.scene, options).fraction(), mostWrong());
+    for (const depth::NamedTechnique& named : depth::presets()) {
+        render::RenderOptions options = thumbnailOptions(named.technique);
+        options.targets = render::TargetsKind::onePass;
+        EXPECT_LE(wrongOver(setup.scene, options).fraction(), mostWrong()) << named.name;
+    }
 }
 
 /// Only what is seen changes, not how far away it is.
