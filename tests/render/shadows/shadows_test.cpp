@@ -127,21 +127,37 @@ TEST_F(ShadowsTest, TheCountSeesShadowsThatAreMissing) {
     EXPECT_EQ(wrong.wrong, wrong.shadowed);
 }
 
-TEST_F(ShadowsTest, PicturesAreTheSameForThreadsTargetsAndSubmissions) {
+/// Under every preset. One pass shades other bits, and its shadows are as right.
+TEST_F(ShadowsTest, PicturesAreRightAndTheSameForThreadsTargetsAndSubmissions) {
     const scene::SceneSetup setup = scenes::openScene("alley", scenes::kDefaultSeed).setup;
-    for (const char* technique : {"cdr", "anchored"}) {
-        RenderOptions first = shadowOptions(technique);
+    const scene::Camera camera = setup.path.at(0);
+    const render::GpuScene gpuScene(device(), setup.scene);
+    std::vector<measure::ShadowImage> rays;
+    for (const depth::NamedTechnique& named : depth::presets()) {
+        RenderOptions first = shadowOptions(named.name);
         first.width = 192;
         first.height = 108;
         first.shadows.mostTexels = 512;
-        const render::Frame wanted = draw(setup.scene, setup.path.at(0), first);
+        if (rays.empty()) {
+            rays = ShadowTruth(setup.scene).cast(camera, first);
+        }
+        const auto drawn = [&](const RenderOptions& options) {
+            return render::Renderer(device(), setup.scene, gpuScene, options).render(camera);
+        };
+        const auto expectRight = [&](const render::Frame& frame) {
+            const measure::WrongShadows wrong = wrongShadowsIn(frame, rays);
+            EXPECT_GT(wrong.pixels, 5'000u) << named.name;
+            EXPECT_LE(wrong.wrong, 1 + wrong.pixels / 10'000) << named.name;
+        };
+        const render::Frame wanted = drawn(first);
+        expectRight(wanted);
         RenderOptions unshadowed = first;
         unshadowed.shadows = {};
-        EXPECT_NE(hashOf(wanted), hashOf(draw(setup.scene, setup.path.at(0), unshadowed)));
+        EXPECT_NE(hashOf(wanted), hashOf(drawn(unshadowed)));
         const auto expectSame = [&](const RenderOptions& options) {
-            const render::Frame made = draw(setup.scene, setup.path.at(0), options);
-            EXPECT_EQ(hashOf(made), hashOf(wanted));
-            EXPECT_EQ(made.reached.pixels, wanted.reached.pixels);
+            const render::Frame made = drawn(options);
+            EXPECT_EQ(hashOf(made), hashOf(wanted)) << named.name;
+            EXPECT_EQ(made.reached.pixels, wanted.reached.pixels) << named.name;
         };
         for (const std::size_t threads : {2u, 4u}) {
             RenderOptions options = first;
@@ -159,6 +175,9 @@ TEST_F(ShadowsTest, PicturesAreTheSameForThreadsTargetsAndSubmissions) {
             options.submission = submission;
             expectSame(options);
         }
+        RenderOptions onePass = first;
+        onePass.targets = render::TargetsKind::onePass;
+        expectRight(drawn(onePass));
     }
 }
 
