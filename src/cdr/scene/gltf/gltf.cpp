@@ -1,3 +1,4 @@
+#include "animation/deformers.h"
 #include "animation/moving_parts.h"
 #include "bytes/container.h"
 #include "cameras.h"
@@ -244,6 +245,7 @@ void Importer::addObject(const MeshNode& node, std::string name) {
         } else if (node.toNode && node.skin && hasJoints(primitives[i])) {
             m_sources.notes.add(
                 "copies of a mesh with a skin are not drawn: no node places its joints, and the "
+        requireTargets(m_sources.document.root, primitive, m_accessors, placeOf(mesh, source.name, i));
                 "extension does not say what does",
                 fmt::format("node {}", node.node));
         } else {

@@ -156,7 +156,10 @@ std::vector<float> AnimationReader::timesOf(const json& sampler, const std::stri
     times.reserve(accessor.count());
     for (std::size_t i = 0; i < accessor.count(); ++i) {
         const float time = accessor.vector(i).x;
-        if (!(time >= 0.0f) || !std::isfinite(time) || (i > 0 && time <= times.back())) {
+        if (time < 0.0f) {
+            refuse("{}: its time {} is negative", where, i);
+        }
+        if (!std::isfinite(time) || (i > 0 && time <= times.back())) {
             refuse("{}: its time {} is not finite, or does not come after the one before", where, i);
         }
         times.push_back(time);

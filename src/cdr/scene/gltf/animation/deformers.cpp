@@ -3,7 +3,10 @@
 #include "../bytes/reading_order.h"
 #include "../checks.h"
 #include "../draco/decompressor.h"
+#include "../json.h"
 #include "morphed_tangents.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -172,6 +175,25 @@ void addInfluences(const Primitive& primitive, const SourcePrimitive& source, Ac
 
 bool hasJoints(const Primitive& primitive) {
     return jointSets(primitive) > 0;
+}
+
+void requireTargets(const nlohmann::json& root, const Primitive& primitive, Accessors& accessors,
+                    const std::string& where) {
+    const auto positions = primitive.attributes.find("POSITION");
+    if (primitive.targets.empty() || positions == primitive.attributes.end()) {
+        return;
+    }
+    const std::size_t vertices = accessors.at(positions->second).count();
+    for (const auto& target : primitive.targets) {
+        for (const auto& [name, index] : target) {
+            const nlohmann::json& accessor = itemAt(root, "accessors", index, "accessor");
+            const int count = requiredIndex(accessor, "count", fmt::format("accessor {}", index));
+            if (static_cast<std::size_t>(count) != vertices) {
+                refuse("{}: {} of a morph target has {} elements, and the mesh has {} vertices", where,
+                       oneLine(name, kMaxNameLength), count, vertices);
+            }
+        }
+    }
 }
 
 PrimitiveBytes predictDeformer(const Primitive& primitive, Accessors& accessors) {

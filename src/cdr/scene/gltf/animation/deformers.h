@@ -7,6 +7,8 @@
 
 #include <cdr/scene/animation/deform.h>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstddef>
 #include <string>
 
@@ -17,6 +19,11 @@ bool hasJoints(const Primitive& primitive);
 
 /// What a deformer takes, predicted from the counts of accessors.
 PrimitiveBytes predictDeformer(const Primitive& primitive, Accessors& accessors);
+
+/// Refuses morph targets with more or fewer elements than the primitive has vertices, used or not.
+/// @param root of the document.
+void requireTargets(const nlohmann::json& root, const Primitive& primitive, Accessors& accessors,
+                    const std::string& where);
 
 /// What deforms a primitive. Refuses joints beyond the skin's, weights that are negative or not finite, and morph targets
 /// that do not fit the primitive.
