@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -41,15 +42,44 @@ CameraLens lensOf(const json& camera, const std::string& where) {
         refuse("{}: needs a yfov, and a znear that lies before its zfar", where);
     }
     return {.name = oneLine(fullNameOf(camera)),
-            .isPerspective = true,
             .fovY = *fovY,
             .nearView = *nearView,
-            .farView = farView};
+            .farView = farView,
+            .orthographic = {}};
+}
+
+CameraLens orthographicLensOf(const json& camera, const std::string& where) {
+    const json* orthographic = member(camera, "orthographic");
+    if (orthographic == nullptr || !orthographic->is_object()) {
+        refuse("{}: has no 'orthographic' object", where);
+    }
+    const auto halfHeight = positive(*orthographic, "ymag", INFINITY, where);
+    const auto nearView = numberMember(*orthographic, "znear", where);
+    const auto farView = positive(*orthographic, "zfar", INFINITY, where);
+    if (!halfHeight || !nearView || !farView || !(*nearView >= 0.0 && *nearView < *farView)) {
+        refuse("{}: needs a ymag, and a znear of at least 0 that lies before its zfar", where);
+    }
+    return {.name = oneLine(fullNameOf(camera)),
+            .fovY = 0.0,
+            .nearView = *nearView,
+            .farView = farView,
+            .orthographic =
+                OrthographicLens{.halfHeight = *halfHeight, .nearView = *nearView, .farView = *farView}};
+}
+
+/// What a camera looks through; an orthographic one stands there alone.
+Camera seenThrough(const CameraLens& lens) {
+    if (lens.orthographic) {
+        return {};
+    }
+    return {.fovY = lens.fovY,
+            .nearView = lens.nearView,
+            .farView = lens.farView.value_or(kGltfFarRatio * lens.nearView)};
 }
 
 } // namespace
 
-std::vector<CameraLens> takeLenses(const json& root, Notes& notes) {
+std::vector<CameraLens> takeLenses(const json& root) {
     std::vector<CameraLens> lenses;
     for (const json& camera : arrayMember(root, "cameras")) {
         const std::string where = fmt::format("camera {} '{}'", lenses.size(), nameOf(camera));
@@ -57,8 +87,7 @@ std::vector<CameraLens> takeLenses(const json& root, Notes& notes) {
         if (type == "perspective") {
             lenses.push_back(lensOf(camera, where));
         } else if (type == "orthographic") {
-            notes.add("orthographic cameras are not used", where);
-            lenses.emplace_back();
+            lenses.push_back(orthographicLensOf(camera, where));
         } else {
             refuse("{}: type '{}' does not exist", where, oneLine(type));
         }
@@ -71,21 +100,18 @@ std::vector<GltfCamera> placeCameras(std::span<const CameraNode> nodes, const Do
     std::vector<GltfCamera> cameras;
     for (const CameraNode& node : nodes) {
         const CameraLens& lens = itemAt(document.lenses, node.camera, "camera");
-        if (!lens.isPerspective) {
-            continue;
-        }
-        const auto camera =
-            carriedBy(node.toWorld, {.fovY = lens.fovY,
-                                     .nearView = lens.nearView,
-                                     .farView = lens.farView.value_or(kGltfFarRatio * lens.nearView)});
+        const auto camera = carriedBy(node.toWorld, seenThrough(lens));
         if (!camera) {
             notes.add("a camera is not used, because its transform is not invertible",
                       fmt::format("node {}", node.node));
             continue;
         }
         const std::string nodeName = oneLine(fullNameOf(itemAt(document.root, "nodes", node.node, "node")));
-        cameras.push_back({!lens.name.empty() ? lens.name : nodeName, *camera, node.node});
+        cameras.push_back({!lens.name.empty() ? lens.name : nodeName, *camera, node.node, lens.orthographic});
     }
+    // Others keep the numbers that they had before these were drawn.
+    std::stable_partition(cameras.begin(), cameras.end(),
+                          [](const GltfCamera& camera) { return !camera.orthographic; });
     return cameras;
 }
 

@@ -11,10 +11,10 @@
 
 namespace cdr::scene::gltf {
 
-/// The cameras of a document, by index. Orthographic ones are noted. Refuses a lens that no camera can have.
-std::vector<CameraLens> takeLenses(const nlohmann::json& root, Notes& notes);
+/// The cameras of a document, by index. Refuses a lens that no camera can have.
+std::vector<CameraLens> takeLenses(const nlohmann::json& root);
 
-/// The perspective cameras that nodes carry, where those stand. A node's scale and mirroring do not reach its
+/// The cameras that nodes carry, where those stand; orthographic ones come last. A node's scale and mirroring do not reach its
 /// camera; one whose axes no longer span a space is noted and left out.
 std::vector<GltfCamera> placeCameras(std::span<const CameraNode> nodes, const Document& document,
                                      Notes& notes);

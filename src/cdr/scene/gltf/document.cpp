@@ -121,7 +121,7 @@ Document parseDocument(std::string_view text, const GltfLimits& limits, Notes& n
     requireVersion2(root);
     requireBoundedArrays(root, limits);
     requireSupportedExtensions(root, notes);
-    document.lenses = takeLenses(root, notes);
+    document.lenses = takeLenses(root);
     return document;
 }
 

@@ -16,10 +16,10 @@ namespace cdr::scene::gltf {
 /// What a camera of the file looks through.
 struct CameraLens {
     std::string name;
-    bool isPerspective = false; ///< if not, nothing of the rest is known
-    double fovY = 0.0;          ///< radians
+    double fovY = 0.0; ///< radians; 0 of an orthographic camera
     double nearView = 0.0;
-    std::optional<double> farView; ///< none: infinitely far
+    std::optional<double> farView;                ///< none: infinitely far
+    std::optional<OrthographicLens> orthographic; ///< instead
 };
 
 /// A glTF document, its counts and depth bounded.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/scene/animation/orthographic.h>
 #include <cdr/scene/animation/scene_animation.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/gltf/import_progress.h>
@@ -39,12 +40,13 @@ struct GltfLimits {
     ImportProgress progress{}; ///< may be empty
 };
 
-/// A perspective camera of a file, in world space. Its aspect ratio is left to the picture; where the file
-/// gives no far plane it is kGltfFarRatio times the near one.
+/// A camera of a file, in world space. Its aspect ratio is left to the picture; where the file gives no far plane it is
+/// kGltfFarRatio times the near one.
 struct GltfCamera {
     std::string name;
-    Camera camera;
-    int node = 0; ///< of the file
+    Camera camera; ///< where it stands, and through what it looks unless it is orthographic
+    int node = 0;  ///< of the file
+    std::optional<OrthographicLens> orthographic{}; ///< openGltf() shows it as fromAfar() does
 };
 inline constexpr double kGltfFarRatio = 1e7;
 
@@ -65,8 +67,9 @@ struct GltfLight {
 /// the primitives of one node share its object. The scene has no lights.
 struct GltfImport {
     Scene scene;
-    std::vector<GltfCamera> cameras; ///< of the scene's nodes, in the order of the file's node array
-    std::vector<GltfLight> lights;   ///< of the scene's nodes, at rest, in the order of the file's node array
+    std::vector<GltfCamera>
+        cameras; ///< of the scene's nodes, in the order of the file's node array, orthographic ones last
+    std::vector<GltfLight> lights; ///< of the scene's nodes, at rest, in the order of the file's node array
     std::vector<std::string> ignored; ///< one line per feature of the file that was not used
     /// What nodes move; the scene is as it is at rest. Null where nothing of it can move.
     std::shared_ptr<const SceneAnimation> animation;

@@ -226,19 +226,25 @@ std::vector<ListedLight> listed(std::span<const GltfLight> lights) {
     return list;
 }
 
+/// A file's camera at a place, as it is drawn.
+Camera drawnAs(const GltfCamera& camera, const Camera& place, const Sphere& atRest) {
+    return camera.orthographic ? fromAfar(place, *camera.orthographic, atRest.centre, atRest.radius) : place;
+}
+
 /// A camera where its node is at each frame. Where a frame flattens it, it stays as it is at rest.
 CameraPath carriedPath(const GltfImport& import, const GltfCamera& camera, std::size_t chosen,
-                       const GltfChoice& choice) {
+                       const GltfChoice& choice, const Sphere& atRest) {
     const FrameClock clock = clockOf(choice);
     const double seconds = import.animation->animations[chosen].seconds;
     const double frames = std::clamp(1.0 + std::floor(seconds * clock.framesPerSecond), 1.0, 1e6);
     const std::size_t node = *import.rigNodeOf[static_cast<std::size_t>(camera.node)];
-    return {
-        .frames = static_cast<std::uint32_t>(frames),
-        .at = [animation = import.animation, lens = camera.camera, chosen, node, clock](std::uint32_t frame) {
-            const Pose pose = poseAt(animation->rig, &animation->animations[chosen], clock.secondsAt(frame));
-            return carriedBy(pose.toWorld[node], lens).value_or(lens);
-        }};
+    return {.frames = static_cast<std::uint32_t>(frames),
+            .at = [animation = import.animation, camera, chosen, node, clock, atRest](std::uint32_t frame) {
+                const Pose pose =
+                    poseAt(animation->rig, &animation->animations[chosen], clock.secondsAt(frame));
+                const Camera place = carriedBy(pose.toWorld[node], camera.camera).value_or(camera.camera);
+                return drawnAs(camera, place, atRest);
+            }};
 }
 
 } // namespace
@@ -307,11 +313,17 @@ OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice
     }
     const Sphere bounds = requiredBounds(import.scene);
     const Sphere lightBounds = isSolid(atRest) ? atRest : bounds;
-    opened.setup =
-        setUpModel(std::move(import.scene), bounds, camera ? std::optional(camera->camera) : std::nullopt,
-                   choice.light.value_or(ModelLight::lamps), {import.lights, lightBounds});
+    const auto own = camera ? std::optional(drawnAs(*camera, camera->camera, lightBounds)) : std::nullopt;
+    if (camera && camera->orthographic) {
+        import.ignored.push_back(
+            fmt::format("the xmag of the orthographic camera '{}', which is drawn in perspective from {} "
+                        "diameters of the scene away",
+                        camera->name, kAfar));
+    }
+    opened.setup = setUpModel(std::move(import.scene), bounds, own, choice.light.value_or(ModelLight::lamps),
+                              {import.lights, lightBounds});
     if (chosen && camera && import.rigNodeOf[static_cast<std::size_t>(camera->node)]) {
-        opened.setup.path = carriedPath(import, *camera, *chosen, choice);
+        opened.setup.path = carriedPath(import, *camera, *chosen, choice, lightBounds);
     }
     if (choice.framesPerSecond) {
         if (movingLights && choice.light == ModelLight::file) {
