@@ -221,6 +221,9 @@ void Application::run() {
             perform(action);
             m_redraws = kSettleFrames;
         }
+        if (m_session.takeOpening()) {
+            m_redraws = std::max(m_redraws, 1);
+        }
         if (m_session.takeResult()) {
             for (std::size_t side = 0; side < m_model.picture.shown->sides.size(); ++side) {
                 m_presenter.picture(side).set(m_model.picture.shown->sides[side].picture);

@@ -42,7 +42,10 @@ RenderThread::RenderThread(const gpu::Device& device, std::function<void()> noti
 
 void RenderThread::serve(const std::stop_token& stop, const gpu::Device& device) {
     try {
-        SceneRenderer stage(device);
+        SceneRenderer stage(device, [this](OpenProgress progress) {
+            m_opening.put(std::move(progress));
+            m_notify();
+        });
         while (const auto request = m_requests.wait(stop)) {
             m_notify();
             m_results.put(answerOrExplain(stage, *request, stop));

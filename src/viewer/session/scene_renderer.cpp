@@ -3,6 +3,7 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/memory.h>
 #include <cdr/image/beside.h>
+#include <cdr/scene/gltf/import_progress.h>
 #include <viewer/state/view_picture.h>
 
 #include <utility>
@@ -40,6 +41,14 @@ FramesBefore framesBefore(const RenderRequest& request) {
 
 } // namespace
 
+scene::OpenedScene SceneRenderer::openNamed(const ViewSettings& settings) const {
+    return scenes::openScene(settings.scene, settings.seed,
+                             scenes::shownChoice(settings.scene, settings.choice),
+                             [&](std::size_t done, std::size_t all) {
+                                 m_tell({.file = settings.scene, .done = done, .all = all});
+                             });
+}
+
 void SceneRenderer::open(const ViewSettings& settings) {
     if (m_scene != nullptr && settings.scene == m_sceneName && settings.seed == m_seed &&
         settings.colours == m_colours && settings.choice == m_choice &&
@@ -47,8 +56,7 @@ void SceneRenderer::open(const ViewSettings& settings) {
         followLayers(settings.layers);
         return;
     }
-    auto opened = std::make_shared<scene::OpenedScene>(scenes::openScene(
-        settings.scene, settings.seed, scenes::shownChoice(settings.scene, settings.choice)));
+    auto opened = std::make_shared<scene::OpenedScene>(openNamed(settings));
     scenes::paint(opened->setup.scene, settings.scene, settings.colours);
     host::WorkerPool workers(settings.threads);
     visibility::prepareDetail(opened->setup.scene, settings.finish.detail, workers);

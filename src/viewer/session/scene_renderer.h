@@ -4,14 +4,17 @@
 
 #include <scenes/moving_scene.h>
 #include <viewer/state/flip_window.h>
+#include <viewer/state/requests/open_progress.h>
 #include <viewer/state/requests/render_request.h>
 
 #include <array>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cdr::viewer {
@@ -20,8 +23,10 @@ namespace cdr::viewer {
 /// answer, if a view needs it or wrong pixels are counted. For one thread.
 class SceneRenderer {
   public:
-    /// The device must outlive it.
-    explicit SceneRenderer(const gpu::Device& device) : m_device(device) {}
+    using TellOpening = std::function<void(OpenProgress progress)>;
+
+    /// The device must outlive it. @param tell is called on the thread that renders, while a file is opened.
+    SceneRenderer(const gpu::Device& device, TellOpening tell) : m_device(device), m_tell(std::move(tell)) {}
 
     /// Opens what the request names unless it is open, and renders it. base::InputError or base::RunError say
     /// what cannot be. The scene that was open then stays.
@@ -38,6 +43,8 @@ class SceneRenderer {
         std::unique_ptr<scenes::MovingScene> moving; ///< null until something moves or changes its layer
         render::GpuScene onDevice;
     };
+    /// A generated scene or a file.
+    scene::OpenedScene openNamed(const ViewSettings& settings) const;
     void open(const ViewSettings& settings);
     /// Brings the materials of the open scene into these layers.
     void followLayers(const std::vector<scenes::LayerChoice>& layers);
@@ -51,6 +58,7 @@ class SceneRenderer {
     SceneOnDevice set();
 
     const gpu::Device& m_device;
+    TellOpening m_tell;
     std::string m_sceneName;
     std::uint64_t m_seed = 0;
     scenes::Colours m_colours = scenes::Colours::thesis;

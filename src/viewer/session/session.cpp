@@ -166,6 +166,16 @@ void Session::ask(RenderRequest request) {
     m_thread->request(std::move(request));
 }
 
+bool Session::takeOpening() {
+    const auto opening = m_thread->takeOpening();
+    if (!opening || isSettled()) { // told before the result that was taken
+        return false;
+    }
+    m_model.interface.say(textOf(*opening));
+    m_saysOpening = m_model.interface.notice.text;
+    return true;
+}
+
 bool Session::takeResult() {
     std::optional<RenderResult> result = m_thread->take();
     if (!result) {
@@ -306,6 +316,10 @@ void Session::pick(const Click& click, const RenderResult& result) {
 }
 
 void Session::enterScene(const RenderResult& result) {
+    if (!m_saysOpening.empty() && m_model.interface.notice.text == m_saysOpening) {
+        m_model.interface.notice = {};
+    }
+    m_saysOpening.clear();
     m_model.camera.ofScene = result.scene->setup.path.at(0);
     const auto first = std::exchange(m_model.camera.first, std::nullopt);
     m_model.camera.now = scene::canonical(first ? overridden(result.camera, *first) : result.camera);

@@ -11,6 +11,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace cdr::viewer {
 
@@ -33,6 +34,8 @@ class Session {
 
     /// Moves the camera along its path, if it follows one, and asks for what is wanted and not yet asked for.
     void update(const SessionInput& input);
+    /// Says how much of a file is opened. True when that is new.
+    bool takeOpening();
     /// Takes the newest result into the model. True when there are new pictures. Rethrows what the first
     /// scene failed for, and what ended the render thread.
     bool takeResult();
@@ -78,7 +81,8 @@ class Session {
     std::uint64_t m_serial = 0;
     std::uint64_t m_shownSerial = 0;
     std::uint64_t m_results = 0;
-    bool m_isIdle = false; ///< at the last update()
+    bool m_isIdle = false;     ///< at the last update()
+    std::string m_saysOpening; ///< the notice of a file that is being opened, else empty
     std::optional<Click> m_click;
     Clock::time_point m_surfacesAsked{};
     struct Asked {

@@ -270,7 +270,7 @@ TEST_F(GltfStreaming, APictureThatBecomesAnotherOneIsRefused) {
     const auto refusalWith = [&](const auto& change) {
         GltfLimits limits;
         limits.progress = [&](std::size_t done, std::size_t all) {
-            if (done + 1 == all) { // its meshes and materials are there
+            if (done > 0 && done < all) { // its meshes and materials are there
                 change();
             }
         };
@@ -281,6 +281,27 @@ TEST_F(GltfStreaming, APictureThatBecomesAnotherOneIsRefused) {
     EXPECT_EQ(refusalWith([&] { write("a.png", png(3)); }), "image 0 changed while the file was imported");
     expectSays(refusalWith([&] { fs::resize_file(folder() / "a.png", 40); }), "image 0: damaged PNG");
     expectSays(refusalWith([&] { fs::remove(folder() / "a.png"); }), "a.png: no such file");
+}
+
+/// A file of one mesh has one node, and is read by and by.
+TEST_F(GltfStreaming, ProgressFollowsTheBytesOfOneMeshAndPictures) {
+    Document document = interleaved(60'000, 24, Order::asTheyAre);
+    const fs::path path = write("a.glb", document.glb());
+    std::vector<double> shares;
+    GltfLimits limits;
+    limits.threads = 1;
+    limits.progress = [&](std::size_t done, std::size_t all) {
+        shares.push_back(static_cast<double>(done) / static_cast<double>(all));
+    };
+    EXPECT_EQ(refusal(path, limits), "loaded");
+    EXPECT_GT(shares.size(), 20u);
+    EXPECT_LT(shares.size(), 150u);
+    EXPECT_EQ(shares.front(), 0.0);
+    EXPECT_EQ(shares.back(), 1.0);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    const auto half = std::lower_bound(shares.begin(), shares.end(), 0.4);
+    ASSERT_NE(half, shares.end());
+    EXPECT_LT(*half, 0.7);
 }
 
 /// Chunks that say nothing, of which a file may hold a hundred million.

@@ -55,6 +55,8 @@ class Accessor {
     Accessor(const Accessor& declared, Strided elements);
 
     std::size_t count() const { return m_count; }
+    /// Of all elements together.
+    std::size_t bytes() const { return m_count * m_elementBytes; }
     /// Components of an element: 1 for SCALAR to 4 for VEC4, 16 for MAT4, 0 for smaller matrices.
     int components() const { return m_components; }
     /// glTF's number.

@@ -1,6 +1,7 @@
 #include "animation/deformers.h"
 #include "animation/moving_parts.h"
 #include "bytes/container.h"
+#include "bytes/read_progress.h"
 #include "cameras.h"
 #include "checks.h"
 #include "draco/decompressor.h"
@@ -25,6 +26,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace cdr::scene {
@@ -86,18 +88,7 @@ class Importer {
             forEachCopy(node,
                         [&](const MeshNode& copy) { stretch = std::max(stretch, stretchOf(copy.toWorld)); });
         }
-        const std::size_t parts = nodes.meshes.size() + 1; // the last one is its textures
-        const std::size_t told = std::max<std::size_t>(parts / 100, 1);
-        for (std::size_t i = 0; i < nodes.meshes.size(); ++i) {
-            if (m_limits.progress && i % told == 0) {
-                m_limits.progress(i, parts);
-            }
-            addNode(nodes.meshes[i]);
-        }
-        if (m_limits.progress) {
-            m_limits.progress(parts - 1, parts);
-        }
-        m_materials.decodeTextures(m_limits);
+        addNodes(nodes.meshes);
         result.animation = m_moving->finish(m_scene);
         result.rigNodeOf = m_moving->rigNodes();
         result.scene = std::move(m_scene);
@@ -105,6 +96,10 @@ class Importer {
 
   private:
     void requireBounded(const std::vector<MeshNode>& nodes);
+    /// Adds all nodes and their textures, and tells how far it is.
+    void addNodes(const std::vector<MeshNode>& nodes);
+    /// About how many bytes are read when a node is the first one of its mesh.
+    std::uint64_t readBytes(int mesh);
     /// Reads a mesh and adds what its parts take; returns its triangles.
     std::uint64_t readBounded(int mesh);
     void addNode(const MeshNode& node);
@@ -208,6 +203,41 @@ void Importer::requireBounded(const std::vector<MeshNode>& nodes) {
     m_memory.addInstances(instances);
 }
 
+void Importer::addNodes(const std::vector<MeshNode>& nodes) {
+    std::vector<std::uint64_t> bytes;
+    std::set<int> isRead;
+    std::uint64_t all = 0;
+    for (const MeshNode& node : nodes) {
+        bytes.push_back(1 + (isRead.insert(node.mesh).second ? readBytes(node.mesh) : 0));
+        all += bytes.back();
+    }
+    const std::size_t pictures = arrayMember(m_sources.document.root, "images").size();
+    ReadProgress progress(m_limits.progress, all + pictures * kPictureBytes);
+    m_sources.buffers.blocks().tell(&progress);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        progress.begin(bytes[i]);
+        addNode(nodes[i]);
+    }
+    m_sources.buffers.blocks().tell(nullptr);
+    progress.begin(pictures * kPictureBytes);
+    progress.tell();
+    m_materials.decodeTextures(m_limits, progress);
+}
+
+std::uint64_t Importer::readBytes(int mesh) {
+    std::uint64_t bytes = 0;
+    for (const Primitive& primitive : m_sourceMeshes.at(mesh).primitives) {
+        const auto positions = primitive.attributes.find("POSITION");
+        if (positions != primitive.attributes.end()) {
+            bytes += primitive.attributes.size() * m_accessors.at(positions->second).bytes();
+        }
+        if (primitive.indices >= 0) {
+            bytes += m_accessors.at(primitive.indices).bytes();
+        }
+    }
+    return bytes;
+}
+
 std::uint64_t Importer::readBounded(int mesh) {
     const MeshSource& source =
         m_sourceMeshes.emplace(mesh, readMesh(m_sources.document.root, mesh)).first->second;
@@ -215,6 +245,7 @@ std::uint64_t Importer::readBounded(int mesh) {
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
         triangles += drawnTriangleCount(source.primitives[i], m_accessors);
         const Primitive& primitive = source.primitives[i];
+        requireTargets(m_sources.document.root, primitive, m_accessors, placeOf(mesh, source.name, i));
         const VertexKind kind = mayHaveDetail(m_sources.document.root, primitive.material)
                                     ? VertexKind::detailed
                                     : VertexKind::plain;
@@ -245,7 +276,6 @@ void Importer::addObject(const MeshNode& node, std::string name) {
         } else if (node.toNode && node.skin && hasJoints(primitives[i])) {
             m_sources.notes.add(
                 "copies of a mesh with a skin are not drawn: no node places its joints, and the "
-        requireTargets(m_sources.document.root, primitive, m_accessors, placeOf(mesh, source.name, i));
                 "extension does not say what does",
                 fmt::format("node {}", node.node));
         } else {

@@ -14,7 +14,8 @@
 
 namespace cdr::scene {
 
-/// Told how much of a file has been imported: `done` of `all` parts, which are of no unit. Called about a hundred times.
+/// Told how much of a file has been imported: `done` of `all`, which grow with the bytes that are read and the pictures that
+/// are decoded. Called about a hundred times.
 using ImportProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// openGltf() that tells how far it is.

@@ -35,7 +35,9 @@ class MaterialImporter {
     const MaterialUse& use(int material, Ground ground);
 
     /// TextureImporter::decode(), once all materials are there.
-    void decodeTextures(const GltfLimits& limits) { m_textures.decode(limits); }
+    void decodeTextures(const GltfLimits& limits, ReadProgress& progress) {
+        m_textures.decode(limits, progress);
+    }
 
   private:
     MaterialUse import(int index, Ground ground);

@@ -58,6 +58,9 @@ const BlockCache::Block& BlockCache::blockAt(const OpenFile& file, std::uint64_t
         static_cast<std::size_t>(std::min<std::uint64_t>(kBlockBytes, file.file.size() - offset));
     readOpen(file, offset, {oldest->bytes, length});
     *oldest = {.file = &file, .number = number, .lastUse = ++m_uses, .bytes = oldest->bytes};
+    if (m_progress != nullptr) {
+        m_progress->read(length);
+    }
     return *oldest;
 }
 

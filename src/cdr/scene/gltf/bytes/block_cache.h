@@ -1,6 +1,7 @@
 #pragma once
 
 #include "byte_source.h"
+#include "read_progress.h"
 
 #include <array>
 #include <cstddef>
@@ -33,6 +34,9 @@ class BlockCache {
         return find(file, offset, length, hint);
     }
 
+    /// Tells `progress` of all bytes that are read from now on; null: nothing more. It must outlive this, or the next call.
+    void tell(ReadProgress* progress) { m_progress = progress; }
+
     /// A place for a block.
     struct Block {
         const OpenFile* file = nullptr; ///< null: it holds nothing
@@ -53,6 +57,7 @@ class BlockCache {
     std::unique_ptr<std::uint8_t[]>
         m_bytes{}; ///< of all blocks; the system gives memory to those that are used
     std::uint64_t m_uses = 0;
+    ReadProgress* m_progress = nullptr;
     std::array<std::uint8_t, kMostBytes> m_joined{}; ///< of two blocks
 };
 

@@ -7,6 +7,7 @@
 #include <cdr/image/levels.h>
 
 #include <algorithm>
+#include <atomic>
 #include <thread>
 #include <utility>
 
@@ -143,13 +144,20 @@ std::vector<std::uint32_t> TextureImporter::dropLevels(const std::optional<std::
     return dropped;
 }
 
-void TextureImporter::decode(const GltfLimits& limits) {
+void TextureImporter::decode(const GltfLimits& limits, ReadProgress& progress) {
     const std::vector<std::uint32_t> dropped = dropLevels(limits.textureMemory);
     const std::size_t most =
         limits.threads != 0 ? limits.threads : std::max(1u, std::thread::hardware_concurrency());
     host::WorkerPool workers(
         std::clamp<std::size_t>(m_shown.size(), 1, std::min(most, host::WorkerPool::kMaxThreads)));
-    workers.run(m_shown.size(), [&](std::size_t i, std::size_t) { fill(m_shown[i], dropped); });
+    std::atomic<std::size_t> decoded = 0; // and not yet told
+    workers.run(m_shown.size(), [&](std::size_t i, std::size_t worker) {
+        fill(m_shown[i], dropped);
+        ++decoded;
+        if (worker == 0) { // the thread that imports
+            progress.read(decoded.exchange(0) * kPictureBytes);
+        }
+    });
 }
 
 void TextureImporter::fill(const Shown& shown, const std::vector<std::uint32_t>& dropped) {

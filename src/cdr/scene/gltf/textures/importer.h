@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../bytes/read_progress.h"
 #include "../sources.h"
 #include "budget.h"
 #include "picture_source.h"
@@ -26,7 +27,8 @@ class TextureImporter {
 
     /// Decodes what textures show. The first picture that is damaged, in the order of use(), is the one refused.
     /// Leaves out the largest levels of some, with a note, where GltfLimits::textureMemory asks for it.
-    void decode(const GltfLimits& limits);
+    /// @param progress is told of pictures on the calling thread.
+    void decode(const GltfLimits& limits, ReadProgress& progress);
 
   private:
     /// A picture, and which of the scene's textures show it.
