@@ -9,6 +9,8 @@
 #include <scenes/open_scene.h>
 
 #include <cmath>
+#include <list>
+#include <utility>
 
 namespace cdr::render_test {
 
@@ -31,7 +33,10 @@ class AnimationTest : public RenderTest {
         return scenes::openScene(kMachine, scenes::kDefaultSeed, choice);
     }
     static render::RenderOptions options(const char* technique, std::size_t threads = 2) {
-        render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
+        return options(depth::parseTechnique(technique), threads);
+    }
+    static render::RenderOptions options(const depth::Technique& technique, std::size_t threads = 2) {
+        render::RenderOptions options = smallOptions(technique);
         options.width = 240;
         options.height = 180;
         options.threads = threads;
@@ -45,7 +50,10 @@ TEST_F(AnimationTest, FramesAreThoseOfAFileOpenedAtTheirMoment) {
     const scene::OpenedScene opened = open(0.0, kFramesPerSecond);
     for (const std::size_t threads : {std::size_t{1}, std::size_t{3}, std::size_t{16}}) {
         host::WorkerPool workers(threads);
-        for (const char* technique : {"reversed", "anchored", "cdr"}) {
+        for (const auto& [name, technique] : depth::presets()) {
+            if (threads != 3 && name != "anchored" && name != "cdr") {
+                continue; // how many threads deform does not depend on the technique
+            }
             scenes::MovingScene moving(opened.setup.scene, opened.setup.motion);
             render::GpuScene onDevice(device(), moving.world());
             render::Renderer renderer(device(), onDevice, options(technique, threads));
@@ -56,7 +64,7 @@ TEST_F(AnimationTest, FramesAreThoseOfAFileOpenedAtTheirMoment) {
                 EXPECT_FALSE(still.motion);
                 ASSERT_EQ(hashOf(renderer.render(opened.setup.path.at(frame))),
                           hashOf(draw(still.scene, still.path.at(0), options(technique, 1))))
-                    << technique << ", frame " << frame << ", " << threads << " threads";
+                    << name << ", frame " << frame << ", " << threads << " threads";
             }
         }
     }
@@ -71,19 +79,22 @@ TEST_F(AnimationTest, TruthSeesTheSameTriangles) {
     measure::TruthCaster caster(moving.world().scene(), workers);
     const measure::TruthCaster untold(moving.world().scene(), workers);
     render::GpuScene onDevice(device(), moving.world());
-    render::Renderer renderer(device(), onDevice, options("anchored"));
+    std::list<render::Renderer> renderers;
+    for (const auto& [name, technique] : depth::presets()) {
+        renderers.emplace_back(device(), onDevice, options(technique));
+    }
     for (const std::uint32_t frame : {1u, 3u, 4u, 6u, 8u}) {
         moving.show(frame, workers);
         caster.follow(moving.deformedMeshes(), workers);
         const scene::Camera camera = opened.setup.path.at(frame);
-        const render::Frame drawn = renderer.render(camera);
-        const measure::WrongPixels wrong =
-            measure::countWrong(drawn.ids(), caster.cast(camera, drawn.width(), drawn.height(), workers));
-        EXPECT_EQ(wrong.wrong, 0u) << "frame " << frame;
-        EXPECT_GT(
-            measure::countWrong(drawn.ids(), untold.cast(camera, drawn.width(), drawn.height(), workers))
-                .wrong,
-            0u);
+        const render::RenderOptions size = options("anchored");
+        const measure::TruthImage truth = caster.cast(camera, size.width, size.height, workers);
+        const measure::TruthImage other = untold.cast(camera, size.width, size.height, workers);
+        for (render::Renderer& renderer : renderers) {
+            const image::ImageU32 drawn = renderer.render(camera).ids();
+            EXPECT_EQ(measure::countWrong(drawn, truth).wrong, 0u) << "frame " << frame;
+            EXPECT_GT(measure::countWrong(drawn, other).wrong, 0u) << "frame " << frame;
+        }
     }
 }
 
