@@ -13,7 +13,9 @@ float max(float a, double b) {
 }
 using glm::vec2;
 using glm::vec4;
+using std::abs;
 using std::log;
+#define CDR_PRECISE // a word of GLSL
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wfloat-conversion"
