@@ -127,11 +127,11 @@ check_changed() {
     # A header is checked by the source beside it.
     mapfile -t sources < <(printf '%s\n' "${changed[@]}" | sed -nE 's,^(src/.*)[.](cpp|h)$,\1.cpp,p' | awk '!seen[$0]++' |
         while read -r file; do [[ ! -e $file ]] || echo "$file"; done)
-    check_some 40 tools/tidy.sh "${sources[@]}"
+    check_some 40 clang-tidy tools/tidy.sh "${sources[@]}"
     if command -v iwyu_tool >/dev/null; then
-        check_some 50 tools/includes.sh "${sources[@]}"
+        check_some 50 include-what-you-use tools/includes.sh "${sources[@]}"
     else
-        tools/includes.sh # it says what is missing
+        echo "tools/check.sh: include-what-you-use is not installed, so includes are not checked" >&2
     fi
     for room in "${rooms[@]}"; do
         if [[ -e tests/$room/CMakeLists.txt && ! $room =~ ^(cli|ranks|viewer|report)$ ]] &&
@@ -155,15 +155,15 @@ check_changed() {
 }
 
 # A check of sources, a few at a time while there is time.
-check_some() { # PERCENT SCRIPT FILE...
-    local percent=$1 script=$2 status few
-    shift 2
+check_some() { # PERCENT NAME SCRIPT FILE...
+    local percent=$1 name=$2 script=$3 status few
+    shift 3
     few=$((2 * $(nproc)))
     while (($#)); do
         status=0
         within "$percent" "$script" "${@:1:few}" || status=$?
         if ((status == 124)); then
-            left_out "$script" "$@"
+            left_out "$name" "$@"
             return
         fi
         ((status == 0)) || return 1

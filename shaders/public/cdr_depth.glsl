@@ -107,7 +107,7 @@ float cdrRounding(vec2 across, float ahead, float originAhead, float anchorView)
 // what they round, so each of two could leave a pixel to the other. So a cascade begins a little before its near plane. What
 // it draws there has the depth of its near plane, and the nearer cascade draws over it. The nearest cascade has no other
 // before it: do without this function there.
-// rounding: cdrRounding(), interpolated. distanceView: of the fragment.
+// inside: cdrInside() of the fragment. rounding: cdrRounding(), interpolated. distanceView: of the fragment.
 vec2 cdrInsideWide(vec2 inside, float rounding, float distanceView) {
     const float kInterpolation = 0.0009765625; // 2^-10: what devices round between vertices, of the distance
     return vec2(inside.x + rounding + kInterpolation * distanceView, inside.y);
@@ -147,6 +147,7 @@ vec2 cdrInsideCascadeWide(float ahead, CdrCascade cascade) {
 bool cdrIsOutsideCascade(float ahead, CdrCascade cascade) { return cdrIsOutside(cdrInsideCascade(ahead, cascade)); }
 
 // The same for cascades that are drawn from far to near, all but the nearest. cdrInsideWide() says why.
+// ahead and rounding: interpolated; cdrRounding().
 bool cdrIsOutsideCascadeWide(float ahead, float rounding, CdrCascade cascade) {
     return cdrIsOutside(cdrInsideWide(cdrInsideCascade(ahead, cascade), rounding, cascade.terms.x + ahead));
 }

@@ -204,7 +204,7 @@ const std::vector<Numbers> kNumbersOfCommands{
     {"detail cubes --size 16x16", {"--frames @"}, "DetailOfFrames"},
     {"detail cubes --frames 1 --size 16x16", {"--threads @", "--seed @"}, "DetailOnThreads"},
     {"orbit --size 16x16 --techniques standard", {"--frames @"}, "OrbitOfFrames"},
-    {"orbit --frames 1 --size 16x16 --techniques standard", {"--threads @"}, "OrbitOnThreads"},
+    {"orbit --frames 1 --size 16x16 --techniques standard", {"--threads @", "--snap-bits @"}, "OrbitOfOne"},
     {"scaling --size 16x16 --threads 1 --cascades 1 --repeats 1 --targets single", {"--draws @"}, "Draws"},
     {"scaling --size 16x16 --draws 1 --threads 1 --cascades 1 --targets single", {"--repeats @"}, "Repeats"},
     {"scaling --size 16x16 --draws 1 --threads 1 --repeats 1 --targets single",

@@ -61,7 +61,7 @@ git checkout --quiet root
 
 # The rooms and sources of a commit reach the tools, and those for which no time is left are named.
 log=$work/log
-for tool in tools/build.sh tools/tidy.sh tools/fuzz.sh valgrind ctest; do
+for tool in tools/build.sh tools/tidy.sh tools/includes.sh tools/fuzz.sh valgrind ctest; do
     mkdir -p "$(dirname "$work/bin/$tool")"
     printf '#!/bin/sh\necho "%s $*" >>"%s"\n' "$tool" "$log" >"$work/bin/$tool"
     chmod +x "$work/bin/$tool"

@@ -7,6 +7,9 @@ const titleOf = ({ stereo }) => titles[stereo] ?? stereo;
 
 /** @param {{document: object, folder: string}[]} results a way in which eyes look, and an output each. */
 export function fillStereo(results) {
+    if (results.length === 0) {
+        return; // the page has no such section then, or says why it failed
+    }
     slot("stereo", "pictures").append(...stereoPictures(results).map(makePicture));
     const rows = stereoRows(results.map(({ document }) => document));
     if (rows.length > 0) {

@@ -166,10 +166,11 @@ TEST_F(GltfLargeFile, TellsHowFarItIs) {
     ASSERT_GT(told.size(), 50u);
     EXPECT_LT(told.size(), 150u);
     for (std::size_t i = 0; i < told.size(); ++i) {
-        EXPECT_EQ(told[i].second, 251u);
+        EXPECT_EQ(told[i].second, told[0].second);
         EXPECT_TRUE(i == 0 ? told[i].first == 0 : told[i].first > told[i - 1].first);
     }
-    EXPECT_EQ(told.back().first, 250u);
+    EXPECT_GT(told[0].second, 250u); // its nodes, and what is read
+    EXPECT_EQ(told.back().first, told[0].second);
 }
 
 } // namespace
