@@ -114,6 +114,20 @@ TEST_F(ShadowsTest, WideTexelsAreHalved) {
     EXPECT_LE(wrong.wrong, wrong.pixels / 10'000);
 }
 
+/// The runway's number through a long lens: paint 5 mm over the asphalt, under texels of a metre. At inner corners all texels
+/// near by may be of the paint.
+TEST_F(ShadowsTest, ThinPaintCastsNoShadowBesideItself) {
+    const scene::SceneSetup setup = scenes::openScene("orbit", scenes::kDefaultSeed).setup;
+    const scene::Camera camera = setup.path.at(239);
+    RenderOptions options = shadowOptions("anchored");
+    options.width = 320;
+    options.height = 180;
+    const auto truth = ShadowTruth(setup.scene).cast(camera, options);
+    const measure::WrongShadows wrong = wrongShadowsIn(draw(setup.scene, camera, options), truth);
+    EXPECT_GT(wrong.pixels, 50'000u);
+    EXPECT_LE(wrong.wrong, 1u);
+}
+
 TEST_F(ShadowsTest, TheCountSeesShadowsThatAreMissing) {
     const scene::SceneSetup setup = scenes::openScene("alley", scenes::kDefaultSeed).setup;
     host::WorkerPool workers(2);
