@@ -56,6 +56,15 @@ class ShadowsTest : public RenderTest {
         }
         return wrong;
     }
+
+    /// Of one frame of a scene.
+    measure::WrongShadows wrongShadowsOf(const char* scene, std::uint32_t frame,
+                                         const RenderOptions& options) {
+        const scene::SceneSetup setup = scenes::openScene(scene, scenes::kDefaultSeed).setup;
+        const scene::Camera camera = setup.path.at(frame);
+        return wrongShadowsIn(draw(setup.scene, camera, options),
+                              ShadowTruth(setup.scene).cast(camera, options));
+    }
 };
 
 TEST_F(ShadowsTest, OffEdgesNextToNonePixelIsWrongAndPlainMapsAreWorse) {
@@ -102,14 +111,11 @@ TEST_F(ShadowsTest, OffEdgesNextToNonePixelIsWrongAndPlainMapsAreWorse) {
 
 /// Hangars from 430 km: a map covers kilometres, and its texels would be five pixels wide.
 TEST_F(ShadowsTest, WideTexelsAreHalved) {
-    const scene::SceneSetup setup = scenes::openScene("eclipse", scenes::kDefaultSeed).setup;
-    const scene::Camera camera = setup.path.at(40);
     RenderOptions options = shadowOptions("anchored");
     options.width = 640;
     options.height = 360;
     options.shadows.mostTexels = 1024;
-    const auto truth = ShadowTruth(setup.scene).cast(camera, options);
-    const measure::WrongShadows wrong = wrongShadowsIn(draw(setup.scene, camera, options), truth);
+    const measure::WrongShadows wrong = wrongShadowsOf("eclipse", 40, options);
     EXPECT_GT(wrong.shadowed, 1000u);
     EXPECT_LE(wrong.wrong, wrong.pixels / 10'000);
 }
@@ -117,13 +123,10 @@ TEST_F(ShadowsTest, WideTexelsAreHalved) {
 /// The runway's number through a long lens: paint 5 mm over the asphalt, under texels of a metre. At inner corners all texels
 /// near by may be of the paint.
 TEST_F(ShadowsTest, ThinPaintCastsNoShadowBesideItself) {
-    const scene::SceneSetup setup = scenes::openScene("orbit", scenes::kDefaultSeed).setup;
-    const scene::Camera camera = setup.path.at(239);
     RenderOptions options = shadowOptions("anchored");
     options.width = 320;
     options.height = 180;
-    const auto truth = ShadowTruth(setup.scene).cast(camera, options);
-    const measure::WrongShadows wrong = wrongShadowsIn(draw(setup.scene, camera, options), truth);
+    const measure::WrongShadows wrong = wrongShadowsOf("orbit", 239, options);
     EXPECT_GT(wrong.pixels, 50'000u);
     EXPECT_LE(wrong.wrong, 1u);
 }
