@@ -73,7 +73,7 @@ void main() {
     uint shine = inIdAndCutoff.y;
 #endif
 #endif
-    // Clipping would round to the size of the triangle. The interpolated distance rounds to itself near the camera.
+    // Clipping would round to the size of the triangle. cdrInsideWide() says how cascades overlap here.
     if (kWide != 0u && isCut(inside, ahead, gl_ClipDistance[1], cascade)) {
         discard;
     }

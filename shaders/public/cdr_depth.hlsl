@@ -4,7 +4,9 @@
 
 #define vec2 float2
 #define vec4 float4
+#ifndef CDR_PRECISE
 #define CDR_PRECISE precise
+#endif
 #include "cdr_depth.glsl"
 #undef vec2
 #undef vec4

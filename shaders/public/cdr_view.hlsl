@@ -5,6 +5,9 @@
 #define vec2 float2
 #define vec3 float3
 #define vec4 float4
+#ifndef CDR_PRECISE
+#define CDR_PRECISE precise
+#endif
 #include "cdr_view.glsl"
 #undef vec2
 #undef vec3

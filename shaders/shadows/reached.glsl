@@ -8,7 +8,8 @@
 const float kRounding = 1.0 / 2097152.0; // of what a place and a depth are made from
 const float kHalf = 1.0 / 1024.0;        // of a number kept as a half
 const float kMostSlope = 1000.0;
-// Texels: what lies so little before a surface shadows it for less than a map shows, beside its own edge.
+// Texels: what lies less before a surface casts no shadow on it. At the inner corners of thin paint all four texels near by may be
+// of the paint, which then seems to shadow the ground. A map cannot show so narrow a shadow in its place.
 const float kThin = 0.125;
 // Of today's practice: texels of bias, and times the larger slope of the caster.
 const float kPlainConstant = 0.5;

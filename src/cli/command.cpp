@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace cdr::cli {
 
 namespace {
@@ -131,7 +133,10 @@ scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_
     bounded.textureMiB = m_global.textureMiB;
     bounded.pointRadius = m_global.pointRadius;
     scene::OpenedScene opened =
-        scenes::openScene(nameOrPath, seed, bounded, progressOf("parts of " + nameOrPath));
+        scenes::openScene(nameOrPath, seed, bounded, [&](std::size_t done, std::size_t all) {
+            m_console.progress(100 * done / std::max<std::size_t>(all, 1), 100,
+                               "hundredths of " + nameOrPath);
+        });
     m_console.endProgress();
     note(source, opened.notes);
     return std::move(opened.setup);

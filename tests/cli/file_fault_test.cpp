@@ -62,6 +62,7 @@ TEST_P(FileFaults, EveryWriteMayFail) {
     ASSERT_EQ(served.status, 0) << served.err;
     constexpr long kMostCalls = 2000;
     std::size_t cases = 0;
+    std::size_t failures = 0;
     for (const int error : {ENOSPC, EACCES, EIO, ENOENT}) {
         const long stride = takesAllCases() ? 1 : GetParam().stride;
         for (long after = error % stride; after < kMostCalls; after += stride) {
@@ -75,11 +76,12 @@ TEST_P(FileFaults, EveryWriteMayFail) {
                 EXPECT_EQ(result.err, "");
                 break; // more calls than there are
             }
+            ++failures;
             EXPECT_TRUE(result.status == 1 || result.status == 2) << result.status;
             EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
         }
     }
-    EXPECT_GE(cases, 4u);
+    EXPECT_GT(failures, 0u);
     std::printf("%zu cases\n", cases);
 }
 

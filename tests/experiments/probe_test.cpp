@@ -45,6 +45,9 @@ TEST_F(Probe, PredictionsHoldOverTechniquesFormatsAndDistances) {
 
 /// As graphics cards with few sub-pixel bits draw: the gaps that they resolve are larger.
 TEST_F(Probe, RoundedVerticesResolveLess) {
+    if (device().info().subPixelBits <= 4) {
+        GTEST_SKIP() << "the device itself rounds vertices to so few bits";
+    }
     ProbeOptions options;
     options.distancesView = {1000.0};
     options.techniques = {depth::namedTechnique("anchored")};

@@ -70,7 +70,8 @@ TEST(TimingModes, OptionsOfARendererSayAllThatAModeDoes) {
     EXPECT_TRUE(both.occlusionCulling && both.submission == render::Submission::gpuDriven);
     EXPECT_EQ(optionsOf("cdr-5/accumulate").targets, render::parseTargets("accumulate"));
     EXPECT_EQ(timingModesNamed({"cdr-5/accumulate"}).back().name, "cdr-5/accumulate");
-    for (const char* unknown : {"standard/", "/visibility", "standard/fast", "standard//lit"}) {
+    for (const char* unknown : {"standard/", "/visibility", "standard/fast", "standard//lit",
+                                "standard/lit/visibility", "log/lit/lit"}) {
         EXPECT_THROW(timingModesNamed({unknown}), InputError) << unknown;
     }
     EXPECT_EQ(optionsOf("standard"),

@@ -61,7 +61,7 @@ git checkout --quiet root
 
 # The rooms and sources of a commit reach the tools, and those for which no time is left are named.
 log=$work/log
-for tool in tools/build.sh tools/tidy.sh tools/includes.sh tools/fuzz.sh valgrind ctest; do
+for tool in tools/build.sh tools/tidy.sh tools/includes.sh tools/fuzz.sh valgrind ctest iwyu_tool; do
     mkdir -p "$(dirname "$work/bin/$tool")"
     printf '#!/bin/sh\necho "%s $*" >>"%s"\n' "$tool" "$log" >"$work/bin/$tool"
     chmod +x "$work/bin/$tool"
@@ -83,6 +83,7 @@ has() { # TEXT
 has "valgrind --quiet --error-exitcode=9 --leak-check=full build/release/bin/test_depth"
 has "tools/tidy.sh src/cdr/depth/source1.cpp"
 has "tools/tidy.sh src/cdr/scene/a.cpp src/cdr/scene/b.cpp"
+has "tools/includes.sh src/cdr/scene/a.cpp src/cdr/scene/b.cpp"
 has "tools/build.sh --in-batches asan -- --target test_scene cdr_keep_loaded"
 has "ctest --preset asan"
 has "tools/fuzz.sh 60 camera_path gltf words"

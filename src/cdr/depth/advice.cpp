@@ -19,7 +19,7 @@ constexpr std::array kSimplestFirst{"standard", "reversed", "log", "cdr", "logcd
 /// between float32 values is up to two steps.
 constexpr double kStepsPerSeparation = 5.0;
 
-/// As fine as the most cascades allow, for detail at one distance. No visible content reaches its target.
+/// As fine as eight cascades allow, for detail at one distance. No visible content reaches its target.
 constexpr const char* kFinest = "anchored-reversed/fitted:1e-9";
 
 Technique anchoredFor(double separationView, DepthFormat format) {

@@ -57,7 +57,7 @@ struct Advice {
 };
 
 /// Forecasts every preset in every format, simplest first. Then come anchored with its target set to the separation, and
-/// anchored-reversed/fitted:1e-9, which is as fine as cascades allow.
+/// anchored-reversed/fitted:1e-9, which is as fine as eight cascades allow.
 /// @throws base::InputError for an unusable range, distance, content or separation.
 CDR_EXPORT Advice advise(const AdviceQuestion& question);
 /// The same, refused instead of thrown.

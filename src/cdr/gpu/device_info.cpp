@@ -127,6 +127,7 @@ std::optional<std::uint32_t> findQueueFamily(vk::PhysicalDevice physical) {
 
 std::optional<vk::Format> findDepthFormat(vk::PhysicalDevice physical, depth::DepthFormat format) {
     const DepthAttachments& formats = kDepthAttachments[static_cast<std::size_t>(format)];
+    // The smaller one first, where a device has both.
     for (const vk::Format candidate : {formats.alone, formats.withStencil}) {
         if (physical.getFormatProperties(candidate).optimalTilingFeatures &
             vk::FormatFeatureFlagBits::eDepthStencilAttachment) {

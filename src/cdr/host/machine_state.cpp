@@ -1,5 +1,8 @@
 #include <cdr/host/machine_state.h>
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <fstream>
 
 namespace cdr::host {
@@ -17,7 +20,8 @@ std::optional<T> firstWordOf(const char* path) {
 
 MachineState machineState() {
     return {.governor = firstWordOf<std::string>("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor"),
-            .load = firstWordOf<double>("/proc/loadavg")};
+            .load = firstWordOf<double>("/proc/loadavg"),
+            .cpus = static_cast<std::size_t>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)))};
 }
 
 } // namespace cdr::host

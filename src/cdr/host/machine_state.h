@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -10,6 +11,10 @@ struct MachineState {
     std::optional<std::string>
         governor;               ///< that chooses the CPUs' frequency; none where the kernel tells none
     std::optional<double> load; ///< programs that wanted to run, mean of the last minute
+    std::size_t cpus = 1;       ///< that are there, though this process may not use all
+
+    /// Whether other programs took more than half of the machine.
+    bool isBusy() const { return load.value_or(0.0) > 0.5 * static_cast<double>(cpus); }
 };
 
 MachineState machineState();

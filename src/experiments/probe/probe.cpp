@@ -36,15 +36,17 @@ double spanOf(const scene::SceneSetup& setup) {
     return farthest - nearest;
 }
 
+/// @param snapBits 0: vertices are not rounded.
 depth::ForecastScene forecastScene(const scene::SceneSetup& setup, const scenes::LadderOptions& ladder,
-                                   std::uint32_t height) {
+                                   std::uint32_t height, std::uint32_t snapBits) {
     const scene::Camera camera = setup.path.at(0);
     return {.nearView = ladder.nearView,
             .farView = ladder.farView,
             .footprintSlope = scene::frustumOf(camera, 1.0, height).footprintSlope,
             .atView = ladder.distanceView,
             .spanView = spanOf(setup),
-            .somethingNear = false};
+            .somethingNear = false,
+            .subPixelBits = snapBits > 0 ? std::optional<unsigned>(snapBits) : std::nullopt};
 }
 
 /// depth::forecast() knows no rival.
@@ -110,8 +112,8 @@ class Prober {
                                             .threads = m_options.threads,
                                             .snapBits = m_options.snapBits};
                 Drawer drawer(std::make_unique<render::Renderer>(m_device, setup.scene, gpuScene, drawn));
-                const auto forecast =
-                    depth::forecast(technique, forecastScene(setup, ladder, m_options.height));
+                const auto forecast = depth::forecast(
+                    technique, forecastScene(setup, ladder, m_options.height, m_options.snapBits));
                 all.push_back(measured(drawer, forecast.resolvedView(), forecast.guaranteedView()));
             }
         }

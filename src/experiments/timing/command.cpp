@@ -72,6 +72,12 @@ experiments::Columns<experiments::TimingResult> timingColumns(const measure::Int
     using Mode = experiments::TimingMode;
     using Parts = experiments::TimingParts;
     const experiments::CellFormat micros{.missing = "-"};
+    // The overheads of rivals are over another mode, whose noise is not measured.
+    const auto isSeen = [floor](const Result& result) {
+        return result.mode.idsAlone
+                   ? experiments::absent()
+                   : experiments::Json(experiments::liesApart(result.overheadPercent95, floor));
+    };
     const auto range = [](const Result& result) {
         return fmt::format("{} to {}", experiments::Readable{result.lowUs},
                            experiments::Readable{result.highUs});
@@ -112,14 +118,12 @@ experiments::Columns<experiments::TimingResult> timingColumns(const measure::Int
          .format = {"{:+} %"}},
         experiments::intervalColumn(&Result::overheadPercent95, "{:+} to {:+}"),
         {.key = "seen",
-         .value =
-             [floor](const Result& result) {
-                 return experiments::liesApart(result.overheadPercent95, floor);
-             },
+         .value = isSeen,
          .heading = "seen",
          .text =
-             [floor](const Result& result) {
-                 return std::string(experiments::liesApart(result.overheadPercent95, floor) ? "yes" : "no");
+             [isSeen](const Result& result) {
+                 const experiments::Json seen = isSeen(result);
+                 return std::string(seen.is_boolean() ? (seen.get<bool>() ? "yes" : "no") : "");
              }},
         {.key = "thesis_pct",
          .value = [](const Result& result) { return experiments::finiteOrNull(result.mode.thesisPercent); },

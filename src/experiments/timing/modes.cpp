@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -42,31 +43,32 @@ void addCascaded(const char* preset, const double (&thesis)[kMostCascades - kLea
 /// What a word behind a technique changes, such as "/gpu-driven".
 struct ModeVariant {
     std::string_view word;
+    std::string_view option; ///< that it is a value of
     std::function<void(TimingMode&)> change;
 };
 
 /// A variant for each of an option's values but that of plain modes.
 template <typename Choice, std::size_t count>
-void addChoices(const std::array<Choice, count>& choices, Choice TimingMode::*option,
+void addChoices(std::string_view name, const std::array<Choice, count>& choices, Choice TimingMode::*option,
                 std::vector<ModeVariant>& variants) {
     static const TimingMode kPlain;
     for (const Choice choice : choices) {
         if (choice != kPlain.*option) {
-            variants.push_back({nameOf(choice), [=](TimingMode& mode) { mode.*option = choice; }});
+            variants.push_back({nameOf(choice), name, [=](TimingMode& mode) { mode.*option = choice; }});
         }
     }
 }
 
 std::vector<ModeVariant> allVariants() {
     std::vector<ModeVariant> variants{
-        {"occlusion-culling", [](TimingMode& mode) { mode.occlusionCulling = true; }}};
-    addChoices(render::kBatchings, &TimingMode::batching, variants);
-    addChoices(render::kSubmissions, &TimingMode::submission, variants);
-    addChoices(render::kSurfacePaths, &TimingMode::surface, variants);
-    addChoices(render::kSnappings, &TimingMode::snapping, variants);
+        {"occlusion-culling", "occlusion culling", [](TimingMode& mode) { mode.occlusionCulling = true; }}};
+    addChoices("batching", render::kBatchings, &TimingMode::batching, variants);
+    addChoices("submission", render::kSubmissions, &TimingMode::submission, variants);
+    addChoices("surface", render::kSurfacePaths, &TimingMode::surface, variants);
+    addChoices("snapping", render::kSnappings, &TimingMode::snapping, variants);
     for (const render::TargetsKind kind : render::kTargetsKinds) {
         if (kind != render::TargetsKind::single) {
-            variants.push_back({nameOf(kind), [=](TimingMode& mode) { mode.targets = kind; }});
+            variants.push_back({nameOf(kind), "targets", [=](TimingMode& mode) { mode.targets = kind; }});
         }
     }
     return variants;
@@ -117,11 +119,16 @@ TimingMode modeNamed(std::string_view name) {
     TimingMode mode = namedOf("mode", plain, name.substr(0, end),
                               [](const TimingMode& one) { return std::string_view(one.name); });
     const std::vector<ModeVariant> variants = allVariants();
+    std::set<std::string_view> options;
     while (end < name.size()) {
         name.remove_prefix(end + 1);
         end = std::min(name.find('/'), name.size());
-        vary(mode, namedOf("variant of a mode", variants, name.substr(0, end),
-                           [](const ModeVariant& one) { return one.word; }));
+        const ModeVariant& variant = namedOf("variant of a mode", variants, name.substr(0, end),
+                                             [](const ModeVariant& one) { return one.word; });
+        vary(mode, variant);
+        if (!options.insert(variant.option).second) {
+            throw base::InputError("mode " + mode.name + " has more than one " + std::string(variant.option));
+        }
     }
     return mode;
 }

@@ -5,19 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <thread>
-
 namespace cdr::experiments {
-
-namespace {
-
-/// Half a program for each processor.
-bool isBusy(const host::MachineState& before) {
-    return before.load.value_or(0.0) > 0.5 * std::max(1u, std::thread::hardware_concurrency());
-}
-
-} // namespace
 
 Columns<Comparison> againstColumns() {
     return {
@@ -55,7 +43,7 @@ Json machineJson(const host::MachineState& before) {
     return {{"governor", before.governor ? Json(*before.governor) : Json(nullptr)},
             {"load", before.load ? Json(*before.load) : Json(nullptr)},
             {"load_after", after ? Json(*after) : Json(nullptr)},
-            {"busy", isBusy(before)}};
+            {"busy", before.isBusy()}};
 }
 
 std::string machineText(const host::MachineState& before) {
@@ -64,7 +52,8 @@ std::string machineText(const host::MachineState& before) {
     };
     return fmt::format("governor {}, load {} before and {} after{}", before.governor.value_or("not known"),
                        text(before.load), text(host::machineState().load),
-                       isBusy(before) ? "; other programs took time, so repeat this on a quiet machine" : "");
+                       before.isBusy() ? "; other programs took time, so repeat this on a quiet machine"
+                                       : "");
 }
 
 } // namespace cdr::experiments

@@ -168,7 +168,7 @@ void Session::ask(RenderRequest request) {
 
 bool Session::takeOpening() {
     const auto opening = m_thread->takeOpening();
-    if (!opening || isSettled()) { // told before the result that was taken
+    if (!opening || isSettled()) {
         return false;
     }
     m_model.interface.say(textOf(*opening));
@@ -181,6 +181,7 @@ bool Session::takeResult() {
     if (!result) {
         return false;
     }
+    m_thread->takeOpening(); // told before this result
     if (result->fatal) {
         std::rethrow_exception(result->fatal);
     }

@@ -183,7 +183,7 @@ void Presenter::record(vk::CommandBuffer commands, std::size_t slot, const Swapc
 void Presenter::submit(vk::CommandBuffer commands, const Slot& slot, const Swapchain::Image& target) const {
     const vk::SemaphoreSubmitInfo wait{.semaphore = *slot.imageReady,
                                        .stageMask = vk::PipelineStageFlagBits2::eAllTransfer};
-    // Whichever comes last: the interface, or a capture's copy.
+    // The window's pass hands its last transition to transfers, with a capture or without one.
     const vk::SemaphoreSubmitInfo signal{.semaphore = *target.drawn,
                                          .stageMask = vk::PipelineStageFlagBits2::eColorAttachmentOutput |
                                                       vk::PipelineStageFlagBits2::eAllTransfer};

@@ -15,6 +15,7 @@ layout(location = 1) out float rounding;
 void main() {
     float x = (gl_VertexIndex & 1) == 0 ? -place.x : place.x;
     ahead = (gl_VertexIndex & 2) == 0 ? place.z : place.w;
+    // The origin of these vertices is the eye, at a distance of 0.
     rounding = cdrRounding(vec2(x, place.y), ahead, 0.0, cascade.terms.x);
     gl_Position = cdrCascadePosition(vec2(x, place.y), ahead, cascade);
     vec2 inside = cdrInsideCascadeWide(ahead, cascade);

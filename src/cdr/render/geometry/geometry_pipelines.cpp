@@ -42,7 +42,7 @@ constexpr base::EnumNames<Batching, kBatchings.size()> kNames{"batching",
 constexpr double kLogWideSpan = 0.02;
 
 /// Clip distances that are off by two steps of their floats move a cut by 2e-7 of its distance, for spans of up to this. Two
-/// cascades lose both that and the rounding of planes, less than half of their overlap of 1e-6. A test adds it up.
+/// cascades lose both that and the rounding of planes, less than half of the overlap of linear mappings, 1e-6. A test adds it up.
 constexpr double kLinearWideSpan = 4.0;
 
 using gpu::Spirv;

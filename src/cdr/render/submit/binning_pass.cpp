@@ -301,8 +301,6 @@ void BinningPass::copyAll(Copies& copies) const {
 }
 
 /// Whether anything changed.
-/// @param changed of the instances that were grouped before.
-/// @param hasTables whether materials or levels may be others.
 bool BinningPass::copyChanges(const Changes& changes, Copies& copies) const {
     const Grouped& before = changes.before;
     Stager stager;

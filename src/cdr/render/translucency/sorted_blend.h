@@ -8,9 +8,9 @@
 
 namespace cdr::render {
 
-/// Translucency::sorted: each instance is drawn once, whatever the cascades. Its fragments go into one list per pixel, which is sorted in place
-/// by metric view distance and blended once. The order is total, so the picture has the same bits for every
-/// order of instances, thread count, targets, submission and number of cascades.
+/// Translucency::sorted: each instance is drawn once, whatever the cascades, or once for each slice of shadows. Its fragments go
+/// into one list per pixel, which is sorted in place by metric view distance and blended once. The order is total, so the
+/// picture has the same bits for every order of instances, thread count, targets, submission and number of cascades.
 class SortedBlend {
   public:
     /// The device must have fragment stores. @param surroundings layout of TranslucentFrame::surroundings.

@@ -222,6 +222,8 @@ void Importer::addNodes(const std::vector<MeshNode>& nodes) {
     progress.begin(pictures * kPictureBytes);
     progress.tell();
     m_materials.decodeTextures(m_limits, progress);
+    progress.begin(0); // pictures that nothing shows are done too
+    progress.tell();
 }
 
 std::uint64_t Importer::readBytes(int mesh) {

@@ -29,7 +29,8 @@ void ReadProgress::read(std::uint64_t bytes) {
 
 void ReadProgress::tell() {
     m_next = m_done + m_all / kTold + 1;
-    if (m_tell) {
+    if (m_tell && m_told != m_done) {
+        m_told = m_done;
         m_tell(m_done, m_all);
     }
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace cdr::scene::gltf {
 
@@ -21,15 +22,16 @@ class ReadProgress {
     void begin(std::uint64_t bytes);
     /// So many bytes were read. What a step reads beyond what it foretold does not count.
     void read(std::uint64_t bytes);
-    /// Tells where it is.
+    /// Tells where it is, unless that was told last.
     void tell();
 
   private:
     ImportProgress m_tell;
     std::uint64_t m_all;
     std::uint64_t m_done = 0;
-    std::uint64_t m_end = 0;  ///< of the step
-    std::uint64_t m_next = 0; ///< from where on it is told again
+    std::uint64_t m_end = 0;             ///< of the step
+    std::uint64_t m_next = 0;            ///< from where on it is told again
+    std::optional<std::uint64_t> m_told; ///< last
 };
 
 } // namespace cdr::scene::gltf
