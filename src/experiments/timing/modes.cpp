@@ -48,8 +48,8 @@ struct ModeVariant {
 };
 
 /// A variant for each of an option's values but that of plain modes.
-template <typename Choice, std::size_t count>
-void addChoices(std::string_view name, const std::array<Choice, count>& choices, Choice TimingMode::*option,
+template <typename Choice, std::size_t Count>
+void addChoices(std::string_view name, const std::array<Choice, Count>& choices, Choice TimingMode::*option,
                 std::vector<ModeVariant>& variants) {
     static const TimingMode kPlain;
     for (const Choice choice : choices) {
