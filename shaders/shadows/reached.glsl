@@ -3,6 +3,7 @@
 #ifndef CDR_SHADERS_REACHED_GLSL
 #define CDR_SHADERS_REACHED_GLSL
 
+#include "shadows/receiver.glsl"
 #include "shadows/shadows_shared.h"
 
 const float kRounding = 1.0 / 2097152.0; // of what a place and a depth are made from
@@ -14,13 +15,6 @@ const float kThin = 0.125;
 // Of today's practice: texels of bias, and times the larger slope of the caster.
 const float kPlainConstant = 0.5;
 const float kPlainSlope = 1.75;
-
-// What receives light; the anchor plane is a float and its rest.
-struct Receiver {
-    vec2 anchor;
-    float ahead;
-    vec3 normal; // view space
-};
 
 // How far the receiver lies beyond the map's view distance of reference: a small difference of two large distances.
 float beyondReference(ReceiverPush map, Receiver receiver) {
@@ -64,7 +58,7 @@ vec2 slopeOf(ReceiverPush map, vec3 normalView, vec2 inView) {
 bool isReached(ReceiverPush map, Receiver receiver, vec2 ray) {
     LightLens lens = map.lens;
     float beyond = beyondReference(map, receiver);
-    float distanceView = receiver.anchor.x + receiver.ahead;
+    float distanceView = distanceOf(receiver);
     vec3 offset = vec3(map.right.w, map.up.w, map.ahead.w);
     vec3 point = vec3(ray * distanceView, beyond);
     vec3 place = alongLight(map, point) + offset;

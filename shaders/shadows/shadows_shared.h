@@ -9,7 +9,13 @@
 
 namespace cdr::shaders {
 using ivec2 = glm::ivec2;
+#define CDR_CONST inline constexpr float
+#else
+#define CDR_CONST const float
 #endif
+
+// A pixel's depth is the number of its slice over this. 16 bits of depth hold that exactly.
+CDR_CONST kMostSlices = 65535.0;
 
 // One caster: object space to a light's view. Per instance.
 struct CasterRecord {
@@ -55,10 +61,17 @@ struct ReceiverPush {
     vec2 part;     // of a part of a map, the last place in texels that it decides about; of a whole map 0
 };
 
+// Where slices of distances begin.
+struct SlicePush {
+    vec4 nearView; // the first four slices' ends, if isPlain; infinite where there is none
+    uint isPlain;  // else slices begin at powers of two, whose exponents are their numbers
+};
+
 #ifdef __cplusplus
 static_assert(sizeof(CasterRecord) == 52);
 static_assert(sizeof(CasterPush) == 36);
 static_assert(sizeof(ReceiverPush) == 128);
+static_assert(sizeof(SlicePush) == 20);
 } // namespace cdr::shaders
 #else
 // Clip z per unit of w that a texel's length towards the light amounts to, at a depth.
@@ -68,4 +81,5 @@ float depthPerTexel(LightLens lens, float z) {
 }
 #endif
 
+#undef CDR_CONST
 #endif

@@ -109,6 +109,19 @@ TEST_F(ShadowsTest, OffEdgesNextToNonePixelIsWrongAndPlainMapsAreWorse) {
     }
 }
 
+/// Where four maps suffice: each pixel reads the map of its slice.
+TEST_F(ShadowsTest, PlainMapsAreMostlyRightInNarrowScenes) {
+    RenderOptions options = shadowOptions("anchored");
+    options.width = 320;
+    options.height = 180;
+    options.shadows.method = ShadowMethod::plain;
+    for (const char* scene : {"alley", "afc"}) {
+        const measure::WrongShadows wrong = wrongShadowsOf(scene, 0, options);
+        EXPECT_GT(wrong.shadowed, 100u) << scene;
+        EXPECT_LT(wrong.fraction(), 0.03) << scene;
+    }
+}
+
 /// Hangars from 430 km: a map covers kilometres, and its texels would be five pixels wide.
 TEST_F(ShadowsTest, WideTexelsAreHalved) {
     RenderOptions options = shadowOptions("anchored");

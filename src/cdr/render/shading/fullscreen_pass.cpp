@@ -17,6 +17,14 @@ std::vector<vk::PushConstantRange> pushRanges(std::uint32_t bytes) {
                       : std::vector<vk::PushConstantRange>{{.stageFlags = kStage, .size = bytes}};
 }
 
+bool testsDepth(const FullscreenPassOptions& options) {
+    return options.depth != vk::Format::eUndefined;
+}
+
+vk::ImageView viewOf(const gpu::Image* image) {
+    return image != nullptr ? image->view() : vk::ImageView();
+}
+
 } // namespace
 
 void PassInputs::setImage(std::uint32_t binding, const gpu::Image& image) {
@@ -56,8 +64,10 @@ FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOp
            .colorFormats = options.formatBeside == vk::Format::eUndefined
                                ? std::vector{options.format}
                                : std::vector{options.format, options.formatBeside},
-           .depthFormat = options.marks,
+           .depthFormat = testsDepth(options) ? options.depth : options.marks,
            .stencil = options.marks != vk::Format::eUndefined ? gpu::Stencil::testsMarks : gpu::Stencil::none,
+           .writesDepth = false,
+           .depthCompare = vk::CompareOp::eEqual,
            .blend = options.blend})) {}
 
 PassInputs FullscreenPass::makeInputs() const {
@@ -66,44 +76,56 @@ PassInputs FullscreenPass::makeInputs() const {
     return {m_device, *m_sampler, std::move(pool), set};
 }
 
-void FullscreenPass::record(vk::CommandBuffer primary, std::span<const Draw> draws, const gpu::Image& into,
-                            vk::AttachmentLoadOp load, const vk::ClearValue& clear, const gpu::Image* marks,
-                            const gpu::Image* beside) const {
+void FullscreenPass::record(vk::CommandBuffer primary, std::span<const Draw> draws,
+                            const Scope& scope) const {
     const std::array colors{
-        vk::RenderingAttachmentInfo{.imageView = into.view(),
+        vk::RenderingAttachmentInfo{.imageView = scope.into.view(),
                                     .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
-                                    .loadOp = load,
+                                    .loadOp = scope.load,
                                     .storeOp = vk::AttachmentStoreOp::eStore,
-                                    .clearValue = clear},
-        vk::RenderingAttachmentInfo{.imageView = beside != nullptr ? beside->view() : vk::ImageView(),
+                                    .clearValue = scope.clear},
+        vk::RenderingAttachmentInfo{.imageView = viewOf(scope.beside),
                                     .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
                                     .loadOp = vk::AttachmentLoadOp::eLoad,
                                     .storeOp = vk::AttachmentStoreOp::eStore}};
-    const vk::RenderingAttachmentInfo stencil{.imageView = marks != nullptr ? marks->view() : vk::ImageView(),
+    const vk::RenderingAttachmentInfo stencil{.imageView = viewOf(scope.marks),
                                               .imageLayout = vk::ImageLayout::eAttachmentOptimal,
                                               .loadOp = vk::AttachmentLoadOp::eLoad,
                                               .storeOp = vk::AttachmentStoreOp::eDontCare};
-    const vk::Extent2D extent = into.options().extent;
+    const vk::RenderingAttachmentInfo depth{.imageView = viewOf(scope.depth),
+                                            .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
+                                            .loadOp = vk::AttachmentLoadOp::eLoad,
+                                            .storeOp = vk::AttachmentStoreOp::eNone};
+    const vk::Extent2D extent = scope.into.options().extent;
     primary.beginRendering({.renderArea = {{0, 0}, extent},
                             .layerCount = 1,
-                            .colorAttachmentCount = beside != nullptr ? 2u : 1u,
+                            .colorAttachmentCount = scope.beside != nullptr ? 2u : 1u,
                             .pColorAttachments = colors.data(),
-                            .pStencilAttachment = marks != nullptr ? &stencil : nullptr});
+                            .pDepthAttachment = scope.depth != nullptr ? &depth : nullptr,
+                            .pStencilAttachment = scope.marks != nullptr ? &stencil : nullptr});
     gpu::bindFullscreenPipeline(primary, *m_pipeline, extent);
     for (const Draw& draw : draws) {
-        primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, draw.set, {});
-        if (!draw.push.empty()) {
-            primary.pushConstants<std::byte>(*m_layout, kStage, 0, draw.push);
-        }
-        primary.draw(3, 1, 0, 0);
+        recordDraw(primary, draw, extent);
     }
     primary.endRendering();
+}
+
+void FullscreenPass::recordDraw(vk::CommandBuffer primary, const Draw& draw, vk::Extent2D extent) const {
+    // The triangle lies at depth 0, which becomes the viewport's least.
+    primary.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(extent.width),
+                                        static_cast<float>(extent.height), draw.depth, draw.depth});
+    primary.setScissor(0, draw.area.value_or(vk::Rect2D{{0, 0}, extent}));
+    primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, draw.set, {});
+    if (!draw.push.empty()) {
+        primary.pushConstants<std::byte>(*m_layout, kStage, 0, draw.push);
+    }
+    primary.draw(3, 1, 0, 0);
 }
 
 void FullscreenPass::record(vk::CommandBuffer primary, const PassInputs& inputs,
                             const gpu::Image& into) const {
     const Draw draw{.set = inputs.set()};
-    record(primary, {&draw, 1}, into, vk::AttachmentLoadOp::eDontCare);
+    record(primary, {&draw, 1}, {.into = into});
 }
 
 } // namespace cdr::render

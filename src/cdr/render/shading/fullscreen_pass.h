@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -28,6 +29,8 @@ struct FullscreenPassOptions {
     gpu::Blend blend = gpu::Blend::none;
     vk::Format marks =
         vk::Format::eUndefined; ///< of a depth attachment with marks; with one, only marked pixels are drawn
+    vk::Format depth =
+        vk::Format::eUndefined; ///< of a depth attachment; with one, a draw shades pixels of its depth only
     vk::Filter filter = vk::Filter::eNearest; ///< of images that are not fetched texel by texel
 };
 
@@ -66,23 +69,30 @@ class FullscreenPass {
 
     const gpu::SetLayout& setLayout() const { return m_setLayout; }
 
-    /// One draw over the whole picture.
+    /// One draw.
     struct Draw {
         vk::DescriptorSet set;
         std::span<const std::byte> push{}; ///< as many bytes as the options say
+        float depth = 0.0f; ///< 0 to 1; that of the pixels to shade, where the options have a format of depth
+        std::optional<vk::Rect2D> area{}; ///< of the picture, not empty; else all of it
     };
-    /// One rendering scope over `into`, in the colour attachment layout, that draws in order.
-    /// @param clear what vk::AttachmentLoadOp::eClear clears to.
-    /// @param marks in the attachment layout; null unless the options have their format.
-    /// @param beside the second image, in the colour attachment layout, loaded and never cleared; null unless the options
-    /// have its format.
-    void record(vk::CommandBuffer primary, std::span<const Draw> draws, const gpu::Image& into,
-                vk::AttachmentLoadOp load, const vk::ClearValue& clear = {},
-                const gpu::Image* marks = nullptr, const gpu::Image* beside = nullptr) const;
+    /// What draws write, and what they are tested against. All images are in the layouts of attachments.
+    struct Scope {
+        const gpu::Image& into;
+        vk::AttachmentLoadOp load = vk::AttachmentLoadOp::eDontCare;
+        vk::ClearValue clear{};             ///< what vk::AttachmentLoadOp::eClear clears to
+        const gpu::Image* marks = nullptr;  ///< null unless the options have their format
+        const gpu::Image* depth = nullptr;  ///< likewise; it is not written
+        const gpu::Image* beside = nullptr; ///< the second image, loaded and never cleared; likewise
+    };
+    /// One rendering scope that draws in order.
+    void record(vk::CommandBuffer primary, std::span<const Draw> draws, const Scope& scope) const;
     /// The same with one draw that overwrites every pixel.
     void record(vk::CommandBuffer primary, const PassInputs& inputs, const gpu::Image& into) const;
 
   private:
+    void recordDraw(vk::CommandBuffer primary, const Draw& draw, vk::Extent2D extent) const;
+
     const gpu::Device& m_device;
     std::vector<vk::DescriptorType> m_bindings;
     vk::UniqueSampler m_sampler;

@@ -222,9 +222,11 @@ void ShadingPass::record(vk::CommandBuffer primary, const ShadingInputs& inputs)
     const auto load =
         m_options.marks != nullptr ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eDontCare;
     passFor(inputs.m_lightForm)
-        .record(primary, {&draw, 1}, m_into, load,
-                vk::ClearColorValue{std::array{background.r, background.g, background.b, 1.0f}},
-                m_options.marks);
+        .record(primary, {&draw, 1},
+                {.into = m_into,
+                 .load = load,
+                 .clear = vk::ClearColorValue{std::array{background.r, background.g, background.b, 1.0f}},
+                 .marks = m_options.marks});
     m_device.endLabel(primary);
 }
 

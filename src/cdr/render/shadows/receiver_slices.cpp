@@ -58,6 +58,10 @@ void placeReceivers(const scene::Camera& camera, ReceiverSlice& slice) {
     const glm::dvec3 middle = 0.5 * (low + high);
     slice.middle = camera.right * middle.x + camera.up * middle.y + camera.back * middle.z;
     slice.reach = 0.5 * glm::distance(low, high);
+    const glm::dvec2 nearest(1.0 / std::max(-high.z, slice.nearView));
+    const glm::dvec2 farthest(1.0 / std::max(-low.z, slice.nearView));
+    slice.lowRay = glm::min(glm::dvec2(low) * nearest, glm::dvec2(low) * farthest);
+    slice.highRay = glm::max(glm::dvec2(high) * nearest, glm::dvec2(high) * farthest);
 }
 
 /// The slices between neighbouring ends in which something is seen.

@@ -19,6 +19,9 @@ struct ReceiverSlice {
     std::array<glm::dvec3, 8> boxes; ///< a box around the spheres that reach into that part
     glm::dvec3 middle{0.0};          ///< of both, about
     double reach = 0.0;              ///< from there, about
+    /// Between these, right and up per unit of view distance, are its surfaces in the picture.
+    glm::dvec2 lowRay{0.0};
+    glm::dvec2 highRay{0.0};
 };
 
 /// By how much a slice's far end is farther than its near one: then a texel that suits one suits the other.

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace cdr::render {
 
@@ -28,19 +29,29 @@ gpu::ImageOptions maskOptions(vk::Extent2D extent) {
                      vk::ImageUsageFlagBits::eTransferSrc};
 }
 
-bool isVisibility(const gpu::Image& gbuffer) {
-    return gbuffer.options().format == kVisibilityFormat;
-}
-
 FullscreenPassOptions receiverOptions(const gpu::Image& gbuffer) {
-    const bool facets = isVisibility(gbuffer);
+    const bool facets = isVisibilityBuffer(gbuffer);
     return {.name = "shadow receivers",
             .fragmentSpirv = facets ? gpu::Spirv(kReceiverFacetsFrag) : kReceiverFrag,
             .bindings = facets ? std::vector{kImage, kBuffer, kTexels, kImage, kImage}
                                : std::vector{kImage, kBuffer, kImage, kImage},
             .format = kMaskFormat,
             .pushBytes = sizeof(shaders::ReceiverPush),
-            .blend = gpu::Blend::least};
+            .blend = gpu::Blend::least,
+            .depth = SliceDepth::kFormat};
+}
+
+/// Pixels of the picture where a slice's surfaces can be, and one around them.
+vk::Rect2D areaOf(const ReceiverSlice& slice, const scene::Frustum& frustum, vk::Extent2D extent) {
+    const glm::dvec2 size(extent.width, extent.height);
+    const glm::dvec2 lens(frustum.tanX, -frustum.tanY);
+    const glm::dvec2 one = (slice.lowRay / lens * 0.5 + 0.5) * size;
+    const glm::dvec2 other = (slice.highRay / lens * 0.5 + 0.5) * size;
+    // At least a pixel is left, wherever the slice is.
+    const glm::dvec2 low = glm::clamp(glm::floor(glm::min(one, other)) - 1.0, glm::dvec2(0.0), size - 1.0);
+    const glm::dvec2 high = glm::clamp(glm::ceil(glm::max(one, other)) + 1.0, low + 1.0, size);
+    return {{static_cast<std::int32_t>(low.x), static_cast<std::int32_t>(low.y)},
+            {static_cast<std::uint32_t>(high.x - low.x), static_cast<std::uint32_t>(high.y - low.y)}};
 }
 
 } // namespace
@@ -53,14 +64,16 @@ ShadowPass::ShadowPass(const gpu::Device& device, const DrawnScene& scene, const
       m_options(options),
       m_map(device, options.mostTexels),
       m_mask(device, maskOptions(gbuffer.options().extent), "shadow mask"),
-      m_receivers(device, receiverOptions(gbuffer)) {}
+      m_receivers(device, receiverOptions(gbuffer)),
+      m_slices(device, gbuffer, m_receivers.setLayout()) {}
 
 ShadowPass::Slot ShadowPass::makeSlot(const ShadingInputs& shading) const {
     Slot slot{.inputs = m_receivers.makeInputs(),
               .casters = CasterDraws(m_device, m_scene),
+              .slices = {},
               .views = {},
-              .pushes = {}};
-    const std::uint32_t map = isVisibility(m_gbuffer) ? 3 : 2;
+              .receivers = {}};
+    const std::uint32_t map = isVisibilityBuffer(m_gbuffer) ? 3 : 2;
     slot.inputs.setImage(0, m_gbuffer);
     slot.inputs.setBuffer(1, shading.lights());
     slot.inputs.setImage(map, m_map.depth());
@@ -74,49 +87,73 @@ void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::Vi
     const std::vector<SeenSphere> spheres = seenSpheres(view.camera, visible);
     const std::vector<ReceiverSlice> slices = isPlain ? practicalSlices(view.camera, view.frustum, spheres)
                                                       : receiverSlices(view.camera, view.frustum, spheres);
+    slot.slices = slicePush(slices, isPlain);
     slot.views.clear();
-    std::vector<std::size_t> lightOf;
+    slot.receivers.clear();
     const std::size_t lights = std::min(m_scene.scene.lights.size(), kMostShadowLights);
-    for (std::size_t i = 0; i < lights; ++i) {
-        const scene::PointLight& light = m_scene.scene.lights[i];
-        for (const ReceiverSlice& slice : slices) {
-            for (const LightView& whole : lightViews(light, view.camera.position, slice,
-                                                     view.frustum.footprintSlope, m_options.mostTexels)) {
-                std::vector<LightView> views =
-                    isPlain ? std::vector{whole}
-                            : dividedView(whole, slice, view.camera.position, view.frustum.footprintSlope);
-                std::erase_if(views, [&](const LightView& part) { return !isInCone(light, part); });
-                slot.views.insert(slot.views.end(), views.begin(), views.end());
+    for (std::size_t light = 0; light < lights; ++light) {
+        for (std::size_t i = 0; i < slices.size(); ++i) {
+            const vk::Rect2D area = areaOf(slices[i], view.frustum, m_gbuffer.options().extent);
+            for (const LightView& seen : viewsOf(m_scene.scene.lights[light], slices[i], view)) {
+                slot.views.push_back(seen);
+                slot.receivers.push_back(
+                    {.light = light, .depth = sliceDepth(slices, i, isPlain), .area = area});
             }
-            lightOf.resize(slot.views.size(), i);
         }
     }
-    slot.casters.prepare(slot.views, workers);
-    slot.pushes.clear();
+    slot.casters.prepare(slot.views, workers); // finds where views begin
     for (std::size_t i = 0; i < slot.views.size(); ++i) {
-        shaders::ReceiverPush& push = slot.pushes.emplace_back(receiverPush(
-            slot.views[i], view, {.light = lightOf[i], .isPlain = isPlain, .subPixelBits = subPixelBits}));
-        push.mapLast = shaders::ivec2(static_cast<std::int32_t>(m_map.side()) - 1);
+        Receivers& receivers = slot.receivers[i];
+        receivers.push =
+            receiverPush(slot.views[i], view,
+                         {.light = receivers.light, .isPlain = isPlain, .subPixelBits = subPixelBits});
+        receivers.push.mapLast = shaders::ivec2(static_cast<std::int32_t>(m_map.side()) - 1);
     }
+}
+
+std::vector<LightView> ShadowPass::viewsOf(const scene::PointLight& light, const ReceiverSlice& slice,
+                                           const FrameView& view) const {
+    const glm::dvec3& camera = view.camera.position;
+    const double footprint = view.frustum.footprintSlope;
+    std::vector<LightView> views;
+    for (const LightView& whole : lightViews(light, camera, slice, footprint, m_options.mostTexels)) {
+        const std::vector<LightView> parts = m_options.method == ShadowMethod::plain
+                                                 ? std::vector{whole}
+                                                 : dividedView(whole, slice, camera, footprint);
+        std::copy_if(parts.begin(), parts.end(), std::back_inserter(views),
+                     [&](const LightView& part) { return isInCone(light, part); });
+    }
+    return views;
 }
 
 void ShadowPass::record(vk::CommandBuffer primary, const Slot& slot) const {
     m_device.beginLabel(primary, "shadows");
+    m_slices.record(primary, slot.inputs.set(), slot.slices);
     gpu::pipelineBarrier(primary, {attachBarrier(m_mask)});
     const vk::ClearValue reached{vk::ClearColorValue{std::array{1.0f, 1.0f, 1.0f, 1.0f}}};
     for (std::size_t i = 0; i < slot.views.size(); ++i) {
         const ShadowMapPart whole{.view = slot.views[i], .index = i};
         m_map.record(primary, {&whole, 1}, slot.casters);
+        const Receivers& receivers = slot.receivers[i];
         const FullscreenPass::Draw draw{.set = slot.inputs.set(),
-                                        .push = std::as_bytes(std::span(&slot.pushes[i], 1))};
+                                        .push = std::as_bytes(std::span(&receivers.push, 1)),
+                                        .depth = receivers.depth,
+                                        .area = receivers.area};
         if (i > 0) {
             gpu::pipelineBarrier(primary, {chainBarrier(m_mask)});
         }
-        m_receivers.record(primary, {&draw, 1}, m_mask,
-                           i == 0 ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eLoad, reached);
+        m_receivers.record(primary, {&draw, 1},
+                           {.into = m_mask,
+                            .load = i == 0 ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eLoad,
+                            .clear = reached,
+                            .depth = &m_slices.image()});
     }
     if (slot.views.empty()) {
-        m_receivers.record(primary, {}, m_mask, vk::AttachmentLoadOp::eClear, reached);
+        m_receivers.record(primary, {},
+                           {.into = m_mask,
+                            .load = vk::AttachmentLoadOp::eClear,
+                            .clear = reached,
+                            .depth = &m_slices.image()});
     }
     gpu::pipelineBarrier(primary, {readBarrier(m_mask)});
     m_device.endLabel(primary);
@@ -125,7 +162,7 @@ void ShadowPass::record(vk::CommandBuffer primary, const Slot& slot) const {
 std::uint64_t ShadowPass::predictBytes(const gpu::Device& device, vk::Extent2D extent,
                                        const Shadows& options) {
     return ShadowMap::predictBytes(device, options.mostTexels) +
-           gpu::predictBytes(device, maskOptions(extent));
+           gpu::predictBytes(device, maskOptions(extent)) + SliceDepth::predictBytes(device, extent);
 }
 
 } // namespace cdr::render

@@ -7,8 +7,10 @@
 #include <cdr/render/shadows/caster_draws.h>
 #include <cdr/render/shadows/shadow_map.h>
 #include <cdr/render/shadows/shadows.h>
+#include <cdr/render/shadows/slice_depth.h>
 #include <cdr/visibility/cull_cells.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -22,12 +24,20 @@ class ShadowPass {
     /// @param gbuffer or the visibility buffer.
     ShadowPass(const gpu::Device& device, const DrawnScene& scene, const gpu::Image& gbuffer,
                const Shadows& options);
+    /// The pixels that read one map.
+    struct Receivers {
+        std::size_t light = 0;
+        float depth = 0.0f;           ///< SliceDepth
+        vk::Rect2D area{};            ///< where they can be
+        shaders::ReceiverPush push{}; ///< known once casters are
+    };
     /// One frame slot's.
     struct Slot {
         PassInputs inputs;
         CasterDraws casters;
+        shaders::SlicePush slices{};
         std::vector<LightView> views;
-        std::vector<shaders::ReceiverPush> pushes; ///< of each view
+        std::vector<Receivers> receivers; ///< of each view
     };
     Slot makeSlot(const ShadingInputs& shading) const;
 
@@ -42,6 +52,9 @@ class ShadowPass {
     static std::uint64_t predictBytes(const gpu::Device& device, vk::Extent2D extent, const Shadows& options);
 
   private:
+    std::vector<LightView> viewsOf(const scene::PointLight& light, const ReceiverSlice& slice,
+                                   const FrameView& view) const;
+
     const gpu::Device& m_device;
     DrawnScene m_scene;
     const gpu::Image& m_gbuffer;
@@ -49,6 +62,7 @@ class ShadowPass {
     ShadowMap m_map;
     gpu::Image m_mask;
     FullscreenPass m_receivers;
+    SliceDepth m_slices;
 };
 
 } // namespace cdr::render

@@ -156,7 +156,8 @@ void CascadeLayers::mergeLayers(vk::CommandBuffer primary, std::span<const shade
         }
     }
     gpu::pipelineBarrier(primary, barriers);
-    m_merge.record(primary, draws, m_accumulated, load, {}, nullptr, m_accumulatedEmission.get());
+    m_merge.record(primary, draws,
+                   {.into = m_accumulated, .load = load, .beside = m_accumulatedEmission.get()});
     m_device.endLabel(primary);
 }
 

@@ -169,7 +169,7 @@ void FocusLayers::mergeGBuffers(vk::CommandBuffer primary) const {
         draws.push_back({.set = drawn.layer->merged.set(), .push = std::as_bytes(std::span(&size, 1))});
     }
     gpu::pipelineBarrier(primary, barriers);
-    m_merge.record(primary, draws, m_merged, vk::AttachmentLoadOp::eClear);
+    m_merge.record(primary, draws, {.into = m_merged, .load = vk::AttachmentLoadOp::eClear});
     m_device.endLabel(primary);
 }
 
@@ -184,7 +184,8 @@ void FocusLayers::light(vk::CommandBuffer primary, const ShadingInputs& shading,
         draws.push_back({.set = drawn.layer->laid.set(), .push = std::as_bytes(std::span(&size, 1))});
     }
     gpu::pipelineBarrier(primary, barriers);
-    m_compose.record(primary, draws, m_into, vk::AttachmentLoadOp::eClear, clearTo(m_background));
+    m_compose.record(primary, draws,
+                     {.into = m_into, .load = vk::AttachmentLoadOp::eClear, .clear = clearTo(m_background)});
     m_device.endLabel(primary);
 }
 
@@ -205,7 +206,7 @@ void FocusLayers::lightLayers(vk::CommandBuffer primary, const ShadingInputs& sh
         }
         const FullscreenPass::Draw draw{.set = found->second.set(),
                                         .push = std::as_bytes(std::span(&drawn.fade, 1))};
-        m_light.record(primary, {&draw, 1}, drawn.layer->lit, vk::AttachmentLoadOp::eDontCare);
+        m_light.record(primary, {&draw, 1}, {.into = drawn.layer->lit});
     }
     m_device.endLabel(primary);
 }

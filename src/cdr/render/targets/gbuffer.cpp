@@ -27,6 +27,10 @@ gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std
     return {device, gbufferOptions(extent, format), name};
 }
 
+bool isVisibilityBuffer(const gpu::Image& surfaces) {
+    return surfaces.options().format == kVisibilityFormat;
+}
+
 vk::Format depthAttachmentFormat(const gpu::Device& device, depth::DepthFormat format, vk::Format surfaces) {
     const vk::Format marking = gpu::kDepthAttachments[static_cast<std::size_t>(format)].withStencil;
     const bool isAttachment(

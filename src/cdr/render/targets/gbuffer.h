@@ -36,6 +36,9 @@ gpu::ImageOptions gbufferOptions(vk::Extent2D extent, vk::Format format = kGBuff
 gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name,
                        vk::Format format = kGBufferFormat);
 
+/// Whether surfaces are in a visibility buffer.
+bool isVisibilityBuffer(const gpu::Image& surfaces);
+
 /// Of the depth attachment beside a geometry buffer or a visibility buffer. Beside the latter it has a stencil
 /// plane that marks what is drawn, where the device has one. base::InputError where the device lacks the
 /// format.

@@ -82,7 +82,7 @@ void SortedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& fram
     list.recordCount(primary);
     const vk::Extent2D extent = frame.lit.options().extent;
     const FullscreenPass::Draw lists{.set = list.set(), .push = std::as_bytes(std::span(&extent, 1))};
-    m_resolve.record(primary, {&lists, 1}, frame.lit, vk::AttachmentLoadOp::eLoad);
+    m_resolve.record(primary, {&lists, 1}, {.into = frame.lit, .load = vk::AttachmentLoadOp::eLoad});
     m_device.endLabel(primary);
 }
 

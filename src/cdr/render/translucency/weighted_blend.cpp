@@ -96,7 +96,7 @@ void WeightedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& fr
         recordSums(primary, frame, range);
         gpu::pipelineBarrier(primary, {readBarrier(m_sum), readBarrier(m_weight), chainBarrier(frame.lit)});
         const FullscreenPass::Draw sums{.set = m_sums.set()};
-        m_resolve.record(primary, {&sums, 1}, frame.lit, vk::AttachmentLoadOp::eLoad);
+        m_resolve.record(primary, {&sums, 1}, {.into = frame.lit, .load = vk::AttachmentLoadOp::eLoad});
         m_device.endLabel(primary);
     }
 }

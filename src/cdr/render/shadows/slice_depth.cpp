@@ -1,0 +1,94 @@
+#include <cdr/gpu/commands.h>
+#include <cdr/render/shadows/slice_depth.h>
+#include <cdr/render/targets/gbuffer.h>
+#include <cdr/shaders/fullscreen_vert.h>
+#include <cdr/shaders/slice_facets_frag.h>
+#include <cdr/shaders/slice_frag.h>
+
+#include <cmath>
+#include <limits>
+
+namespace cdr::render {
+
+namespace {
+
+using PipelineStage = vk::PipelineStageFlagBits2;
+using Access = vk::AccessFlagBits2;
+
+constexpr auto kSliceStage = vk::ShaderStageFlagBits::eFragment;
+constexpr auto kSliceTests = PipelineStage::eEarlyFragmentTests | PipelineStage::eLateFragmentTests;
+
+gpu::ImageOptions sliceOptions(vk::Extent2D extent) {
+    return {.extent = extent,
+            .format = SliceDepth::kFormat,
+            .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment,
+            .aspect = vk::ImageAspectFlagBits::eDepth};
+}
+
+vk::ImageMemoryBarrier2 sliceBarrier(const gpu::Image& depth, vk::AccessFlags2 before, vk::AccessFlags2 after,
+                                     vk::ImageLayout layoutBefore) {
+    return gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, kSliceTests, before,
+                             kSliceTests, after, layoutBefore, vk::ImageLayout::eDepthAttachmentOptimal);
+}
+
+} // namespace
+
+SliceDepth::SliceDepth(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::SetLayout& setLayout)
+    : m_layout(gpu::makePipelineLayout(
+          device, {{setLayout}, {{.stageFlags = kSliceStage, .size = sizeof(shaders::SlicePush)}}},
+          "shadow slice layout")),
+      m_pipeline(gpu::makeGraphicsPipeline(
+          device, {.name = "shadow slices",
+                   .vertexSpirv = kFullscreenVert,
+                   .fragmentSpirv = isVisibilityBuffer(gbuffer) ? gpu::Spirv(kSliceFacetsFrag) : kSliceFrag,
+                   .constants = {},
+                   .layout = m_layout,
+                   .bindings = {},
+                   .attributes = {},
+                   .colorFormats = {},
+                   .depthFormat = kFormat,
+                   .depthCompare = vk::CompareOp::eAlways})),
+      m_depth(device, sliceOptions(gbuffer.options().extent), "shadow slices") {}
+
+void SliceDepth::record(vk::CommandBuffer primary, vk::DescriptorSet set,
+                        const shaders::SlicePush& push) const {
+    gpu::pipelineBarrier(primary,
+                         {sliceBarrier(m_depth, Access::eDepthStencilAttachmentRead,
+                                       Access::eDepthStencilAttachmentWrite, vk::ImageLayout::eUndefined)});
+    const vk::RenderingAttachmentInfo depth{.imageView = m_depth.view(),
+                                            .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
+                                            .loadOp = vk::AttachmentLoadOp::eDontCare,
+                                            .storeOp = vk::AttachmentStoreOp::eStore};
+    const vk::Extent2D extent = m_depth.options().extent;
+    primary.beginRendering({.renderArea = {{0, 0}, extent}, .layerCount = 1, .pDepthAttachment = &depth});
+    gpu::bindFullscreenPipeline(primary, *m_pipeline, extent);
+    primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, set, {});
+    primary.pushConstants<shaders::SlicePush>(*m_layout, kSliceStage, 0, push);
+    primary.draw(3, 1, 0, 0);
+    primary.endRendering();
+    gpu::pipelineBarrier(primary, {sliceBarrier(m_depth, Access::eDepthStencilAttachmentWrite,
+                                                Access::eDepthStencilAttachmentRead,
+                                                vk::ImageLayout::eDepthAttachmentOptimal)});
+}
+
+std::uint64_t SliceDepth::predictBytes(const gpu::Device& device, vk::Extent2D extent) {
+    return gpu::predictBytes(device, sliceOptions(extent));
+}
+
+shaders::SlicePush slicePush(std::span<const ReceiverSlice> slices, bool isPlain) {
+    shaders::SlicePush push{.nearView = shaders::vec4(std::numeric_limits<float>::infinity()),
+                            .isPlain = isPlain ? 1u : 0u};
+    for (std::size_t i = 0; isPlain && i < slices.size(); ++i) {
+        push.nearView[static_cast<glm::length_t>(i)] = static_cast<float>(slices[i].nearView);
+    }
+    return push;
+}
+
+float sliceDepth(std::span<const ReceiverSlice> slices, std::size_t slice, bool isPlain) {
+    constexpr int kExponentBias = 127;
+    const int number =
+        isPlain ? static_cast<int>(slice) + 1 : std::ilogb(slices[slice].nearView) + kExponentBias;
+    return static_cast<float>(number) / shaders::kMostSlices;
+}
+
+} // namespace cdr::render

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cdr/gpu/memory.h>
+#include <cdr/gpu/pipeline.h>
+#include <cdr/gpu/vulkan_hpp.h>
+#include <cdr/render/shadows/receiver_slices.h>
+#include <cdr/shaders/shadows_shared.h>
+
+#include <cstdint>
+#include <span>
+
+namespace cdr::render {
+
+/// A depth image that says which slice each pixel's surface is in. A pass that tests for equal depth before it shades then
+/// shades the pixels of its slice alone, of however many slices there are.
+class SliceDepth {
+  public:
+    /// @param gbuffer or the visibility buffer.
+    /// @param setLayout whose first bindings are those of seen.glsl.
+    SliceDepth(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::SetLayout& setLayout);
+
+    /// Reads the G-buffer in the shader read layout. Leaves image() a depth attachment.
+    void record(vk::CommandBuffer primary, vk::DescriptorSet set, const shaders::SlicePush& push) const;
+    const gpu::Image& image() const { return m_depth; }
+    static constexpr auto kFormat = vk::Format::eD16Unorm; ///< an attachment on every device
+
+    static std::uint64_t predictBytes(const gpu::Device& device, vk::Extent2D extent);
+
+  private:
+    gpu::PipelineLayout m_layout;
+    gpu::Pipeline m_pipeline;
+    gpu::Image m_depth;
+};
+
+/// The ends of slices, for shaders.
+/// @param slices all of a frame, nearest first. @param isPlain practicalSlices().
+shaders::SlicePush slicePush(std::span<const ReceiverSlice> slices, bool isPlain);
+/// What SliceDepth holds where a surface is in that slice.
+float sliceDepth(std::span<const ReceiverSlice> slices, std::size_t slice, bool isPlain);
+
+} // namespace cdr::render
