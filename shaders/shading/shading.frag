@@ -124,7 +124,8 @@ Surface surfaceOf(uvec4 texel) {
 }
 #endif
 
-vec4 shade(ivec2 pixel, uvec4 texel) {
+// A surface's light as it leaves it, but for air. Sets its view distance.
+vec4 shade(ivec2 pixel, uvec4 texel, out float distanceView) {
     Surface surface = surfaceOf(texel);
     vec3 color = surface.albedo;
 #ifdef EMISSION
@@ -153,9 +154,7 @@ vec4 shade(ivec2 pixel, uvec4 texel) {
     if (kFoggy != 0u) {
         color = throughFog(color, surface.ray, surface.anchor.x + surface.ahead);
     }
-    if (kAiry != 0u) {
-        color = throughAir(color, surface.ray, surface.anchor.x + surface.ahead);
-    }
+    distanceView = surface.anchor.x + surface.ahead;
     return covering(color, surface.ahead);
 }
 
@@ -163,10 +162,13 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     uvec4 texel = texelFetch(gbuffer, pixel, 0);
     outColor = background();
+    float distanceView = -1.0;
     if (kMarked != 0u || !isBackground(texel)) {
-        outColor = shade(pixel, texel);
-    } else if (kAiry != 0u) {
-        outColor.rgb = throughAir(outColor.rgb, rayHere(), -1.0);
+        outColor = shade(pixel, texel, distanceView);
+    }
+    // Once for surfaces and background: some software devices run both sides of a branch.
+    if (kAiry != 0u) {
+        outColor.rgb = throughAir(outColor.rgb, rayHere(), distanceView);
     }
     outColor.rgb = finished(outColor.rgb, kFinish, kExposure);
 }
