@@ -6,6 +6,7 @@
 #include <cdr/host/document.h>
 #include <cdr/host/sha256.h>
 #include <cdr/host/thread_placement.h>
+#include <cdr/scene/gltf/gltf.h>
 #include <experiments/same_files.h>
 #include <scenes/open_scene.h>
 #include <scenes/orbit/data.h>
@@ -69,12 +70,20 @@ void Command::sayRanks() const {
 
 void Command::reads(const std::filesystem::path& path) {
     m_files.reads(path);
+    if (scene::isGltfPath(path)) {
+        for (const scene::GltfReference& reference : scene::gltfReferences(path)) {
+            m_files.reads(reference.path);
+        }
+    }
     m_read.push_back(path);
     experiments::requireSameFiles(ranks(), path);
 }
 
 void Command::readsEarth(const std::filesystem::path& folder) {
     m_earth = folder;
+    for (const std::filesystem::path& file : scenes::earthFiles(folder)) {
+        m_files.reads(file);
+    }
     experiments::requireSameEarth(ranks(), folder);
 }
 

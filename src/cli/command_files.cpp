@@ -56,6 +56,18 @@ void CommandFiles::writes(const std::string& option, const fs::path& path) {
     m_outputs.push_back(output);
 }
 
+void CommandFiles::writesSequence(const std::string& option, std::size_t begin, std::size_t end,
+                                  const std::function<fs::path(std::size_t)>& nameAt) {
+    for (std::size_t number = begin; number < end; ++number) {
+        const Output output{option, nameAt(number)};
+        std::error_code error;
+        if (fs::exists(output.path, error) && !isSpecial(output.path)) { // else nothing is lost
+            requireUnread(output);
+            m_outputs.push_back(output); // for what is read later
+        }
+    }
+}
+
 void CommandFiles::writesPictures(const std::string& option, const fs::path& folder,
                                   const std::string& stem) {
     m_pictures.push_back({option, folder, stem});
@@ -64,13 +76,17 @@ void CommandFiles::writesPictures(const std::string& option, const fs::path& fol
     }
 }
 
-void CommandFiles::requireApart(const Output& output) const {
+void CommandFiles::requireUnread(const Output& output) const {
     for (const fs::path& input : m_inputs) {
         if (isSame(input, output.path)) {
             throw base::InputError(fmt::format("{}: {} would replace what the command reads",
                                                output.path.string(), output.option));
         }
     }
+}
+
+void CommandFiles::requireApart(const Output& output) const {
+    requireUnread(output);
     for (const Pictures& pictures : m_pictures) {
         const fs::path file = resolved(output.path);
         if (file.parent_path() == resolved(pictures.folder / "x").parent_path() &&

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,11 @@ class CommandFiles {
     /// @param option that names it, such as "--json".
     void writes(const std::string& option, const std::filesystem::path& path);
 
+    /// The other pictures of a sequence, whose first one is named by writes(). base::InputError when the command reads one.
+    /// @param number of the picture that nameAt() is to name.
+    void writesSequence(const std::string& option, std::size_t begin, std::size_t end,
+                        const std::function<std::filesystem::path(std::size_t number)>& nameAt);
+
     /// Pictures in a folder: .png files whose names begin with `stem`. base::InputError when another output is one.
     void writesPictures(const std::string& option, const std::filesystem::path& folder,
                         const std::string& stem = "");
@@ -31,6 +38,7 @@ class CommandFiles {
         std::filesystem::path folder;
         std::string stem;
     };
+    void requireUnread(const Output& output) const;
     void requireApart(const Output& output) const;
 
     std::vector<std::filesystem::path> m_inputs;

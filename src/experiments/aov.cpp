@@ -121,6 +121,12 @@ std::uint32_t coverageAt(const render::Frame& frame, std::uint32_t x, std::uint3
     return frame.fragmentCounts.pixels.empty() ? 0 : frame.fragmentCounts.at(x, y);
 }
 
+std::string hashOfCoverage(const render::Frame& frame) {
+    return frame.fragmentCounts.pixels.empty()
+               ? host::sha256Of(std::vector<std::uint32_t>(std::size_t{frame.width()} * frame.height()))
+               : host::sha256Of(frame.fragmentCounts.pixels);
+}
+
 image::ImageRgba8 coveragePicture(const render::Frame& frame) {
     return paint(frame, [&](auto x, auto y) -> image::Rgba8 {
         const auto grey = static_cast<std::uint8_t>(std::min(16u * coverageAt(frame, x, y), 255u));
@@ -225,7 +231,7 @@ std::string hashOf(const render::Frame& frame, Aov aov, const measure::TruthImag
     case Aov::cascade:
         return hashOfWords(frame, [](const render::GBufferPixel& pixel) { return pixel.idAndCascade; });
     case Aov::coverage:
-        return host::sha256Of(frame.fragmentCounts.pixels);
+        return hashOfCoverage(frame);
     }
     throw base::RunError("output out of range");
 }

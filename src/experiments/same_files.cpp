@@ -42,8 +42,8 @@ std::vector<std::string> digestsOf(const std::vector<scene::GltfReference>& file
 
 std::vector<scene::GltfReference> earthFiles(const std::filesystem::path& folder) {
     std::vector<scene::GltfReference> files;
-    for (const char* name : {scenes::kEarthColor, scenes::kEarthTopography}) {
-        files.push_back({.uri = name, .path = folder / name});
+    for (const std::filesystem::path& file : scenes::earthFiles(folder)) {
+        files.push_back({.uri = file.filename().string(), .path = file});
     }
     return files;
 }

@@ -43,6 +43,29 @@ TEST(Files, AnOutputNeverReplacesTheInput) {
     }
 }
 
+/// Its buffers and pictures too, and by any picture of a sequence.
+TEST(Files, AnOutputNeverReplacesWhatAModelIsMadeOf) {
+    const TemporaryFolder folder;
+    json model = json::parse(readText(CDR_SOURCE_DIR "/tests/golden/shapes.gltf"));
+    image::writeImage(folder.path() / "t_0003.png", image::ImageRgba8(4, 4, {200, 100, 50, 255}));
+    model["images"] = {{{"uri", "t_0003.png"}}};
+    model["textures"] = {{{"source", 0}}};
+    model["materials"][0]["emissiveTexture"] = {{"index", 0}};
+    std::ofstream(folder.path() / "m.gltf") << model.dump();
+    const std::string before = readText(folder.path() / "t_0003.png");
+    for (const char* arguments :
+         {"render m.gltf --size 8x8 -o t_0003.png", "render m.gltf --size 8x8 -o t_%04d.png --frames 4",
+          "render m.gltf --size 8x8 --json t_0003.png",
+          "pictures --scenes m.gltf --size 8x8 --json t_0003.png"}) {
+        const ProgramResult result = runProgram(arguments, folder.path());
+        EXPECT_EQ(result.status, 2) << arguments;
+        EXPECT_NE(result.err.find("would replace what the command reads"), std::string::npos) << result.err;
+        EXPECT_EQ(readText(folder.path() / "t_0003.png"), before) << arguments;
+    }
+    EXPECT_FALSE(fs::exists(folder.path() / "t_0000.png"));
+    EXPECT_EQ(runProgram("render m.gltf --size 8x8 -o t_%04d.png --frames 3", folder.path()).status, 0);
+}
+
 TEST(Files, ScenesOfOneNameAreRefused) {
     const TemporaryFolder folder;
     for (const char* name : {"a", "b"}) {

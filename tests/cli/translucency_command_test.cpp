@@ -81,6 +81,20 @@ TEST(TranslucencyCommand, CoverageIsAnOutput) {
     EXPECT_GE(greys.size(), 4u);
 }
 
+/// A scene without blended surfaces has a zero for each pixel.
+TEST(TranslucencyCommand, CoverageOfNothingIsHashedByPixels) {
+    const TemporaryFolder folder;
+    std::set<std::string> hashes;
+    for (const std::string size : {"16x16", "32x32"}) {
+        const ProgramResult result =
+            runProgram("render afc --aov coverage --hash --json r.json --size " + size, folder.path());
+        ASSERT_EQ(result.status, 0) << result.err;
+        hashes.insert(nlohmann::json::parse(readText(folder.path() / "r.json"))["results"][0]["hash"]
+                          .get<std::string>());
+    }
+    EXPECT_EQ(hashes.size(), 2u);
+}
+
 } // namespace
 
 } // namespace cdr::cli_test

@@ -71,6 +71,19 @@ TEST_F(ViewerTest, OpensWhatItCopied) {
     EXPECT_EQ(picture("cdr-picture-0002.png"), picture("cdr-picture-0001.png"));
 }
 
+/// All that a line says of the finish comes back, numbers too.
+TEST_F(ViewerTest, CopiesWhatItWasGiven) {
+    const std::string finish =
+        "--detail=object:4 --translucency=sorted --translucency-memory=1 --antialias=edges";
+    const std::string shadows = "--shadows=anchored --shadow-texels=512";
+    for (const std::string& given : {finish, shadows}) {
+        const RunResult run =
+            play("alley --technique anchored --size 560x300 " + given, "wait-frame\ncommand\nquit\n");
+        ASSERT_EQ(run.lines("cdr render").size(), 1u) << run.out;
+        EXPECT_NE(run.lines("cdr render")[0].find(" " + given + " "), std::string::npos) << run.out;
+    }
+}
+
 /// As it is printed, except for where the program was built, in a small window.
 TEST_F(ViewerTest, RunsWhatTheReadmePrints) {
     std::ifstream readme(CDR_SOURCE_DIR "/README.md");

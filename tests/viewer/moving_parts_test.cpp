@@ -26,6 +26,21 @@ TEST_F(MovingPartsOfTheViewer, AreFramedWhereTheyAre) {
         << "in the middle of the picture: " << states[0];
 }
 
+/// Pictures that follow each other come without surfaces, so a click has its picture drawn again. At rest the drop is there.
+TEST_F(MovingPartsOfTheViewer, ArePickedWhereTheyAre) {
+    std::string clicks =
+        "wait-frame\nclick Frame\nwait-ui 3\nclick render though nothing changes\nwait-ui 3\nmove 188 134\n";
+    constexpr int kClicks = 6;
+    for (int i = 0; i < kClicks; ++i) {
+        clicks += "wait-frame 3\npress\nrelease\nwait-ui 40\nstate\n";
+    }
+    const RunResult run = play(kMachine, clicks + "quit\n");
+    ASSERT_EQ(run.lines("scene=").size(), std::size_t{kClicks}) << run.out;
+    for (const std::string& state : run.lines("scene=")) {
+        EXPECT_EQ(valueOf(state, "picked").substr(0, 6), "rider,") << state;
+    }
+}
+
 } // namespace
 
 } // namespace cdr::viewer_test

@@ -54,6 +54,8 @@ void checkFiles(const RenderArguments& arguments, const RenderPlan& plan, Comman
             throw base::InputError(base::unknownName("picture format", extension, kExtensions));
         }
         files.writes("-o", plan.name.at(plan.cameras.first));
+        files.writesSequence("-o", plan.cameras.first + 1, plan.cameras.first + plan.cameras.frames,
+                             [&](std::size_t frame) { return plan.name.at(static_cast<unsigned>(frame)); });
     }
     if (!arguments.trace.empty()) {
         files.writes("--trace", arguments.trace);

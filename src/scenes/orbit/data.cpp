@@ -31,8 +31,13 @@ OrbitFiles orbitFiles() {
             .model = environmentOr("CDR_ORBIT_MODEL", "")};
 }
 
+std::array<std::filesystem::path, 2> earthFiles(const std::filesystem::path& folder) {
+    return {folder / kEarthColor, folder / kEarthTopography};
+}
+
 EarthMaps loadEarthMaps(const std::filesystem::path& folder) {
-    return {.color = loadPicture(folder / kEarthColor), .topography = loadPicture(folder / kEarthTopography)};
+    const auto [color, topography] = earthFiles(folder);
+    return {.color = loadPicture(color), .topography = loadPicture(topography)};
 }
 
 } // namespace cdr::scenes

@@ -2,6 +2,7 @@
 
 #include <cdr/image/image.h>
 
+#include <array>
 #include <filesystem>
 
 namespace cdr::scenes {
@@ -19,6 +20,9 @@ inline constexpr double kMetresPerGrey = 25.0;
 /// The files of the maps, as the npm package three-globe names them.
 inline constexpr const char* kEarthColor = "earth-blue-marble.jpg";
 inline constexpr const char* kEarthTopography = "earth-topology.png";
+
+/// Both, in a folder.
+std::array<std::filesystem::path, 2> earthFiles(const std::filesystem::path& folder);
 
 /// What the scene orbit is made of.
 struct OrbitFiles {

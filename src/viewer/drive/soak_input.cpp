@@ -63,12 +63,12 @@ void SoakInput::changeFinish() {
         finish.focus = {.distance = lengthOrOff(1e3), .aperture = uniform(0.1, 10.0), .blend = chance(0.5)};
         break;
     case 4:
-        finish.shadows = render::kShadowMethods.at(pick(render::kShadowMethods.size()));
+        finish.shadows.method = render::kShadowMethods.at(pick(render::kShadowMethods.size()));
         break;
     default:
-        finish.translucency = finish.translucency == render::Translucency::weighted
-                                  ? render::Translucency::sorted
-                                  : render::Translucency::weighted;
+        finish.translucency.method = finish.translucency.method == render::Translucency::weighted
+                                         ? render::Translucency::sorted
+                                         : render::Translucency::weighted;
     }
 }
 

@@ -35,9 +35,9 @@ void chooseLength(const Widgets& widgets, std::string_view name, double& length)
 void drawFinishPanel(const Widgets& widgets, ViewSettings& settings) {
     widgets.heading("Finish");
     Finish& finish = settings.finish;
-    choose(widgets, "detail", visibility::kDetailModes, finish.detail);
-    choose(widgets, "translucency", render::kTranslucencies, finish.translucency);
-    choose(widgets, "shadows", render::kShadowMethods, finish.shadows);
+    choose(widgets, "detail", visibility::kDetailModes, finish.detail.mode);
+    choose(widgets, "translucency", render::kTranslucencies, finish.translucency.method);
+    choose(widgets, "shadows", render::kShadowMethods, finish.shadows.method);
     choose(widgets, "edges", render::kAntialiases, finish.effects.antialias);
     choose(widgets, "tone mapping", render::kToneMaps, finish.effects.finish.toneMap);
     chooseLength(widgets, "occlusion", finish.effects.occlusion.radius);

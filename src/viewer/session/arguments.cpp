@@ -60,7 +60,9 @@ void addRenderLine(CLI::App& program, Arguments& arguments) {
     program
         .add_option("--snapping", arguments.snapping, "How vertices get to sub-pixels: by-device or in-plane")
         ->capture_default_str();
-    program.add_option("--detail", arguments.detail, "none, object, cascade or cluster")
+    program
+        .add_option("--detail", arguments.detail,
+                    "none, object[:PIXELS], cascade[:PIXELS] or cluster[:PIXELS]")
         ->capture_default_str();
     experiments::addEffectOptions(program, arguments.effects);
     experiments::addStereoOptions(program, arguments.views);

@@ -52,14 +52,14 @@ scene::OpenedScene SceneRenderer::openNamed(const ViewSettings& settings) const 
 void SceneRenderer::open(const ViewSettings& settings) {
     if (m_scene != nullptr && settings.scene == m_sceneName && settings.seed == m_seed &&
         settings.colours == m_colours && settings.choice == m_choice &&
-        suffices(m_detail, settings.finish.detail)) {
+        suffices(m_detail, settings.finish.detail.mode)) {
         followLayers(settings.layers);
         return;
     }
     auto opened = std::make_shared<scene::OpenedScene>(openNamed(settings));
     scenes::paint(opened->setup.scene, settings.scene, settings.colours);
     host::WorkerPool workers(settings.threads);
-    visibility::prepareDetail(opened->setup.scene, settings.finish.detail, workers);
+    visibility::prepareDetail(opened->setup.scene, settings.finish.detail.mode, workers);
     const scene::SceneSetup& setup = opened->setup;
     auto moving = worldOf(setup, settings.layers);
     render::GpuScene onDevice = moving != nullptr ? render::GpuScene(m_device, moving->world())
@@ -76,7 +76,7 @@ void SceneRenderer::open(const ViewSettings& settings) {
     m_colours = settings.colours;
     m_choice = settings.choice;
     m_layers = settings.layers;
-    m_detail = settings.finish.detail;
+    m_detail = settings.finish.detail.mode;
 }
 
 void SceneRenderer::followLayers(const std::vector<scenes::LayerChoice>& layers) {

@@ -284,7 +284,8 @@ void Session::pickOrAsk() {
     ask({.serial = m_serial + 1,
          .settings = shown.settings,
          .extent = {picture.width, picture.height},
-         .camera = shown.camera});
+         .camera = shown.camera,
+         .frame = shown.frame});
     m_click->serial = m_serial;
 }
 
@@ -330,6 +331,7 @@ void Session::enterScene(const RenderResult& result) {
     m_model.picture.measuring.clear();
     m_model.performance.statistics.clear();
     m_model.picture.underCursor = {};
+    m_model.picture.readable = {};
     m_model.camera.pivot = m_model.camera.now.position - m_model.camera.now.back;
 }
 

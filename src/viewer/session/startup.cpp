@@ -15,6 +15,9 @@ namespace {
 void chooseTechniques(const Arguments& arguments, ViewSettings& settings) {
     const std::size_t comma = arguments.compare.find(',');
     if (!arguments.depth.empty() || !arguments.split.empty()) {
+        if (!arguments.technique.empty() || arguments.compare != Arguments{}.compare) {
+            throw base::InputError("give either --technique or --compare, or --depth and --split");
+        }
         settings.technique.mapping =
             depth::parseMapping(arguments.depth.empty() ? "standard" : arguments.depth);
         settings.technique.split = depth::parseSplit(arguments.split.empty() ? "none" : arguments.split);
@@ -44,9 +47,9 @@ ViewSettings settingsOf(const Arguments& arguments) {
     settings.choice = arguments.choice;
     settings.choice.light = experiments::lightOf(arguments.effects);
     settings.view = viewOfAov(arguments.aov);
-    settings.finish = {.detail = visibility::parseDetail(arguments.detail).mode,
-                       .translucency = experiments::translucencyOf(arguments.effects).method,
-                       .shadows = experiments::shadowsOf(arguments.effects).method,
+    settings.finish = {.detail = visibility::parseDetail(arguments.detail),
+                       .translucency = experiments::translucencyOf(arguments.effects),
+                       .shadows = experiments::shadowsOf(arguments.effects),
                        .effects = experiments::effectsOf(arguments.effects),
                        .focus = experiments::focusOf(arguments.effects)};
     settings.views = arguments.views;

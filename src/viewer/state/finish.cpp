@@ -6,15 +6,15 @@
 namespace cdr::viewer {
 
 void apply(const Finish& finish, render::RenderOptions& options) {
-    options.detail.mode = finish.detail;
-    options.translucency.method = finish.translucency;
+    options.detail = finish.detail;
+    options.translucency = finish.translucency;
     options.effects = finish.effects;
     options.effects.occlusion.perLayer = finish.effects.occlusion.perLayer && hasLayers(options.targets.kind);
     if (options.targets.kind == render::TargetsKind::layers) {
         options.focus = finish.focus;
     }
-    if (!options.focus.isOn() && finish.detail == visibility::DetailMode::none) {
-        options.shadows.method = finish.shadows;
+    if (!options.focus.isOn() && finish.detail.mode == visibility::DetailMode::none) {
+        options.shadows = finish.shadows;
     }
 }
 

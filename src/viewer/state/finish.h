@@ -8,9 +8,9 @@ namespace cdr::viewer {
 
 /// What a picture is finished with, whatever its technique.
 struct Finish {
-    visibility::DetailMode detail = visibility::DetailMode::none;
-    render::Translucency translucency = render::Translucency::weighted;
-    render::ShadowMethod shadows = render::ShadowMethod::none;
+    visibility::Detail detail{};
+    render::TranslucencyOptions translucency{};
+    render::Shadows shadows{};
     render::Effects effects{};
     render::Focus focus{};
 

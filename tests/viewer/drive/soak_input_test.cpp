@@ -103,7 +103,7 @@ TEST(SoakInput, IsBoundedAndReachesEverything) {
             seen.insert(effects.occlusion.radius > 0.0 ? "occlusion" : "");
             seen.insert(effects.fog.visibility > 0.0 ? "fog" : "");
             seen.insert(s.finish.focus.isOn() ? "focus" : "");
-            seen.insert(s.finish.translucency == render::Translucency::sorted ? "sorted" : "");
+            seen.insert(s.finish.translucency.method == render::Translucency::sorted ? "sorted" : "");
             render::requireUsable(effects);
             render::requireUsable(s.finish.focus);
             seen.insert(s.second ? "split screen" : "one picture");
