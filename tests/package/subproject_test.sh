@@ -19,6 +19,11 @@ for by in add_subdirectory FetchContent; do
         -DCMAKE_CXX_FLAGS_DEBUG= "-DCMAKE_CXX_FLAGS=-fno-exceptions -fno-rtti" "-DCDR_BY=$by" "-DCDR_SOURCE=$source_dir" \
         -DCDR_WARNINGS_AS_ERRORS=ON -DCDR_UNITY_BUILD=ON
 done
+# An engine has some of the libraries already.
+for library in fmt glm nlohmann_json meshoptimizer draco; do
+    quiet cmake -G Ninja -S "$source_dir/tests/package/subproject" -B "$work/has_$library" "-DENGINE_HAS=$library" \
+        -DCDR_BY=add_subdirectory "-DCDR_SOURCE=$source_dir"
+done
 # What the engine does not link is not built, and its own program lands where it says.
 quiet cmake --build "$work/add_subdirectory"
 [[ $("$work/add_subdirectory/engine") == *": drawn in 2 cascades" ]] || fail "unexpected output of the engine"
@@ -52,7 +57,8 @@ found=$(programs no_report -DCDR_BUILD_REPORT=OFF)
 expect "CDR_BUILD_REPORT=OFF" cdr test_report
 ! grep -rq 'page/build.mjs' "$work/no_report/build.ninja" || fail "CDR_BUILD_REPORT=OFF: bundles the page"
 quiet cmake --build "$work/no_report" --target cdr_page_header
-found=$(programs no_tools -DCDR_BUILD_TOOLS=OFF -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=TRUE)
+found=$(programs no_tools -DCDR_BUILD_TOOLS=OFF -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=TRUE \
+    -DCMAKE_DISABLE_FIND_PACKAGE_GTest=TRUE -DCMAKE_DISABLE_FIND_PACKAGE_benchmark=TRUE)
 expect "CDR_BUILD_TOOLS=OFF" '!.+'
 found=$(programs no_render -DCDR_BUILD_RENDER=OFF)
 expect "CDR_BUILD_RENDER=OFF" '!.+'

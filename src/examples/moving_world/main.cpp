@@ -14,10 +14,10 @@ int main() try {
     namespace render = cdr::render;
     namespace scene = cdr::scene;
 
-    const gpu::Instance instance;
-    const gpu::Device device(instance, "");
-
     // quoted in src/cdr/README.md: begin
+    const gpu::Instance instance;
+    const gpu::Device device(instance, ""); // the first that suffices, or by part of its name
+
     scene::World world; // or of a scene::Scene, from glTF for example
     const scene::MeshHandle box = world.addMesh(scene::makeBox(glm::vec3(0.5f)));
     const scene::MaterialHandle paint = world.addMaterial({.baseColorFactor = {0.8f, 0.2f, 0.1f, 1.0f}});
