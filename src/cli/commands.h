@@ -29,7 +29,7 @@ void addRivals(CLI::App& program, const GlobalOptions& global);
 void addInspect(CLI::App& program, const GlobalOptions& global);
 void addReport(CLI::App& program, const GlobalOptions& global);
 
-/// The commands that a report is made of: all that measure.
+/// The commands that measure. A report is made of all of them but `models`.
 void addExperiments(CLI::App& program, const GlobalOptions& global);
 
 /// Completions and the manual page, made from all commands of the program.

@@ -24,10 +24,6 @@ nlohmann::ordered_json makeDocument(const std::string& command, const DocumentDe
             {"results", nlohmann::ordered_json::array()}};
 }
 
-nlohmann::ordered_json& addSection(nlohmann::ordered_json& document, const std::string& name) {
-    return document[name] = nlohmann::ordered_json::array();
-}
-
 std::string textOf(const nlohmann::ordered_json& json, int indent) {
     return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

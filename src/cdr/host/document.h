@@ -26,11 +26,6 @@ struct DocumentDevice {
 nlohmann::ordered_json makeDocument(const std::string& command, const DocumentDevice& device,
                                     nlohmann::ordered_json options);
 
-/// Adds an empty array of that name after the results, for what is not one row per result, such as pairs of
-/// them.
-/// @param name none of makeDocument()'s.
-nlohmann::ordered_json& addSection(nlohmann::ordered_json& document, const std::string& name);
-
 /// JSON as text with a final line break. Bytes of texts that are not UTF-8, as file names may hold, become
 /// U+FFFD.
 /// @param indent spaces a level; -1 for one line.

@@ -148,8 +148,9 @@ class CDR_EXPORT Renderer {
     void makeInputs(Slot& slot, std::size_t lightRoom);
     /// Takes over what changed in the scene.
     void followScene();
-    /// Takes over what changed in the scene. base::InputError unless record() can record into a frame.
+    /// base::InputError unless record() can record into a frame.
     void requireRecordable(const HostFrame& frame);
+    /// Makes the facets anew if meshes, materials or kinds changed.
     void followFacets();
     /// @param frame counted from 0, since the passes were made
     Slot& slotOf(std::size_t frame) const;

@@ -7,16 +7,11 @@
 #include <cdr/scene/camera.h>
 
 #include <array>
-#include <string_view>
 
 namespace cdr::scene {
 
-/// The sides of a cube about a camera, as cubeSides() lists them: "right", "left", "up", "down", "behind", "ahead".
-inline constexpr std::array<std::string_view, 6> kCubeSideNames{"right", "left",   "up",
-                                                                "down",  "behind", "ahead"};
-
 /// Six cameras at one place with a field of view of 90 degrees, which together see all directions where pictures are
-/// square. The sides are the camera's own axes: its right, left, up, down, back and view direction. The four level ones
+/// square. The sides are, in this order, to its right, left, up, down, back and ahead. The four level ones
 /// keep its up; up has its back above, and down its view direction.
 /// @throws base::InputError for a camera that is not usable.
 CDR_EXPORT std::array<Camera, 6> cubeSides(const Camera& camera);

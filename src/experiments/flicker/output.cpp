@@ -67,14 +67,6 @@ void PairVideos::finish() {
     }
 }
 
-std::vector<std::filesystem::path> PairVideos::paths() const {
-    std::vector<std::filesystem::path> paths;
-    for (const Pair& pair : m_pairs) {
-        paths.push_back(pair.path);
-    }
-    return paths;
-}
-
 void writeTgaFrames(const std::filesystem::path& folder, std::span<const std::string> techniques,
                     std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures) {
     for (std::size_t i = 0; i < techniques.size(); ++i) {

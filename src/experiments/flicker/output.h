@@ -26,9 +26,6 @@ class PairVideos {
     /// Puts all videos in place, and beside each its first frame as .png. base::RunError when an encoder fails.
     void finish();
 
-    /// Where the videos are once finished.
-    std::vector<std::filesystem::path> paths() const;
-
   private:
     struct Pair {
         std::size_t left;

@@ -220,10 +220,6 @@ void Window::restore() const {
     glfwRestoreWindow(m_handle.get());
 }
 
-void Window::setTitle(const std::string& title) const {
-    glfwSetWindowTitle(m_handle.get(), title.c_str());
-}
-
 void Window::copyToClipboard(const std::string& text) const {
     glfwSetClipboardString(m_handle.get(), text.c_str());
 }

@@ -74,7 +74,6 @@ class Window {
     /// Removes it from the screen. It is not shown again.
     void hide() const;
     void restore() const;
-    void setTitle(const std::string& title) const;
     void copyToClipboard(const std::string& text) const;
 
   private:

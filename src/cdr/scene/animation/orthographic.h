@@ -14,9 +14,8 @@ struct OrthographicLens {
 };
 
 /// Diameters of a scene between it and the perspective camera that shows it without perspective. Then places move by at
-/// most half a pixel in pictures up to kMostHalfPixelHeight high, whatever their distance.
+/// most half a pixel in pictures up to 8192 pixels high, whatever their distance.
 inline constexpr double kAfar = 4096.0;
-inline constexpr int kMostHalfPixelHeight = 8192;
 
 /// A perspective camera far behind `place` that shows what an orthographic one does there. Its field of view is so small that
 /// near and far things are equally large. At the view distance of the scene's middle, sizes are exact.
