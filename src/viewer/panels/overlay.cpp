@@ -195,7 +195,7 @@ void drawLines(const Canvas& canvas, const ViewerModel& model) {
     }
     const Notice& notice = model.interface.notice;
     if (std::chrono::steady_clock::now() <= notice.until) {
-        add(notice.isProblem ? kProblem : kInk, notice.text);
+        add(notice.kind == NoticeKind::problem ? kProblem : kInk, notice.text);
     }
 }
 

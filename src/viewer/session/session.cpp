@@ -171,8 +171,7 @@ bool Session::takeOpening() {
     if (!opening || isSettled()) {
         return false;
     }
-    m_model.interface.say(textOf(*opening));
-    m_saysOpening = m_model.interface.notice.text;
+    m_model.interface.say(textOf(*opening), NoticeKind::opening);
     return true;
 }
 
@@ -318,10 +317,9 @@ void Session::pick(const Click& click, const RenderResult& result) {
 }
 
 void Session::enterScene(const RenderResult& result) {
-    if (!m_saysOpening.empty() && m_model.interface.notice.text == m_saysOpening) {
+    if (m_model.interface.notice.kind == NoticeKind::opening) {
         m_model.interface.notice = {};
     }
-    m_saysOpening.clear();
     m_model.camera.ofScene = result.scene->setup.path.at(0);
     const auto first = std::exchange(m_model.camera.first, std::nullopt);
     m_model.camera.now = scene::canonical(first ? overridden(result.camera, *first) : result.camera);

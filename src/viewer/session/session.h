@@ -81,8 +81,7 @@ class Session {
     std::uint64_t m_serial = 0;
     std::uint64_t m_shownSerial = 0;
     std::uint64_t m_results = 0;
-    bool m_isIdle = false;     ///< at the last update()
-    std::string m_saysOpening; ///< the notice of a file that is being opened, else empty
+    bool m_isIdle = false; ///< at the last update()
     std::optional<Click> m_click;
     Clock::time_point m_surfacesAsked{};
     struct Asked {

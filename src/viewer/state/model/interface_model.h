@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,10 +22,17 @@ struct PanelKeys {
     bool isOpened = false; ///< whether it has come to the front
 };
 
+/// What a notice is about.
+enum class NoticeKind : std::uint8_t {
+    news,    ///< what was done
+    problem, ///< what did not work
+    opening, ///< how far a file is opened; it goes once the scene is there
+};
+
 /// A line for the person at the window, and until when it shows.
 struct Notice {
     std::string text;
-    bool isProblem = false;
+    NoticeKind kind = NoticeKind::news;
     std::chrono::steady_clock::time_point until{};
 };
 
@@ -38,18 +46,11 @@ struct InterfaceModel {
     FirstSteps firstSteps;
     Notice notice;
 
-    void say(std::string text) { notice = noticeOf(std::move(text)); }
-    /// Of what went wrong.
-    void sayProblem(std::string text) {
-        say(std::move(text));
-        notice.isProblem = true;
-    }
-
-  private:
-    static Notice noticeOf(std::string text) {
+    void say(std::string text, NoticeKind kind = NoticeKind::news) {
         constexpr std::chrono::seconds kShown{6};
-        return {.text = std::move(text), .until = std::chrono::steady_clock::now() + kShown};
+        notice = {.text = std::move(text), .kind = kind, .until = std::chrono::steady_clock::now() + kShown};
     }
+    void sayProblem(std::string text) { say(std::move(text), NoticeKind::problem); }
 };
 
 } // namespace cdr::viewer
