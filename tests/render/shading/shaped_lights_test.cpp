@@ -4,9 +4,12 @@
 #include <cdr/measure/shadows/shadow_truth.h>
 #include <cdr/measure/shadows/wrong_shadows.h>
 #include <cdr/measure/truth/layered_truth.h>
+#include <cdr/render/shading/seen_lights.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <random>
 
 namespace cdr::render_test {
 
@@ -186,6 +189,41 @@ TEST_F(ShapedLightsTest, VisibilityBuffersShowTheSame) {
     }
     EXPECT_LT(off, 60u); // edges
     EXPECT_EQ(messageCount(), 0u);
+}
+
+/// Lights whose range ends before the view. Where a light stands first in the scene it is never left out.
+TEST_F(ShapedLightsTest, ThoseOutOfSightAreLeftOutAndNoBitChanges) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> around(-9.0, 9.0);
+    std::uniform_real_distribution<double> exponent(0.0, 4.0);
+    std::size_t leftOut = 0;
+    std::size_t shining = 0;
+    for (const double far : {0.0, 1e6}) {
+        const glm::dvec3 centre(far, 0.0, -far);
+        scene::Camera camera = kLampCamera;
+        camera.position += centre;
+        render::RenderOptions drawn = options("anchored");
+        drawn.width = 96;
+        drawn.height = 54;
+        scene::Scene scene = room(centre);
+        const render::Frame dark = draw(scene, camera, drawn);
+        for (int i = 0; i < 40; ++i) {
+            PointLight light{.position = centre + glm::dvec3(around(random), around(random), around(random)),
+                             .halfDistance = 4.0,
+                             .range = std::exp2(exponent(random))};
+            const PointLight black{.position = centre, .color = glm::vec3(0.0f)};
+            scene.lights = {light, black, black, black, black};
+            const render::Frame first = draw(scene, camera, drawn);
+            std::reverse(scene.lights.begin(), scene.lights.end());
+            const render::Frame last = draw(scene, camera, drawn);
+            EXPECT_EQ(first.color, last.color) << "light " << i << ", " << far << " units away";
+            const auto seen = render::seenLights(scene.lights, camera, scene::frustumOf(camera, 96, 54));
+            leftOut += seen.size() == 4 ? 1 : 0;
+            shining += first.color != dark.color ? 1 : 0;
+        }
+    }
+    EXPECT_GT(leftOut, 10u);
+    EXPECT_GT(shining, 10u);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/shading/air_record.h>
 #include <cdr/render/shading/finish.h>
+#include <cdr/render/shading/seen_lights.h>
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/shading_emission_frag.h>
@@ -181,7 +182,8 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
     header.rayScale = glm::vec2(frustum.tanX, frustum.tanY);
     header.pictureSize = glm::vec2(m_extent.width, m_extent.height);
     m_lightForm = lightFormOf(scene);
-    header.lightCount = static_cast<std::uint32_t>(scene.lights.size());
+    const std::vector<std::uint32_t> seen = seenLights(scene.lights, camera, frustum);
+    header.lightCount = static_cast<std::uint32_t>(seen.size());
     header.fog = glm::vec4(fog.color, fog.extinction());
     if (scene.sky) {
         header.skyUp = glm::vec4(glm::vec3(directionInView(camera, scene.sky->up)), 0.0f);
@@ -194,8 +196,8 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
     }
     std::transform(anchorsView.begin(), anchorsView.end(), header.anchors, splitDouble);
     auto* lights = reinterpret_cast<shaders::LightRecord*>(&header + 1);
-    for (const scene::PointLight& light : scene.lights) {
-        *lights++ = makeLightRecord(light, camera);
+    for (const std::uint32_t light : seen) {
+        *lights++ = makeLightRecord(scene.lights[light], camera);
     }
     m_lights.flush();
 }
