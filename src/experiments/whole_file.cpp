@@ -15,7 +15,6 @@ namespace cdr::experiments {
 namespace {
 
 namespace fs = std::filesystem;
-using std::string_view_literals::operator""sv;
 
 std::string lastBytes(std::ifstream& file, std::uint64_t size, std::uint64_t count) {
     std::string bytes(std::min(size, count), '\0');
@@ -25,7 +24,7 @@ std::string lastBytes(std::ifstream& file, std::uint64_t size, std::uint64_t cou
 }
 
 bool isWholePng(std::ifstream& file, std::uint64_t size) {
-    constexpr std::string_view kLastChunk = "\0\0\0\0IEND\xae\x42\x60\x82"sv;
+    constexpr std::string_view kLastChunk("\0\0\0\0IEND\xae\x42\x60\x82", 12);
     return lastBytes(file, size, kLastChunk.size()) == kLastChunk;
 }
 
