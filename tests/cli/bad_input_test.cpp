@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"rivals mixed --techniques reversed --json t.json", "must be among the techniques"},
         BadInput{"rivals coplanar --json t.json", "neither layers nor masked materials"},
         BadInput{"models cubes --json t.json", "models are .gltf and .glb files"},
-        BadInput{"models a/x.glb b/x.gltf --json t.json", "two models would both be written as x_*.png"},
+        BadInput{"models a/x.glb a/x.gltf --json t.json", "two models would both be written as x_*.png"},
         BadInput{"models a.glb b.glb c.glb d.glb e.glb --size 8192x8192 --json t.json",
                  "the pictures of 5 models at 8192x8192 take 5120 MiB, 4096 are allowed"},
         BadInput{"models none.glb --json t.json", "none.glb"}, BadInput{"models", "models is required"},

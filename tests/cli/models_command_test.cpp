@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <string>
 
 namespace cdr::cli_test {
@@ -63,6 +64,29 @@ TEST(ModelsCommand, TakesAModelsOwnLightsAndCamera) {
     const std::string still = reference("--light file");
     EXPECT_NE(still, reference("--light file --time 0.5"));
     EXPECT_NE(still, reference("--light lamps"));
+}
+
+TEST(ModelsCommand, PicturesOfFilesOfOneNameHaveTheirFoldersNamesToo) {
+    const TemporaryFolder folder;
+    for (const char* place : {"a/model", "b/model", "c"}) {
+        std::filesystem::create_directories(folder.path() / place);
+        std::filesystem::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf",
+                                   folder.path() / place / "shapes.gltf");
+    }
+    const ProgramResult result = runProgram("models a/model/shapes.gltf b/model/shapes.gltf c/shapes.gltf " +
+                                                kAssets + "stage.glb --size 64x36 --out m --json m.json",
+                                            folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json rows = json::parse(readText(folder.path() / "m.json"))["results"];
+    ASSERT_EQ(rows.size(), 4u);
+    EXPECT_EQ(rows[0]["model"], "a_model_shapes");
+    EXPECT_EQ(rows[1]["model"], "b_model_shapes");
+    EXPECT_EQ(rows[2]["model"], "c_shapes");
+    EXPECT_EQ(rows[3]["model"], "stage");
+    for (const char* name :
+         {"a_model_shapes.png", "b_model_shapes_flip.png", "c_shapes.png", "stage_plain.png"}) {
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / "m" / name)) << name;
+    }
 }
 
 } // namespace

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -50,19 +51,54 @@ experiments::Columns<experiments::ModelResult> modelColumns() {
             {.key = "mean_steps", .value = &Result::meanSteps, .heading = "8-bit steps"}};
 }
 
-/// base::InputError for what is no model, and for models whose pictures would have one name.
+/// A file's name, after those of so many of the folders that it is in.
+std::string nameWithFolders(const std::string& file, std::size_t folders) {
+    std::filesystem::path path = std::filesystem::absolute(file).lexically_normal();
+    std::string name = path.stem().string();
+    for (; folders > 0 && path.has_relative_path(); --folders) {
+        path = path.parent_path();
+        name = path.filename().string() + "_" + name;
+    }
+    return name;
+}
+
+/// What each model's pictures are called: its file's name, after as many folders as tell it from the others.
+/// base::InputError where two would still have one name.
+std::vector<std::string> pictureNames(const std::vector<std::string>& files) {
+    std::vector<std::string> names(files.size());
+    std::vector<std::size_t> folders(files.size(), 0);
+    constexpr std::size_t kMostFolders = 8;
+    for (std::size_t round = 0; round <= kMostFolders; ++round) {
+        std::map<std::string, std::vector<std::size_t>> byName;
+        for (std::size_t i = 0; i < files.size(); ++i) {
+            names[i] = nameWithFolders(files[i], folders[i]);
+            byName[names[i]].push_back(i);
+        }
+        if (byName.size() == files.size()) {
+            return names;
+        }
+        for (const auto& [name, alike] : byName) {
+            for (const std::size_t i : alike) {
+                folders[i] += alike.size() > 1 ? 1 : 0;
+            }
+        }
+    }
+    std::set<std::string> taken;
+    const auto twice = std::find_if(files.begin(), files.end(), [&](const std::string& file) {
+        return !taken.insert(nameWithFolders(file, kMostFolders)).second;
+    });
+    throw base::InputError(
+        fmt::format("two models would both be written as {}_*.png", nameWithFolders(*twice, 0)));
+}
+
+/// base::InputError for what is no model.
 void requireModels(const std::vector<std::string>& files) {
     if (files.size() > kMostModels) {
         throw base::InputError(fmt::format("{} models, {} are the most", files.size(), kMostModels));
     }
-    std::set<std::string> names;
     for (const std::string& file : files) {
         if (!scene::isGltfPath(file)) {
             throw base::InputError(file + ": models are .gltf and .glb files");
-        }
-        const std::string name = std::filesystem::path(file).stem().string();
-        if (!names.insert(name).second) {
-            throw base::InputError(fmt::format("two models would both be written as {}_*.png", name));
         }
     }
 }
@@ -105,6 +141,7 @@ void writePictures(const PictureFolder& folder, const std::vector<experiments::M
 
 void run(Command& command, ModelsArguments& arguments) {
     requireModels(arguments.files);
+    const std::vector<std::string> names = pictureNames(arguments.files);
     requirePictureMemory(arguments.files.size(), arguments.options);
     arguments.options.closer = !arguments.camera.has_value();
     arguments.options.technique = depth::parseTechnique(arguments.technique);
@@ -126,6 +163,7 @@ void run(Command& command, ModelsArguments& arguments) {
         scene::OpenedScene plain = scenes::openScene(file, scenes::kDefaultSeed, choice);
         results.push_back(
             experiments::compareModel(command.device(), model, plain.setup, light, arguments.options));
+        results.back().model = names[results.size() - 1];
     }
     command.endProgress();
     writePictures(folder, results, command.device().info().name);

@@ -26,7 +26,7 @@ inline constexpr std::size_t kModelPictures = 4;
 
 /// One model.
 struct ModelResult {
-    std::string model;
+    std::string model; ///< the name of its pictures; compareModel() has the scene's
     std::string light;
     std::uint64_t triangles = 0; ///< of what is drawn, repeats counted
     std::uint64_t textures = 0;
