@@ -1,8 +1,10 @@
+#include <cdr/host/worker_pool.h>
 #include <cdr/image/levels.h>
 #include <cdr/image/srgb.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cdr::image {
@@ -16,6 +18,38 @@ ImageRgba8 rowOf(const std::vector<std::uint8_t>& values) {
         row.pixels[i] = {values[i], values[i], values[i], values[i]};
     }
     return row;
+}
+
+ImageRgba8 noiseOfAlpha(std::uint32_t width, std::uint32_t height) {
+    ImageRgba8 picture(width, height);
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        const auto bits = static_cast<std::uint32_t>(i * 2654435761u);
+        for (std::size_t c = 0; c < 4; ++c) {
+            picture.pixels[i][c] = static_cast<std::uint8_t>(bits >> (8 * c));
+        }
+    }
+    return picture;
+}
+
+/// The share of a picture that has at least an alpha, interpolated between pixels.
+double shareFrom(const ImageRgba8& picture, double alpha) {
+    std::size_t count = 0;
+    const auto at = [&](double x, double y) {
+        return static_cast<double>(
+            picture.at(static_cast<std::uint32_t>(std::clamp(x, 0.0, picture.width - 1.0)),
+                       static_cast<std::uint32_t>(std::clamp(y, 0.0, picture.height - 1.0)))[3]);
+    };
+    constexpr double kStep = 0.25; // of a pixel
+    for (double y = -0.375; y < picture.height - 0.5; y += kStep) {
+        for (double x = -0.375; x < picture.width - 0.5; x += kStep) {
+            const double left = std::floor(x);
+            const double top = std::floor(y);
+            const double above = std::lerp(at(left, top), at(left + 1.0, top), x - left);
+            const double below = std::lerp(at(left, top + 1.0), at(left + 1.0, top + 1.0), x - left);
+            count += std::lerp(above, below, y - top) >= alpha ? 1 : 0;
+        }
+    }
+    return static_cast<double>(count) * kStep * kStep / static_cast<double>(picture.pixels.size());
 }
 
 } // namespace
@@ -80,6 +114,72 @@ TEST(Levels, OneColourStaysAsItIs) {
             for (const Rgba8& pixel : level.pixels) {
                 EXPECT_EQ(pixel, picture.at(0, 0));
             }
+        }
+    }
+}
+
+TEST(Levels, AreTheSameForAnyNumberOfWorkers) {
+    const ImageRgba8 picture = noiseOfAlpha(1021, 514);
+    ASSERT_TRUE(areLevelsDivided(picture.width, picture.height));
+    EXPECT_FALSE(areLevelsDivided(128, 128));
+    for (const LevelRules& rules :
+         {LevelRules{}, LevelRules{.encoding = Encoding::linear, .alphaWeighs = true, .cutoff = 0.7f}}) {
+        const std::vector<ImageRgba8> alone = smallerLevels(picture, rules, 99);
+        for (const std::size_t threads : {1u, 2u, 3u, 7u}) {
+            host::WorkerPool workers(threads);
+            EXPECT_EQ(smallerLevels(picture, rules, 99, &workers), alone) << threads;
+            workers.setSchedule(12345); // another order of the bands
+            EXPECT_EQ(smallerLevels(picture, rules, 99, &workers), alone) << threads;
+        }
+    }
+}
+
+TEST(Levels, WhatIsClearHasNoPartInColours) {
+    ImageRgba8 picture(4, 1, {200, 100, 50, 255});
+    picture.at(1, 0) = {0, 255, 0, 0}; // what it hides must not show
+    picture.at(2, 0) = picture.at(3, 0) = {30, 30, 30, 0};
+    const std::vector<ImageRgba8> levels = smallerLevels(picture, LevelRules{.alphaWeighs = true}, 2);
+    EXPECT_EQ(levels.at(0).at(0, 0), (Rgba8{200, 100, 50, 128}));
+    EXPECT_EQ(levels.at(0).at(1, 0), (Rgba8{30, 30, 30, 0})); // nothing else is there
+    EXPECT_EQ(levels.at(1).at(0, 0), (Rgba8{200, 100, 50, 64}));
+    EXPECT_NE(smallerLevels(picture, LevelRules{}, 1).at(0).at(0, 0)[0], 200);
+    picture = ImageRgba8(2, 1, {255, 0, 0, 200});
+    picture.at(1, 0) = {0, 0, 0, 100};
+    const LevelRules data{.encoding = Encoding::linear, .alphaWeighs = true};
+    EXPECT_EQ(smallerLevels(picture, data, 1).at(0).at(0, 0), (Rgba8{170, 0, 0, 150}));
+}
+
+/// Leaves of few texels: their average soon lies below any cutoff.
+TEST(Levels, MaskedOnesKeepWhatIsShown) {
+    ImageRgba8 picture(256, 256, {90, 120, 40, 0});
+    for (std::uint32_t y = 0; y < 256; ++y) {
+        for (std::uint32_t x = 0; x < 256; ++x) {
+            const std::uint32_t spread = (x / 3 * 2654435761u) ^ (y / 3 * 2246822519u);
+            picture.at(x, y)[3] = (spread >> 20u) % 10 < 3 ? 255 : 0;
+        }
+    }
+    ASSERT_NEAR(shareFrom(picture, 127.5), 0.3, 0.05);
+    const std::vector<ImageRgba8> plain = smallerLevels(picture, LevelRules{}, 5);
+    for (const float cutoff : {0.5f, 0.2f, 0.9f}) {
+        const double first = std::ceil(cutoff * 255.0f) - 0.5;
+        const double whole = shareFrom(picture, first);
+        const std::vector<ImageRgba8> kept = smallerLevels(picture, LevelRules{.cutoff = cutoff}, 5);
+        for (std::size_t level = 0; level < kept.size(); ++level) {
+            EXPECT_NEAR(shareFrom(kept[level], first), whole, 0.04) << cutoff << ", level " << level;
+        }
+        EXPECT_GT(std::abs(shareFrom(plain[4], first) - whole), 0.1) << cutoff;
+    }
+    for (const float none : {0.0f, -1.0f, 1.5f, std::nanf("")}) {
+        EXPECT_EQ(smallerLevels(picture, LevelRules{.cutoff = none}, 5), plain) << none;
+    }
+}
+
+/// Alpha that is the same everywhere stays so.
+TEST(Levels, APictureThatIsAllShownKeepsItsAlpha) {
+    for (const std::uint8_t alpha : {std::uint8_t{255}, std::uint8_t{140}, std::uint8_t{20}}) {
+        const ImageRgba8 picture(9, 6, {1, 2, 3, alpha});
+        for (const ImageRgba8& level : smallerLevels(picture, LevelRules{.cutoff = 0.5f}, 9)) {
+            EXPECT_EQ(level.at(0, 0)[3], alpha);
         }
     }
 }

@@ -1,3 +1,5 @@
+#include <cdr/host/worker_pool.h>
+#include <cdr/image/alpha_coverage.h>
 #include <cdr/image/levels.h>
 #include <cdr/image/srgb.h>
 
@@ -62,43 +64,104 @@ struct LinearTable {
     const Linear& operator()(const Linear& pixel) const { return pixel; }
 };
 
-template <typename Pixel>
-LinearImage halved(const Raster<Pixel>& picture, const LinearTable& decode) {
-    const std::vector<Cover> columns = coversOf(picture.width);
-    const std::vector<Cover> rows = coversOf(picture.height);
-    LinearImage smaller(halvedSide(picture.width), halvedSide(picture.height));
-    for (std::uint32_t y = 0; y < smaller.height; ++y) {
-        for (std::uint32_t x = 0; x < smaller.width; ++x) {
-            Linear& sum = smaller.at(x, y);
-            for (std::uint32_t j = 0; j < rows[y].count; ++j) {
-                for (std::uint32_t i = 0; i < columns[x].count; ++i) {
-                    const Linear value = decode(picture.at(columns[x].first + i, rows[y].first + j));
-                    const float weight = rows[y].weights[j] * columns[x].weights[i];
-                    for (std::size_t c = 0; c < sum.size(); ++c) {
-                        sum[c] += weight * value[c];
-                    }
+/// Pixels of a band of rows: worth what it costs to wake a worker.
+constexpr std::size_t kBandPixels = std::size_t{1} << 14u;
+
+std::size_t bandsOf(std::size_t width, std::size_t height) {
+    return std::clamp<std::size_t>(width * height / kBandPixels, 1, height);
+}
+
+/// Calls `body` with each row. Each row is made by one worker.
+template <typename Body>
+void forEachRow(std::uint32_t width, std::uint32_t height, host::WorkerPool* workers, const Body& body) {
+    const std::size_t bands = workers != nullptr ? bandsOf(width, height) : 1;
+    const auto makeBand = [&](std::size_t band, std::size_t) {
+        const host::IndexRange rows = host::evenRange(height, band, bands);
+        for (std::size_t y = rows.begin; y < rows.end; ++y) {
+            body(static_cast<std::uint32_t>(y));
+        }
+    };
+    if (bands == 1) {
+        makeBand(0, 0);
+    } else {
+        workers->run(bands, makeBand);
+    }
+}
+
+/// Makes levels of one picture.
+class Halving {
+  public:
+    Halving(const LevelRules& rules, host::WorkerPool* workers)
+        : m_rules(rules),
+          m_workers(workers),
+          m_decode(rules.encoding) {}
+
+    template <typename Pixel>
+    LinearImage halved(const Raster<Pixel>& picture) const {
+        const std::vector<Cover> columns = coversOf(picture.width);
+        const std::vector<Cover> rows = coversOf(picture.height);
+        LinearImage smaller(halvedSide(picture.width), halvedSide(picture.height));
+        forEachRow(smaller.width, smaller.height, m_workers, [&](std::uint32_t y) {
+            for (std::uint32_t x = 0; x < smaller.width; ++x) {
+                smaller.at(x, y) = average(picture, columns[x], rows[y]);
+            }
+        });
+        return smaller;
+    }
+
+    ImageRgba8 encoded(const LinearImage& linear) const {
+        ImageRgba8 picture(linear.width, linear.height);
+        const auto color = [&](float share) {
+            return m_rules.encoding == Encoding::srgb ? srgbOfLinear(share) : byteOf(share);
+        };
+        forEachRow(linear.width, linear.height, m_workers, [&](std::uint32_t y) {
+            for (std::uint32_t x = 0; x < linear.width; ++x) {
+                const Linear& value = linear.at(x, y);
+                picture.at(x, y) = {color(value[0]), color(value[1]), color(value[2]), byteOf(value[3])};
+            }
+        });
+        return picture;
+    }
+
+  private:
+    template <typename Pixel>
+    Linear average(const Raster<Pixel>& picture, const Cover& column, const Cover& row) const {
+        if (!m_rules.alphaWeighs) {
+            return sumOf<ColorWeight::area>(picture, column, row);
+        }
+        const Linear sum = sumOf<ColorWeight::alpha>(picture, column, row);
+        return sum[3] > 0.0f ? Linear{sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3], sum[3]}
+                             : sumOf<ColorWeight::area>(picture, column, row);
+    }
+
+    /// What colours are multiplied by: the area that is covered, and alpha too. Alpha itself counts by area.
+    enum class ColorWeight : std::uint8_t { area, alpha };
+
+    template <ColorWeight kWeight, typename Pixel>
+    Linear sumOf(const Raster<Pixel>& picture, const Cover& column, const Cover& row) const {
+        Linear sum{};
+        for (std::uint32_t j = 0; j < row.count; ++j) {
+            for (std::uint32_t i = 0; i < column.count; ++i) {
+                const Linear value = m_decode(picture.at(column.first + i, row.first + j));
+                const float area = row.weights[j] * column.weights[i];
+                const float weight = kWeight == ColorWeight::alpha ? area * value[3] : area;
+                for (std::size_t c = 0; c < 3; ++c) {
+                    sum[c] += weight * value[c];
                 }
+                sum[3] += area * value[3];
             }
         }
+        return sum;
     }
-    return smaller;
-}
 
-std::uint8_t byteOf(float share) {
-    return static_cast<std::uint8_t>(std::lround(std::clamp(share, 0.0f, 1.0f) * 255.0f));
-}
+    static std::uint8_t byteOf(float share) {
+        return static_cast<std::uint8_t>(std::lround(std::clamp(share, 0.0f, 1.0f) * 255.0f));
+    }
 
-ImageRgba8 encoded(const LinearImage& linear, Encoding encoding) {
-    ImageRgba8 picture(linear.width, linear.height);
-    std::transform(linear.pixels.begin(), linear.pixels.end(), picture.pixels.begin(),
-                   [&](const Linear& value) -> Rgba8 {
-                       const auto color = [&](float share) {
-                           return encoding == Encoding::srgb ? srgbOfLinear(share) : byteOf(share);
-                       };
-                       return {color(value[0]), color(value[1]), color(value[2]), byteOf(value[3])};
-                   });
-    return picture;
-}
+    const LevelRules& m_rules;
+    host::WorkerPool* m_workers;
+    LinearTable m_decode;
+};
 
 } // namespace
 
@@ -127,20 +190,28 @@ std::uint64_t levelPixels(std::uint32_t width, std::uint32_t height, std::uint32
     return pixels;
 }
 
-std::vector<ImageRgba8> smallerLevels(const ImageRgba8& picture, Encoding encoding, std::uint32_t most) {
+std::vector<ImageRgba8> smallerLevels(const ImageRgba8& picture, const LevelRules& rules, std::uint32_t most,
+                                      host::WorkerPool* workers) {
     const std::uint32_t count = levelCount(picture.width, picture.height);
     std::vector<ImageRgba8> levels;
     if (most == 0 || count < 2) {
         return levels;
     }
-    const LinearTable decode(encoding);
-    LinearImage linear = halved(picture, decode);
-    levels.push_back(encoded(linear, encoding));
+    const Halving halving(rules, workers);
+    LinearImage linear = halving.halved(picture);
+    levels.push_back(halving.encoded(linear));
     while (levels.size() < std::min(most, count - 1)) {
-        linear = halved(linear, decode);
-        levels.push_back(encoded(linear, encoding));
+        linear = halving.halved(linear);
+        levels.push_back(halving.encoded(linear));
+    }
+    if (rules.cutoff && *rules.cutoff > 0.0f && *rules.cutoff <= 1.0f) {
+        keepCoverage(picture, *rules.cutoff, levels);
     }
     return levels;
+}
+
+bool areLevelsDivided(std::uint32_t width, std::uint32_t height) {
+    return bandsOf(halvedSide(width), halvedSide(height)) > 1;
 }
 
 } // namespace cdr::image

@@ -31,7 +31,7 @@ std::uint64_t predictBytes(const scene::Scene& scene) {
 
 class GpuScene::State {
   public:
-    State(const gpu::Device& device, const scene::Scene& scene);
+    State(const gpu::Device& device, const scene::Scene& scene, std::size_t threads);
     bool isCurrent() const;
     void update();
     const visibility::InstanceCells& cells(host::WorkerPool& workers);
@@ -107,13 +107,13 @@ class GpuScene::State {
     Culled m_culled;
 };
 
-GpuScene::State::State(const gpu::Device& device, const scene::Scene& scene)
+GpuScene::State::State(const gpu::Device& device, const scene::Scene& scene, std::size_t threads)
     : m_device(device),
       m_scene(&scene),
       m_retired(device),
       m_meshes(device),
       m_lastVertices(device),
-      m_textures(device) {
+      m_textures(device, threads) {
     scene::requireUsable(scene);
     gpu::requireDeviceBytes(device, predictBytes(scene), "scene " + scene.name);
     m_meshes.upload(scene);
@@ -123,10 +123,11 @@ GpuScene::State::State(const gpu::Device& device, const scene::Scene& scene)
     readAllInstances();
 }
 
-GpuScene::GpuScene(const gpu::Device& device, const scene::Scene& scene)
-    : m_state(std::make_unique<State>(device, scene)) {}
+GpuScene::GpuScene(const gpu::Device& device, const scene::Scene& scene, std::size_t threads)
+    : m_state(std::make_unique<State>(device, scene, threads)) {}
 
-GpuScene::GpuScene(const gpu::Device& device, const scene::World& world) : GpuScene(device, world.scene()) {
+GpuScene::GpuScene(const gpu::Device& device, const scene::World& world, std::size_t threads)
+    : GpuScene(device, world.scene(), threads) {
     m_state->m_world = &world;
     const scene::World::Changes& changes = world.changes();
     m_state->m_followed = {changes.instances.end(), changes.meshes.end(), changes.materials.end(),

@@ -37,13 +37,16 @@ struct MeshRange;
 class CDR_EXPORT GpuScene {
   public:
     /// Of a scene that stays as it is. Uploads and waits. The device and the scene must outlive this.
+    /// @param threads that make the smaller levels of large textures, at most; 0: as many as there are processors. What is
+    ///        uploaded is the same to the bit. None of them outlives the call, or that of update().
     /// @throws base::InputError as scene::requireUsable(), and for a texture larger than the device's images.
     /// @throws base::RunError with both figures when the device has too little memory.
     /// @throws std::system_error for Vulkan's other errors, a lost device among them.
-    GpuScene(const gpu::Device& device, const scene::Scene& scene);
+    GpuScene(const gpu::Device& device, const scene::Scene& scene, std::size_t threads = 0);
     /// Of a scene that changes. The device and the world must outlive this.
+    /// @param threads as above.
     /// @errors base::InputError, base::RunError and std::system_error as above.
-    GpuScene(const gpu::Device& device, const scene::World& world);
+    GpuScene(const gpu::Device& device, const scene::World& world, std::size_t threads = 0);
     ~GpuScene();
     GpuScene(const GpuScene&) = delete;
     GpuScene& operator=(const GpuScene&) = delete;

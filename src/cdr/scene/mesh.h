@@ -5,6 +5,7 @@
 
 #include <cdr/base/export.h>
 #include <cdr/image/image.h>
+#include <cdr/image/levels.h>
 #include <cdr/scene/cluster_tree.h>
 
 #include <glm/glm.hpp>
@@ -93,7 +94,19 @@ struct Texture {
     bool nearestSmall = false;  ///< the same where texels, of a level, are smaller than pixels
     TextureLevels levels = TextureLevels::blended;  ///< read where texels are smaller than pixels
     TextureContent content = TextureContent::color; ///< what its channels are
+    /// Colours of smaller levels count by their alpha: of a base colour's texture whose material blends or is masked.
+    bool alphaWeighs = false;
+    /// In (0, 1]: the alpha below which masked materials show nothing of it. Smaller levels keep the share that is shown.
+    std::optional<float> cutoff{};
 };
+
+/// How a texture's smaller levels are made.
+inline image::LevelRules levelRulesOf(const Texture& texture) {
+    return {.encoding =
+                texture.content == TextureContent::color ? image::Encoding::srgb : image::Encoding::linear,
+            .alphaWeighs = texture.alphaWeighs,
+            .cutoff = texture.cutoff};
+}
 
 /// What alpha does: nothing, cut away what is below the cutoff, or blend.
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };

@@ -192,6 +192,34 @@ TEST(SampleTexture, IsBilinearInLinearLightAndWraps) {
     EXPECT_NEAR(sampleTexture(texture, {-3.0, 0.3}).a, 0.0, 1e-12);
 }
 
+/// A texture whose texels are a hundredth of a pixel is seen as its smallest level.
+glm::dvec4 seenFromAfar(const scene::Texture& texture) {
+    scene::Scene scene;
+    scene.textures = {texture};
+    return TruthTextures(scene).sample(0, {0.5, 0.5}, {.right = {1.0, 0.0}, .down = {0.0, 1.0}});
+}
+
+TEST(SampleTexture, ColoursCountByAlphaWhereTheTextureSaysSo) {
+    scene::Texture texture{.name = "two", .pixels = image::ImageRgba8(2, 1)};
+    texture.pixels.at(0, 0) = {255, 0, 0, 255};
+    texture.pixels.at(1, 0) = {0, 255, 0, 0};
+    EXPECT_NEAR(seenFromAfar(texture).r, 0.5, 1e-6);
+    texture.alphaWeighs = true;
+    EXPECT_NEAR(seenFromAfar(texture).r, 1.0, 1e-6);
+    EXPECT_NEAR(seenFromAfar(texture).g, 0.0, 1e-6);
+    EXPECT_NEAR(seenFromAfar(texture).a, 0.5, 1e-6);
+}
+
+TEST(SampleTexture, MasksKeepTheirShare) {
+    scene::Texture texture{.name = "mask", .pixels = image::ImageRgba8(10, 10, {9, 9, 9, 100})};
+    for (std::size_t i = 0; i < 60; ++i) {
+        texture.pixels.pixels[i][3] = 140; // 124 on average
+    }
+    EXPECT_LT(seenFromAfar(texture).a, 0.5);
+    texture.cutoff = 0.5f;
+    EXPECT_GT(seenFromAfar(texture).a, 0.5); // most is shown
+}
+
 } // namespace
 
 } // namespace cdr::measure

@@ -129,6 +129,38 @@ TEST_F(LevelsTest, EveryPipelineReadsThem) {
     }
 }
 
+/// Leaves of a few texels cover as much of a pixel, however far they are.
+TEST_F(LevelsTest, MaskedOnesShowAsMuchFromAfar) {
+    scene::Texture texture{
+        .pixels = image::ImageRgba8(kSide, kSide, {90, 160, 40, 0}), .alphaWeighs = true, .cutoff = 0.5f};
+    for (std::uint32_t y = 0; y < kSide; ++y) {
+        for (std::uint32_t x = 0; x < kSide; ++x) {
+            const std::uint32_t spread = (x / 3 * 2654435761u) ^ (y / 3 * 2246822519u);
+            texture.pixels.at(x, y)[3] = (spread >> 20u) % 10 < 3 ? 255 : 0;
+        }
+    }
+    scene::Scene scene = squareWith(texture);
+    scene.materials[0].alphaMode = scene::AlphaMode::mask;
+    const auto shareAt = [&](double distance) {
+        const scene::Camera from = scene::lookAt({.fovY = 0.5, .nearView = 0.01, .farView = 100.0},
+                                                 {0.0, 0.0, distance}, glm::dvec3(0.0));
+        const image::ImageU32 ids = draw(scene, from, options()).ids();
+        scene::Scene whole = scene;
+        whole.materials[0].alphaMode = scene::AlphaMode::opaque;
+        const image::ImageU32 all = draw(whole, from, options()).ids();
+        const auto shown = [](const image::ImageU32& of) {
+            return static_cast<double>(std::count(of.pixels.begin(), of.pixels.end(), 1u));
+        };
+        return shown(ids) / shown(all);
+    };
+    const double near = shareAt(2.0);
+    for (const double distance : {4.0, 8.0, 16.0}) {
+        EXPECT_NEAR(shareAt(distance), near, 0.1) << distance; // a blend of two levels keeps less
+    }
+    scene.textures[0].cutoff.reset();
+    EXPECT_LT(shareAt(16.0), 0.5 * near);
+}
+
 /// A floor that goes on to the horizon has every level, and pictures change their levels from row to row.
 TEST_F(LevelsTest, LooksAsFloat64TruthFromNearToFar) {
     scene::Texture texture{.pixels = image::ImageRgba8(kSide, kSide)};

@@ -57,6 +57,38 @@ TEST_F(Gltf, MaterialsKeepWhatWeDraw) {
     expectSays(refusal(document), "alpha mode 'GLOW' does not exist");
 }
 
+TEST_F(Gltf, AlphaSaysHowATexturesLevelsAreMade) {
+    Document document = textured();
+    json& material = document.root["materials"][0];
+    const auto texture = [&] { return load(document).scene.textures.at(0); };
+    EXPECT_FALSE(texture().alphaWeighs);
+    EXPECT_FALSE(texture().cutoff);
+    material["alphaMode"] = "BLEND";
+    EXPECT_TRUE(texture().alphaWeighs);
+    EXPECT_FALSE(texture().cutoff);
+    material["alphaMode"] = "MASK";
+    material["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 0.75};
+    EXPECT_TRUE(texture().alphaWeighs);
+    EXPECT_EQ(texture().cutoff, 0.5f / 0.75f);
+    material["alphaCutoff"] = 0.8; // all is cut away
+    EXPECT_FALSE(texture().cutoff);
+    material["alphaCutoff"] = 0.0; // nothing is
+    EXPECT_FALSE(texture().cutoff);
+}
+
+/// What an opaque and a masked material show has levels of either kind.
+TEST_F(Gltf, APictureHasLevelsForEachUseOfItsAlpha) {
+    Document document = textured();
+    document.root["materials"].push_back(document.root["materials"][0]);
+    document.root["materials"][1]["alphaMode"] = "MASK";
+    document.root["meshes"][0]["primitives"].push_back(document.primitive());
+    document.root["meshes"][0]["primitives"][1]["material"] = 1;
+    const Scene scene = load(document).scene;
+    ASSERT_EQ(scene.textures.size(), 2u);
+    EXPECT_NE(scene.textures[0].alphaWeighs, scene.textures[1].alphaWeighs);
+    EXPECT_EQ(scene.textures[0].pixels, scene.textures[1].pixels);
+}
+
 TEST_F(Gltf, WithoutAMaterialTheDefaultOneIsMade) {
     Document document = square();
     document.root["meshes"][0]["primitives"].push_back(document.primitive());

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
 
 namespace cdr::measure {
 
@@ -66,18 +69,84 @@ double overlap(double begin, double end, std::uint32_t i) {
     return std::max(0.0, std::min(end, i + 1.0) - std::max<double>(begin, i));
 }
 
-/// The average of a rectangle of a texture's picture; bounds in texels.
+/// The average of a rectangle of a texture's picture; bounds in texels. Colours count by their alpha where the texture says
+/// so, unless all is clear.
 glm::vec4 average(const scene::Texture& texture, const glm::dvec2& begin, const glm::dvec2& end) {
     glm::dvec4 sum(0.0);
+    glm::dvec3 seen(0.0);
     const auto lastX = static_cast<std::uint32_t>(std::ceil(end.x));
     const auto lastY = static_cast<std::uint32_t>(std::ceil(end.y));
     for (auto y = static_cast<std::uint32_t>(begin.y); y < std::min(lastY, texture.pixels.height); ++y) {
         const double share = overlap(begin.y, end.y, y);
         for (auto x = static_cast<std::uint32_t>(begin.x); x < std::min(lastX, texture.pixels.width); ++x) {
-            sum += share * overlap(begin.x, end.x, x) * linearOf(texture.pixels.at(x, y), texture.content);
+            const glm::dvec4 texel =
+                share * overlap(begin.x, end.x, x) * linearOf(texture.pixels.at(x, y), texture.content);
+            sum += texel;
+            seen += glm::dvec3(texel) * (texture.pixels.at(x, y)[3] / 255.0);
         }
     }
+    if (texture.alphaWeighs && sum.a > 0.0) {
+        return {seen / sum.a, sum.a / ((end.x - begin.x) * (end.y - begin.y))};
+    }
     return {sum / ((end.x - begin.x) * (end.y - begin.y))};
+}
+
+/// The alphas of a picture at four places of each texel, interpolated, largest first.
+/// @param alphaAt of a texel (x, y).
+template <typename AlphaAt>
+std::vector<double> sortedAlphas(const glm::uvec2& size, AlphaAt alphaAt) {
+    const auto at = [&](const glm::dvec2& place) {
+        const glm::uvec2 texel(glm::clamp(place, glm::dvec2(0.0), glm::dvec2(size) - 1.0));
+        return alphaAt(texel.x, texel.y);
+    };
+    std::vector<double> alphas;
+    for (std::uint32_t y = 0; y < 2 * size.y; ++y) {
+        for (std::uint32_t x = 0; x < 2 * size.x; ++x) {
+            const glm::dvec2 place = 0.5 * glm::dvec2(x, y) - 0.25;
+            const glm::dvec2 first = glm::floor(place);
+            const glm::dvec2 share = place - first;
+            const glm::dvec2 across(1.0, 0.0);
+            const glm::dvec2 down(0.0, 1.0);
+            const double alpha =
+                glm::mix(glm::mix(at(first), at(first + across), share.x),
+                         glm::mix(at(first + down), at(first + across + down), share.x), share.y);
+            alphas.push_back(std::round(alpha * 1e9) * 1e-9); // equals stay equal
+        }
+    }
+    std::sort(alphas.begin(), alphas.end(), std::greater<>());
+    return alphas;
+}
+
+/// Multiplies the alpha of a level so that a cutoff keeps as large a share of it as of the picture.
+void keepShare(const scene::Texture& texture, double cutoff, image::Raster<glm::vec4>& level) {
+    const image::ImageRgba8& picture = texture.pixels;
+    const std::vector<double> whole =
+        sortedAlphas({picture.width, picture.height},
+                     [&](std::uint32_t x, std::uint32_t y) { return picture.at(x, y)[3] / 255.0; });
+    const auto kept =
+        std::count_if(whole.begin(), whole.end(), [&](double alpha) { return alpha >= cutoff - 1e-6; });
+    const double share = static_cast<double>(kept) / static_cast<double>(whole.size());
+    const std::vector<double> alphas =
+        sortedAlphas({level.width, level.height},
+                     [&](std::uint32_t x, std::uint32_t y) { return double{level.at(x, y).a}; });
+    auto wanted = static_cast<std::size_t>(std::lround(share * static_cast<double>(alphas.size())));
+    if (wanted > 0 && wanted < alphas.size()) { // equals are kept together, or none of them
+        const auto equals = std::equal_range(alphas.begin(), alphas.end(), alphas[wanted], std::greater<>());
+        const auto fewer = static_cast<std::size_t>(equals.first - alphas.begin());
+        const auto more = static_cast<std::size_t>(equals.second - alphas.begin());
+        if (fewer < wanted) {
+            wanted = wanted - fewer < more - wanted ? fewer : more;
+        }
+    }
+    const double least = wanted == 0 ? 1.0 : alphas[wanted - 1]; // of those kept
+    const double most = wanted == alphas.size() ? 0.0 : alphas[wanted];
+    if (least >= cutoff && most < cutoff) {
+        return;
+    }
+    const double scale = cutoff / (0.5 * (least + most));
+    for (glm::vec4& texel : level.pixels) {
+        texel.a = static_cast<float>(std::min(texel.a * scale, 1.0));
+    }
 }
 
 /// Every level below the first, each averaged from the picture itself.
@@ -93,6 +162,9 @@ std::vector<image::Raster<glm::vec4>> filteredLevels(const scene::Texture& textu
                 level.at(x, y) =
                     average(texture, texel * glm::dvec2(x, y), texel * glm::dvec2(x + 1.0, y + 1.0));
             }
+        }
+        if (texture.cutoff && *texture.cutoff > 0.0f && *texture.cutoff <= 1.0f) {
+            keepShare(texture, static_cast<double>(*texture.cutoff), level);
         }
         levels.push_back(std::move(level));
     }

@@ -1,5 +1,6 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/upload.h>
+#include <cdr/host/worker_pool.h>
 #include <cdr/image/levels.h>
 #include <cdr/render/materials/scene_textures.h>
 #include <cdr/shaders/shared.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <thread>
 #include <utility>
 
 namespace cdr::render {
@@ -81,6 +83,11 @@ shaders::DetailRecord recordOf(const scene::Material& material) {
     return record;
 }
 
+/// Whether workers save time with a texture's smaller levels.
+bool hasDividedLevels(const scene::Texture& texture) {
+    return levelsOf(texture) > 1 && image::areLevelsDivided(texture.pixels.width, texture.pixels.height);
+}
+
 /// By place, whether it changed.
 std::vector<bool> flagsOf(const SceneTextures::Changed& changed, std::size_t places) {
     std::vector<bool> flags(places, !changed);
@@ -105,22 +112,22 @@ std::uint32_t detailPartsOf(const scene::Material& material) {
     return material.unlit ? parts & (shaders::kDetailEmits | shaders::kDetailEmissive) : parts;
 }
 
-SceneTextures::SceneTextures(const gpu::Device& device)
+SceneTextures::SceneTextures(const gpu::Device& device, std::size_t threads)
     : m_device(device),
+      m_threads(threads != 0 ? threads : std::max(1u, std::thread::hardware_concurrency())),
       m_baseColorLayout(
           gpu::makeSetLayout(device, {{kTextureType}, vk::ShaderStageFlagBits::eFragment}, "texture set")),
       m_detailLayout(
           gpu::makeSetLayout(device, {kDetailTypes, vk::ShaderStageFlagBits::eFragment}, "detail set")),
-      m_white(upload({.name = "white", .pixels = image::ImageRgba8(1, 1, {255, 255, 255, 255})})) {}
+      m_white(upload({.name = "white", .pixels = image::ImageRgba8(1, 1, {255, 255, 255, 255})}, nullptr)) {}
 
-SceneTextures::Uploaded SceneTextures::upload(const scene::Texture& texture) const {
+SceneTextures::Uploaded SceneTextures::upload(const scene::Texture& texture,
+                                              host::WorkerPool* workers) const {
     const image::ImageRgba8& pixels = texture.pixels;
     const vk::Format format = texture.content == scene::TextureContent::color ? vk::Format::eR8G8B8A8Srgb
                                                                               : vk::Format::eR8G8B8A8Unorm;
-    const auto encoding =
-        texture.content == scene::TextureContent::color ? image::Encoding::srgb : image::Encoding::linear;
     const std::vector<image::ImageRgba8> smaller =
-        image::smallerLevels(pixels, encoding, levelsOf(texture) - 1);
+        image::smallerLevels(pixels, scene::levelRulesOf(texture), levelsOf(texture) - 1, workers);
     std::vector<std::span<const std::byte>> levels{std::as_bytes(std::span(pixels.pixels))};
     for (const image::ImageRgba8& level : smaller) {
         levels.push_back(std::as_bytes(std::span(level.pixels)));
@@ -137,11 +144,18 @@ SceneTextures::Uploaded SceneTextures::upload(const scene::Texture& texture) con
 
 void SceneTextures::follow(const scene::Scene& scene, const Changed& changed, gpu::Retired& retired) {
     const std::vector<bool> isOther = flagsOf(changed, scene.textures.size());
+    std::optional<host::WorkerPool> workers; // for large textures alone: starting threads takes time too
+    const auto uploadWith = [&](const scene::Texture& texture) {
+        if (!workers && hasDividedLevels(texture)) {
+            workers.emplace(std::min(m_threads, host::WorkerPool::kMaxThreads));
+        }
+        return upload(texture, workers ? &*workers : nullptr);
+    };
     for (std::size_t i = 0; i < scene.textures.size(); ++i) {
         if (i >= m_textures.size()) {
-            m_textures.push_back(upload(scene.textures[i]));
+            m_textures.push_back(uploadWith(scene.textures[i]));
         } else if (isOther[i]) {
-            retired.add(std::exchange(m_textures[i], upload(scene.textures[i])));
+            retired.add(std::exchange(m_textures[i], uploadWith(scene.textures[i])));
         }
     }
 }

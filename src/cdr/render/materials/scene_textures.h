@@ -12,12 +12,17 @@
 #include <span>
 #include <vector>
 
+namespace cdr::host {
+class WorkerPool;
+}
+
 namespace cdr::render {
 
 /// A scene's textures on a device, and the descriptor sets by which draws read them.
 class SceneTextures {
   public:
-    explicit SceneTextures(const gpu::Device& device);
+    /// @param threads that make smaller levels, at most; 0: one for each processor.
+    SceneTextures(const gpu::Device& device, std::size_t threads);
 
     using Changed = std::optional<std::span<const std::uint32_t>>; ///< places; nothing: all may have changed
 
@@ -51,10 +56,12 @@ class SceneTextures {
         vk::UniqueDescriptorPool pool;
         vk::DescriptorSet set;
     };
-    Uploaded upload(const scene::Texture& texture) const;
+    /// @param workers make its levels; null: the calling thread.
+    Uploaded upload(const scene::Texture& texture, host::WorkerPool* workers) const;
     Detail makeDetail(const scene::Material& material) const;
 
     const gpu::Device& m_device;
+    std::size_t m_threads;
     gpu::SetLayout m_baseColorLayout;
     gpu::SetLayout m_detailLayout;
     Uploaded m_white;

@@ -57,6 +57,18 @@ glm::vec3 emissionOf(const json& material, const std::string& where) {
     return {glm::clamp(emitted, 0.0, kMostEmission)};
 }
 
+/// What a material does with the alpha of its base colour's texture. Its own factor multiplies that alpha, so the cutoff is
+/// divided by it.
+AlphaUse alphaUseOf(const Material& material) {
+    AlphaUse use{.weighs = material.alphaMode != AlphaMode::opaque};
+    const float factor = material.baseColorFactor.a;
+    if (material.alphaMode == AlphaMode::mask && material.alphaCutoff > 0.0f &&
+        material.alphaCutoff <= factor) {
+        use.cutoff = material.alphaCutoff / factor;
+    }
+    return use;
+}
+
 /// Leaves of a material what points and lines show.
 void showOnSolid(Ground ground, Material& material, UvPlaces& uv) {
     material.doubleSided = false; // a solid is closed, and blending would show its back
@@ -120,8 +132,8 @@ MaterialUse MaterialImporter::import(int index, Ground ground) {
             static_cast<float>(std::max(numberMember(source, "alphaCutoff", where).value_or(0.5), 0.0));
         if (member(factors, kColorTexture) != nullptr) {
             const json& info = objectMember(factors, kColorTexture, where);
-            material.baseColorTexture =
-                m_textures.use(requiredIndex(info, "index", where), TextureContent::color);
+            material.baseColorTexture = m_textures.use(requiredIndex(info, "index", where),
+                                                       TextureContent::color, alphaUseOf(material));
             use.uv.place(uvSourceOf(info));
         }
         if (!material.unlit) {

@@ -80,7 +80,7 @@ std::optional<int> TextureImporter::imageOf(int index) {
     return image;
 }
 
-std::optional<std::uint32_t> TextureImporter::use(int index, TextureContent content) {
+std::optional<std::uint32_t> TextureImporter::use(int index, TextureContent content, const AlphaUse& alpha) {
     const std::optional<int> image = imageOf(index);
     if (!image) {
         return {};
@@ -94,9 +94,9 @@ std::optional<std::uint32_t> TextureImporter::use(int index, TextureContent cont
     const int wrapV = wrapOf(sampler, "wrapT", index);
     const bool nearest = indexMember(sampler, "magFilter").value_or(kLinear) == kNearest;
     const SmallFilter small = smallFilterOf(sampler);
-    const auto [found, isNew] =
-        m_imported.try_emplace({*image, wrapU, wrapV, nearest, small.showsTexels, small.levels, content},
-                               static_cast<std::uint32_t>(m_scene.textures.size()));
+    const auto [found, isNew] = m_imported.try_emplace(
+        {*image, wrapU, wrapV, nearest, small.showsTexels, small.levels, content, alpha.weighs, alpha.cutoff},
+        static_cast<std::uint32_t>(m_scene.textures.size()));
     if (isNew) {
         Shown& shown = shownOf(*image);
         shown.textures.push_back(found->second);
@@ -109,7 +109,9 @@ std::optional<std::uint32_t> TextureImporter::use(int index, TextureContent cont
                                     .nearest = nearest,
                                     .nearestSmall = small.showsTexels,
                                     .levels = small.levels,
-                                    .content = content});
+                                    .content = content,
+                                    .alphaWeighs = alpha.weighs,
+                                    .cutoff = alpha.cutoff});
     }
     return found->second;
 }
@@ -164,12 +166,11 @@ void TextureImporter::fill(const Shown& shown, const std::vector<std::uint32_t>&
     const image::ImageRgba8 pixels = decodePicture(m_sources, shown.source);
     for (const std::uint32_t index : shown.textures) {
         Texture& texture = m_scene.textures[index];
-        const auto encoding =
-            texture.content == TextureContent::color ? image::Encoding::srgb : image::Encoding::linear;
         if (dropped[index] == 0) {
             texture.pixels = pixels;
         } else {
-            texture.pixels = std::move(image::smallerLevels(pixels, encoding, dropped[index]).back());
+            texture.pixels =
+                std::move(image::smallerLevels(pixels, levelRulesOf(texture), dropped[index]).back());
         }
     }
 }

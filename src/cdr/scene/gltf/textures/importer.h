@@ -16,6 +16,12 @@
 
 namespace cdr::scene::gltf {
 
+/// What a material does with a texture's alpha, for its smaller levels.
+struct AlphaUse {
+    bool weighs = false;           ///< as Texture::alphaWeighs
+    std::optional<float> cutoff{}; ///< as Texture::cutoff
+};
+
 /// Imports textures into a scene, each picture and way to read it once. Pictures are decoded last, and all at once.
 class TextureImporter {
   public:
@@ -23,7 +29,7 @@ class TextureImporter {
 
     /// Index into Scene::textures of a glTF texture; nothing when only an extension supplies its picture. It has no
     /// pixels yet.
-    std::optional<std::uint32_t> use(int index, TextureContent content);
+    std::optional<std::uint32_t> use(int index, TextureContent content, const AlphaUse& alpha = {});
 
     /// Decodes what textures show. The first picture that is damaged, in the order of use(), is the one refused.
     /// Leaves out the largest levels of some, with a note, where GltfLimits::textureMemory asks for it.
@@ -46,8 +52,9 @@ class TextureImporter {
     void fill(const Shown& shown, const std::vector<std::uint32_t>& dropped);
 
     /// Image, how it goes on along u and v, whether single texels show where large and where small, levels, what its
-    /// channels are.
-    using Key = std::tuple<int, int, int, bool, bool, TextureLevels, TextureContent>;
+    /// channels are, and both members of AlphaUse.
+    using Key =
+        std::tuple<int, int, int, bool, bool, TextureLevels, TextureContent, bool, std::optional<float>>;
 
     Sources m_sources;
     Scene& m_scene;
