@@ -37,7 +37,11 @@ CDR_CONST kDetailNormal = 2u;    // a normal texture
 CDR_CONST kDetailOcclusion = 4u; // an occlusion texture
 CDR_CONST kDetailEmissive = 8u;  // an emissive texture
 CDR_CONST kDetailEmits = 16u;    // it emits light, textured or not
-CDR_CONST kDetailMasks = 32u;    // how many sums there are
+CDR_CONST kDetailMoved = 32u;    // some of its textures are read elsewhere than at a vertex' places
+CDR_CONST kDetailMasks = 64u;    // how many sums there are
+
+// Textures of a material's detail: those of the first parts above, in their order.
+CDR_CONST kDetailTextures = 4u;
 
 // How a surface shines, in one byte: 0 is matt, else 1 + metallic * kRoughnessSteps + roughness, both as
 // steps of their range [0, 1]. Roughness is kept in fiftieths, since highlights show it; metallic in
@@ -63,6 +67,8 @@ struct DetailRecord {
     uint unused0;
     uint unused1;
     uint unused2;
+    vec4 turns[kDetailTextures];   // with kDetailMoved, by texture: what steps of u and v of a place add
+    vec4 offsets[kDetailTextures]; // and what is added to that; the rest is 0
 };
 
 // One draw: object to view space, relative to the cascade's anchor plane. 64 bytes, one cache line.
@@ -203,7 +209,7 @@ static_assert(sizeof(LightRecord) == 64);
 static_assert(kManyLights == kFlatLights + 1 && kShapedLights == kFlatLights + 2);
 static_assert(sizeof(LayerPush) == 16);
 static_assert(sizeof(ShadingHeader) == 224 + 8 * kCascadeSlots);
-static_assert(sizeof(DetailRecord) == 48);
+static_assert(sizeof(DetailRecord) == 48 + 32 * kDetailTextures);
 } // namespace cdr::shaders
 #endif
 

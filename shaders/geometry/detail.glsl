@@ -14,8 +14,16 @@ layout(set = DETAIL_SET, binding = 4, std140) uniform Detail { DetailRecord deta
 
 bool has(uint part) { return (kDetail & part) != 0u; }
 
-// Both places of a vertex in textures.
-vec2 placeOf(uint part, vec4 places) { return (detail.secondPlaces & part) != 0u ? places.zw : places.xy; }
+// Where a texture is read, of both places of a vertex.
+vec2 placeOf(uint part, vec4 places) {
+    vec2 place = (detail.secondPlaces & part) != 0u ? places.zw : places.xy;
+    if (has(kDetailMoved)) {
+        uint texture = part == kDetailShine ? 0u : part == kDetailNormal ? 1u : part == kDetailOcclusion ? 2u : 3u;
+        vec4 turn = detail.turns[texture];
+        place = turn.xy * place.x + turn.zw * place.y + detail.offsets[texture].xy;
+    }
+    return place;
+}
 
 // The normal of a front, in the space of both vectors, which need not be unit.
 vec3 detailNormal(vec3 normal, vec4 tangent, vec4 places) {

@@ -123,6 +123,8 @@ struct Shine {
 struct TextureUse {
     std::uint32_t texture = 0; ///< index into Scene::textures
     bool second = false;       ///< at VertexDetail::uv; else at Vertex::uv
+    /// From that place to where the texture is read: what a step of u adds, what one of v adds, and an offset. Finite.
+    glm::mat3x2 transform{1.0f};
 
     bool operator==(const TextureUse&) const = default;
 };

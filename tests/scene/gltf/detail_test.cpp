@@ -2,6 +2,8 @@
 
 #include <cdr/image/codec.h>
 
+#include <cmath>
+
 namespace cdr::scene::test {
 namespace {
 
@@ -102,13 +104,77 @@ TEST_F(GltfDetail, TransformsMakePlacesToo) {
     EXPECT_EQ(scene.meshes[0].details[2].uv, scene.meshes[0].vertices[2].uv + glm::vec2(0.25f, 0.5f));
 }
 
-TEST_F(GltfDetail, AThirdPlaceIsSaid) {
+/// A texture whose set of coordinates has a place already is led from there to its own.
+TEST_F(GltfDetail, FurtherPlacesAreLedTo) {
+    Document document = bumpy();
+    giveTangents(document);
+    json& material = document.root["materials"][0];
+    const auto at = [](double offset, double scale, double rotation) {
+        const json transform{{"offset", {offset, 0.5}}, {"scale", {scale, 2.0}}, {"rotation", rotation}};
+        return json{{"index", 0}, {"extensions", {{"KHR_texture_transform", transform}}}};
+    };
+    material["pbrMetallicRoughness"]["baseColorTexture"] = at(0.25, 4.0, 0.3);
+    material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = at(0.75, -0.5, 1.1);
+    material["normalTexture"] = at(1.25, 3.0, 0.0);
+    material["occlusionTexture"] = at(0.5, 1.5, -2.0);
+    material["emissiveTexture"] = {{"index", 0}};
+    material["emissiveFactor"] = {1, 1, 1};
+    const GltfImport result = load(document);
+    EXPECT_TRUE(result.ignored.empty());
+    const MaterialDetail& detail = detailOf(result.scene);
+    EXPECT_TRUE(detail.normal.value().second); // tangents follow it
+    EXPECT_EQ(detail.normal.value().transform, glm::mat3x2(1.0f));
+    const Mesh& mesh = result.scene.meshes[0];
+    const std::vector<glm::vec2> corners{{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+    const auto expectAt = [&](const std::optional<TextureUse>& use, const glm::dvec2& offset, double scale,
+                              double rotation, double scaleV) {
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const glm::dvec2 scaled(corners[i].x * scale, corners[i].y * scaleV);
+            const double c = std::cos(rotation);
+            const double s = std::sin(rotation);
+            const glm::vec2 wanted(offset +
+                                   glm::dvec2(c * scaled.x + s * scaled.y, c * scaled.y - s * scaled.x));
+            const glm::vec2 from = use.value().second ? mesh.details[i].uv : mesh.vertices[i].uv;
+            EXPECT_NEAR(glm::distance(use->transform * glm::vec3(from, 1.0f), wanted), 0.0f, 1e-5f);
+        }
+    };
+    expectAt(detail.metallicRoughness, {0.75, 0.5}, -0.5, 1.1, 2.0);
+    expectAt(detail.normal, {1.25, 0.5}, 3.0, 0.0, 2.0);
+    expectAt(detail.occlusion, {0.5, 0.5}, 1.5, -2.0, 2.0);
+    expectAt(detail.emissive, {0.0, 0.0}, 1.0, 0.0, 1.0);
+}
+
+/// The second set has the second place, so that all are drawn.
+TEST_F(GltfDetail, ASecondSetComesBeforeFurtherPlaces) {
+    Document document = bumpy();
+    giveTangents(document);
+    json& material = document.root["materials"][0];
+    const json stretched = {{"KHR_texture_transform", {{"scale", {2, 3}}}}};
+    material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+    material["normalTexture"]["extensions"] = stretched; // turns no tangent
+    material["occlusionTexture"] = {{"index", 0}, {"texCoord", 1}};
+    GltfImport result = load(document);
+    EXPECT_TRUE(result.ignored.empty());
+    EXPECT_EQ(detailOf(result.scene).normal,
+              (TextureUse{.texture = 1, .transform = {2.0f, 0.0f, 0.0f, 3.0f, 0.0f, 0.0f}}));
+    EXPECT_EQ(detailOf(result.scene).occlusion, (TextureUse{.texture = 1, .second = true}));
+    // Tangents of the first place are of no use to a normal texture that is turned against it.
+    material["normalTexture"]["extensions"]["KHR_texture_transform"]["rotation"] = 0.5;
+    result = load(document);
+    EXPECT_TRUE(anySays(result.ignored, "material 'paint': normalTexture is drawn where another texture is"));
+}
+
+TEST_F(GltfDetail, AThirdSetIsSaid) {
     Document document = bumpy();
     json& material = document.root["materials"][0];
-    const json moved = {{"KHR_texture_transform", {{"offset", {0.25, 0.5}}}}};
     material["occlusionTexture"] = {{"index", 0}, {"texCoord", 1}};
     material["emissiveFactor"] = {1, 1, 1};
-    material["emissiveTexture"] = {{"index", 0}, {"extensions", moved}};
+    material["emissiveTexture"] = {{"index", 0}, {"texCoord", 2}};
+    EXPECT_TRUE(anySays(load(document).ignored,
+                        "material 'paint': emissiveTexture is drawn where another texture is"));
+    const json flat = {{"KHR_texture_transform", {{"scale", {0, 0}}}}}; // leads nowhere
+    material["normalTexture"]["extensions"] = flat;
+    material["emissiveTexture"] = {{"index", 0}};
     EXPECT_TRUE(anySays(load(document).ignored,
                         "material 'paint': emissiveTexture is drawn where another texture is"));
 }

@@ -49,6 +49,9 @@ struct SurfacePoint {
                 places[static_cast<std::size_t>(c)] = glm::dvec2(mesh.details[index(c)].uv);
             }
         }
+        for (glm::dvec2& place : places) {
+            place = glm::dmat3x2(use.transform) * glm::dvec3(place, 1.0);
+        }
         const auto placeAt = [&](const glm::dvec3& shares) {
             return shares.x * places[0] + shares.y * places[1] + shares.z * places[2];
         };

@@ -26,12 +26,21 @@ struct DetailPart {
     std::optional<scene::TextureUse> scene::MaterialDetail::*use;
     std::uint32_t part;
 };
-constexpr std::array kDetailParts{
+constexpr std::array<DetailPart, shaders::kDetailTextures> kDetailParts{
     DetailPart{&scene::MaterialDetail::metallicRoughness, shaders::kDetailShine},
     DetailPart{&scene::MaterialDetail::normal, shaders::kDetailNormal},
     DetailPart{&scene::MaterialDetail::occlusion, shaders::kDetailOcclusion},
     DetailPart{&scene::MaterialDetail::emissive, shaders::kDetailEmissive},
 };
+
+/// Whether unlit materials lack a part.
+bool isOfLitAlone(const DetailPart& part) {
+    return part.part != shaders::kDetailEmissive;
+}
+
+bool isMoved(const scene::TextureUse& use) {
+    return use.transform != scene::TextureUse{}.transform;
+}
 
 vk::Filter filterOf(bool showsTexels) {
     return showsTexels ? vk::Filter::eNearest : vk::Filter::eLinear;
@@ -75,10 +84,14 @@ shaders::DetailRecord recordOf(const scene::Material& material) {
         .secondPlaces = 0,
         .unused0 = 0,
         .unused1 = 0,
-        .unused2 = 0};
-    for (const DetailPart& part : kDetailParts) {
-        const auto& use = detail.*part.use;
-        record.secondPlaces |= use && use->second ? part.part : 0u;
+        .unused2 = 0,
+        .turns = {},
+        .offsets = {}};
+    for (std::size_t i = 0; i < kDetailParts.size(); ++i) {
+        const scene::TextureUse use = (detail.*kDetailParts[i].use).value_or(scene::TextureUse{});
+        record.secondPlaces |= use.second ? kDetailParts[i].part : 0u;
+        record.turns[i] = {use.transform[0], use.transform[1]};
+        record.offsets[i] = {use.transform[2], 0.0f, 0.0f};
     }
     return record;
 }
@@ -107,9 +120,11 @@ std::uint32_t detailPartsOf(const scene::Material& material) {
     }
     std::uint32_t parts = material.detail.emission != glm::vec3(0.0f) ? shaders::kDetailEmits : 0u;
     for (const DetailPart& part : kDetailParts) {
-        parts |= (material.detail.*part.use).has_value() ? part.part : 0u;
+        if (const auto& use = material.detail.*part.use; use && !(material.unlit && isOfLitAlone(part))) {
+            parts |= part.part | (isMoved(*use) ? shaders::kDetailMoved : 0u);
+        }
     }
-    return material.unlit ? parts & (shaders::kDetailEmits | shaders::kDetailEmissive) : parts;
+    return parts;
 }
 
 SceneTextures::SceneTextures(const gpu::Device& device, std::size_t threads)

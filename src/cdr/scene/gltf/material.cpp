@@ -18,6 +18,14 @@ constexpr const char* kColorTexture = "baseColorTexture";
 
 constexpr std::array kDetailTextures{"normalTexture", "occlusionTexture", "emissiveTexture"};
 
+/// What messages call the texture of a member.
+const char* keyOf(std::optional<TextureUse> MaterialDetail::*use) {
+    return use == &MaterialDetail::metallicRoughness ? "metallicRoughnessTexture"
+           : use == &MaterialDetail::normal          ? kDetailTextures[0]
+           : use == &MaterialDetail::occlusion       ? kDetailTextures[1]
+                                                     : kDetailTextures[2];
+}
+
 /// Most that a surface emits, of any colour: render's picture is white far below.
 constexpr double kMostEmission = 1e4;
 /// Beyond it a normal lies in the surface, and the product would overflow.
@@ -111,6 +119,7 @@ const MaterialUse& MaterialImporter::use(int material, Ground ground) {
 MaterialUse MaterialImporter::import(int index, Ground ground) {
     MaterialUse use;
     Material material;
+    AskedPlaces asked;
     material.name = "default";
     material.shine = Shine{}; // glTF's defaults
     if (index >= 0) {
@@ -134,16 +143,17 @@ MaterialUse MaterialImporter::import(int index, Ground ground) {
             const json& info = objectMember(factors, kColorTexture, where);
             material.baseColorTexture = m_textures.use(requiredIndex(info, "index", where),
                                                        TextureContent::color, alphaUseOf(material));
-            use.uv.place(uvSourceOf(info));
+            asked.baseColor = uvSourceOf(info);
         }
         if (!material.unlit) {
             material.shine = Shine{.metallic = shareMember(factors, "metallicFactor", where),
                                    .roughness = shareMember(factors, "roughnessFactor", where)};
-            material.detail = ground == Ground::solidAlone ? emissionOnly(source, where, use.uv)
-                                                           : detailOf(source, where, use.uv);
+            material.detail = ground == Ground::solidAlone ? emissionOnly(source, where, asked)
+                                                           : detailOf(source, where, asked);
         } else {
             material.shine.reset();
         }
+        use.uv = place(asked, material.detail, where);
         material.layer = layerOf(source, where, m_sources.notes).value_or(0.0f);
     }
     if (ground != Ground::surface) {
@@ -154,30 +164,31 @@ MaterialUse MaterialImporter::import(int index, Ground ground) {
     return use;
 }
 
-MaterialDetail MaterialImporter::emissionOnly(const json& material, const std::string& where, UvPlaces& uv) {
+MaterialDetail MaterialImporter::emissionOnly(const json& material, const std::string& where,
+                                              AskedPlaces& asked) {
     MaterialDetail detail;
     detail.emission = emissionOf(material, where);
     if (detail.emission != glm::vec3(0.0f)) {
-        detail.emissive = textureOf(material, "emissiveTexture", TextureContent::color, where, uv);
+        detail.emissive = textureOf(material, &MaterialDetail::emissive, TextureContent::color, where, asked);
     }
     return detail;
 }
 
-MaterialDetail MaterialImporter::detailOf(const json& material, const std::string& where, UvPlaces& uv) {
+MaterialDetail MaterialImporter::detailOf(const json& material, const std::string& where,
+                                          AskedPlaces& asked) {
     MaterialDetail detail;
     const json& factors = objectMember(material, "pbrMetallicRoughness", where);
     detail.metallicRoughness =
-        textureOf(factors, "metallicRoughnessTexture", TextureContent::data, where, uv);
-    detail.normal = textureOf(material, "normalTexture", TextureContent::data, where, uv);
-    detail.occlusion = textureOf(material, "occlusionTexture", TextureContent::data, where, uv);
-    const MaterialDetail emitted = emissionOnly(material, where, uv);
+        textureOf(factors, &MaterialDetail::metallicRoughness, TextureContent::data, where, asked);
+    detail.normal = textureOf(material, &MaterialDetail::normal, TextureContent::data, where, asked);
+    detail.occlusion = textureOf(material, &MaterialDetail::occlusion, TextureContent::data, where, asked);
+    const MaterialDetail emitted = emissionOnly(material, where, asked);
     detail.emission = emitted.emission;
     detail.emissive = emitted.emissive;
     if (detail.normal) {
         const double scale =
             numberMember(objectMember(material, "normalTexture", where), "scale", where).value_or(1.0);
         detail.normalScale = static_cast<float>(std::clamp(scale, -kMostNormalScale, kMostNormalScale));
-        uv.tangents = detail.normal->second ? UvPlaces::Tangents::second : UvPlaces::Tangents::first;
     }
     if (detail.occlusion) {
         detail.occlusionStrength =
@@ -186,9 +197,11 @@ MaterialDetail MaterialImporter::detailOf(const json& material, const std::strin
     return detail;
 }
 
-std::optional<TextureUse> MaterialImporter::textureOf(const json& object, const char* key,
+std::optional<TextureUse> MaterialImporter::textureOf(const json& object,
+                                                      std::optional<TextureUse> MaterialDetail::*use,
                                                       TextureContent content, const std::string& where,
-                                                      UvPlaces& uv) {
+                                                      AskedPlaces& asked) {
+    const char* key = keyOf(use);
     if (member(object, key) == nullptr) {
         return {};
     }
@@ -197,12 +210,38 @@ std::optional<TextureUse> MaterialImporter::textureOf(const json& object, const 
     if (!texture) {
         return {};
     }
-    const std::optional<bool> second = uv.place(uvSourceOf(info));
-    if (!second) {
-        m_sources.notes.add(
-            fmt::format("{} is drawn where another texture is: a third place in textures", key), where);
+    asked.detail.emplace_back(use, uvSourceOf(info));
+    return TextureUse{.texture = *texture};
+}
+
+UvPlaces MaterialImporter::place(const AskedPlaces& asked, MaterialDetail& detail, const std::string& where) {
+    std::vector<UvSource> sources;
+    if (asked.baseColor) {
+        sources.push_back(*asked.baseColor);
     }
-    return TextureUse{.texture = *texture, .second = second.value_or(true)};
+    const UvSource* normal = nullptr;
+    for (const auto& [use, source] : asked.detail) {
+        sources.push_back(source);
+        normal = use == &MaterialDetail::normal ? &source : normal;
+    }
+    UvPlaces places = choosePlaces(sources, normal);
+    for (const auto& [use, source] : asked.detail) {
+        const std::optional<TextureUse> at =
+            useAt(places, source, &source == normal ? Kept::tangents : Kept::nothing);
+        if (!at) {
+            m_sources.notes.add(
+                fmt::format("{} is drawn where another texture is: no place of its vertices leads to its own",
+                            keyOf(use)),
+                where);
+        }
+        TextureUse placed = at.value_or(TextureUse{.second = true});
+        placed.texture = (detail.*use)->texture;
+        detail.*use = placed;
+    }
+    if (detail.normal) {
+        places.tangents = detail.normal->second ? UvPlaces::Tangents::second : UvPlaces::Tangents::first;
+    }
+    return places;
 }
 
 } // namespace cdr::scene::gltf

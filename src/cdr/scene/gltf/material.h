@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace cdr::scene::gltf {
 
@@ -41,13 +42,21 @@ class MaterialImporter {
 
   private:
     MaterialUse import(int index, Ground ground);
-    /// The textures that a lit material has beside its base colour's, and what it emits.
-    MaterialDetail detailOf(const nlohmann::json& material, const std::string& where, UvPlaces& uv);
+    /// Where a material's textures want to be read.
+    struct AskedPlaces {
+        std::optional<UvSource> baseColor;
+        std::vector<std::pair<std::optional<TextureUse> MaterialDetail::*, UvSource>> detail; ///< in order
+    };
+    /// The textures that a lit material has beside its base colour's, and what it emits. They are not placed yet.
+    MaterialDetail detailOf(const nlohmann::json& material, const std::string& where, AskedPlaces& asked);
     /// What a material emits, and nothing else.
-    MaterialDetail emissionOnly(const nlohmann::json& material, const std::string& where, UvPlaces& uv);
-    /// A texture that a member names, and its UV; nothing where there is none.
-    std::optional<TextureUse> textureOf(const nlohmann::json& object, const char* key, TextureContent content,
-                                        const std::string& where, UvPlaces& uv);
+    MaterialDetail emissionOnly(const nlohmann::json& material, const std::string& where, AskedPlaces& asked);
+    /// A texture that a member names; nothing where there is none.
+    std::optional<TextureUse> textureOf(const nlohmann::json& object,
+                                        std::optional<TextureUse> MaterialDetail::*use,
+                                        TextureContent content, const std::string& where, AskedPlaces& asked);
+    /// Chooses the places of vertices, and places the textures. A note names those that cannot be.
+    UvPlaces place(const AskedPlaces& asked, MaterialDetail& detail, const std::string& where);
 
     Sources m_sources;
     Scene& m_scene;

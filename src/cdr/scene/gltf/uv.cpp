@@ -29,6 +29,14 @@ glm::dvec2 pairOf(const json& extension, const char* key, const glm::dvec2& fall
     return {(*pair)[0].get<double>(), (*pair)[1].get<double>()};
 }
 
+/// The transform of a source as a matrix.
+glm::dmat3 matrixOf(const UvSource& uv) {
+    const double c = std::cos(uv.rotation);
+    const double s = std::sin(uv.rotation);
+    return {glm::dvec3(c * uv.scale.x, -s * uv.scale.x, 0.0), glm::dvec3(s * uv.scale.y, c * uv.scale.y, 0.0),
+            glm::dvec3(uv.offset, 1.0)};
+}
+
 int texCoordOf(const json& extension, int fallback) {
     const json* set = member(extension, "texCoord");
     if (set == nullptr) {
@@ -49,6 +57,16 @@ glm::vec2 UvSource::apply(const glm::vec4& uv) const {
     const glm::dvec2 scaled = glm::dvec2(uv.x, uv.y) * scale;
     const glm::vec2 result(offset + glm::dvec2(c * scaled.x + s * scaled.y, c * scaled.y - s * scaled.x));
     return std::isfinite(result.x) && std::isfinite(result.y) ? result : glm::vec2(0.0f);
+}
+
+std::optional<glm::mat3x2> UvSource::leadingTo(const UvSource& other) const {
+    const glm::mat3x2 way(matrixOf(other) * glm::inverse(matrixOf(*this)));
+    for (int column = 0; column < 3; ++column) {
+        if (!std::isfinite(way[column].x) || !std::isfinite(way[column].y)) {
+            return {};
+        }
+    }
+    return way;
 }
 
 UvSource uvSourceOf(const json& info) {

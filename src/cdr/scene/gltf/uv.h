@@ -3,6 +3,8 @@
 #include <glm/glm.hpp>
 #include <nlohmann/json_fwd.hpp>
 
+#include <optional>
+
 namespace cdr::scene::gltf {
 
 /// Where a texture's coordinates come from: a TEXCOORD set and KHR_texture_transform.
@@ -14,6 +16,9 @@ struct UvSource {
 
     /// The transformed coordinates of a vertex, zero when they are not finite.
     glm::vec2 apply(const glm::vec4& uv) const;
+
+    /// What leads from these coordinates to those of another source of the same set; nothing where it would not be finite.
+    std::optional<glm::mat3x2> leadingTo(const UvSource& other) const;
 
     bool operator==(const UvSource&) const = default;
 };

@@ -239,6 +239,12 @@ void requireUsable(const Material& material, std::size_t textures, const std::st
         refuseUse("{}: its metallic and roughness must lie in [0, 1]", what);
     }
     const MaterialDetail& detail = material.detail;
+    for (const auto& use : {detail.metallicRoughness, detail.normal, detail.occlusion, detail.emissive}) {
+        if (use &&
+            !(areFinite(use->transform[0]) && areFinite(use->transform[1]) && areFinite(use->transform[2]))) {
+            refuseUse("{}: the transforms of its textures must be finite", what);
+        }
+    }
     if (!isShare(detail.occlusionStrength) || !std::isfinite(detail.normalScale) ||
         !areFinite(detail.emission) || !glm::all(glm::greaterThanEqual(detail.emission, glm::vec3(0.0f)))) {
         refuseUse(

@@ -2,8 +2,11 @@
 
 #include "../uv.h"
 
+#include <cdr/scene/mesh.h>
+
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace cdr::scene::gltf {
 
@@ -16,21 +19,21 @@ struct UvPlaces {
     std::optional<UvSource> second; ///< of VertexDetail::uv
     Tangents tangents = Tangents::none;
 
-    /// Whether a source is the second place; takes room for it where there is some. Nothing where there is none left.
-    std::optional<bool> place(const UvSource& source) {
-        if (!first || *first == source) {
-            first = source;
-            return false;
-        }
-        if (!second || *second == source) {
-            second = source;
-            return true;
-        }
-        return std::nullopt;
-    }
-
     /// Whether vertices need scene::VertexDetail.
     bool hasDetail() const { return second.has_value() || tangents != Tangents::none; }
 };
+
+/// Chooses places for textures. Where there are no more than two, each has its own. Of more, those of the second set of
+/// coordinates, or else of the normal texture, are beside the first. The others are read at one of them by a transform.
+/// @param sources of all textures, the first the base colour's where there is one.
+/// @param normal of the normal texture; null where there is none.
+UvPlaces choosePlaces(std::span<const UvSource> sources, const UvSource* normal);
+
+/// What a texture's transform must leave as it is.
+enum class Kept : std::uint8_t { nothing, tangents };
+
+/// At which place a source is read, and by which transform. Nothing where neither place leads there.
+/// @param kept tangents: of a normal texture, which must not turn against the tangents of its place.
+std::optional<TextureUse> useAt(const UvPlaces& places, const UvSource& source, Kept kept);
 
 } // namespace cdr::scene::gltf
