@@ -127,7 +127,9 @@ vec3 shinyLight(Shine shine, LitPoint point) {
         vec3 mirrored = reflect(-toCamera, point.normal);
         // An interpolated normal may face away from the camera; what it would mirror is behind the surface (Russell 2013).
         float horizon = 1.0 + min(dot(point.normal, toCamera), 0.0);
-        vec3 sky = skyMirrored(mirrored, shine.roughness) * (horizon * horizon);
+        // A rough lobe leans from there to the normal; the mean of its directions need not be unit.
+        vec3 seen = mix(mirrored, point.normal, shine.roughness * shine.roughness);
+        vec3 sky = skyMirrored(seen, shine.roughness) * (horizon * horizon);
         light = point.openness * (shares.diffuse * skyDiffuse(point.normal) + shares.mirrored * sky);
     } else {
         light = point.openness * ambientLight() * ambientReflectance(shine, facing);

@@ -16,8 +16,9 @@ vec3 skyDiffuse(vec3 normal) {
     return skyOf(0.5 + 0.5 * elevation, zenithInCosineLobe(elevation));
 }
 
-// What a mirror of a roughness sees along a direction. This is a fit to the integral over the lobe of GGX, seen along its
-// normal as is usual (Karis 2013). The horizon's step is off by up to 0.07, the slope above it by up to 0.03.
+// What a mirror of a roughness sees about a direction, which may be shorter than 1. This is a fit to the integral over the
+// lobe of GGX, seen along its normal as is usual (Karis 2013). The horizon's step is off by up to 0.07, the slope above it
+// by up to 0.03.
 vec3 skyMirrored(vec3 direction, float roughness) {
     float elevation = dot(direction, header.skyUp.xyz);
     float width = max(1.3 * smoothstep(0.0, 0.95, roughness), 0.01);

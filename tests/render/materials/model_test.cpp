@@ -70,7 +70,7 @@ TEST_F(ModelTest, LooksAsFloat64TruthUnderASky) {
     const measure::LayeredTruth truth =
         measure::castLayers(setup.scene, setup.path.at(0), frame.width(), frame.height(), workers);
     const image::ImageRgba8 wanted = pictureOf(truth, {.exposure = 0.0, .neutral = true});
-    EXPECT_LE(difference(wanted, frame.color), 0.04);
+    EXPECT_LE(difference(wanted, frame.color), 0.029); // 0.0314 where rough lobes do not lean to the normal
     EXPECT_LE(meanSteps(wanted, frame.color, truth), 3.0);
 }
 
