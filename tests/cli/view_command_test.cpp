@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 // GCC 12 takes an optional string that is empty for uninitialised.
 #if defined(__GNUC__) && !defined(__clang__) && __GNUC__ == 12
@@ -159,6 +160,57 @@ TEST_F(ViewCommand, RendersARecordedPath) {
     EXPECT_EQ(spread[4]["hash"], frames[2]["hash"]);
     EXPECT_NE(spread[1]["hash"], frames[0]["hash"]);
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "f04.png"));
+}
+
+constexpr const char* kMachine = CDR_SOURCE_DIR "/tests/assets/machine.glb";
+
+/// Three views of a model that stands still, each beside the last and a quarter of a second of its animation later.
+std::vector<viewer::ReproducedView> viewsBesideMachine() {
+    const scene::Camera own = scenes::openScene(kMachine, scenes::kDefaultSeed).setup.path.at(0);
+    std::vector<viewer::ReproducedView> views;
+    for (int i = 0; i < 3; ++i) {
+        viewer::ReproducedView& view = views.emplace_back();
+        view.settings.scene = kMachine;
+        view.settings.choice.animation = "work";
+        view.settings.choice.seconds = 0.125 + 0.25 * i;
+        view.camera = scene::canonical(scene::lookAlong(own, own.position + 0.05 * i * own.right, -own.back));
+        view.sceneCamera = own;
+        view.extent = {96, 54};
+    }
+    return views;
+}
+
+/// Each frame is seen by its own camera, at its own moment, under every technique.
+TEST_F(ViewCommand, AnAnimationPlaysAlongARecordedPath) {
+    std::vector<viewer::ReproducedView> views = viewsBesideMachine();
+    scene::CameraRecording recording{.scene = kMachine, .cameras = {}};
+    for (const viewer::ReproducedView& view : views) {
+        scene::record(recording, *view.settings.choice.seconds, view.camera);
+    }
+    const TemporaryFolder folder;
+    scene::writeRecording(folder.path() / "p.json", recording);
+    for (const auto& [name, technique] : depth::presets()) {
+        const ProgramResult result = runProgram(
+            std::string("render ") + kMachine +
+                " --animation work --path p.json --time 0.125 --fps 4 --size 96x54 --json p.r --technique " +
+                name,
+            folder.path());
+        ASSERT_EQ(result.status, 0) << result.err;
+        const json frames = json::parse(readText(folder.path() / "p.r"))["results"];
+        ASSERT_EQ(frames.size(), views.size()) << name;
+        std::set<json> hashes;
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            views[i].settings.technique = technique;
+            EXPECT_EQ(frames[i]["hash"], run(views[i], folder)["hash"]) << name << ", frame " << i;
+            EXPECT_EQ(frames[i]["seconds"], views[i].settings.choice.seconds) << name;
+            hashes.insert(frames[i]["hash"]);
+        }
+        // Camera and moment both count: another moment is another picture.
+        views[2].settings.choice.seconds = 0.375;
+        hashes.insert(run(views[2], folder)["hash"]);
+        views[2].settings.choice.seconds = 0.625;
+        EXPECT_EQ(hashes.size(), views.size() + 1) << name;
+    }
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include <cdr/measure/certify/certifier.h>
 #include <cdr/measure/compare/flip_difference.h>
+#include <cdr/measure/compare/flips.h>
 #include <cdr/measure/truth/layered_truth.h>
 #include <cdr/measure/truth/truth_motion.h>
 #include <scenes/moving_scene.h>
@@ -95,6 +96,42 @@ TEST_F(AnimationTest, TruthSeesTheSameTriangles) {
             EXPECT_EQ(measure::countWrong(drawn, truth).wrong, 0u) << "frame " << frame;
             EXPECT_GT(measure::countWrong(drawn, other).wrong, 0u) << "frame " << frame;
         }
+    }
+}
+
+/// What moves changes pixels and is no flip, because truth moves with it. With a truth that stays it would be one.
+TEST_F(AnimationTest, NothingFlipsWhileAnAnimationPlays) {
+    constexpr std::uint32_t kFrames = 5;
+    const scene::OpenedScene opened = open(0.0, 24.0);
+    host::WorkerPool workers(2);
+    scenes::MovingScene moving(opened.setup.scene, opened.setup.motion);
+    measure::TruthCaster caster(moving.world().scene(), workers);
+    render::GpuScene onDevice(device(), moving.world());
+    std::list<render::Renderer> renderers;
+    for (const auto& [name, technique] : depth::presets()) {
+        renderers.emplace_back(device(), onDevice, options(technique));
+    }
+    std::vector<image::ImageU32> before(renderers.size());
+    measure::TruthImage truthBefore;
+    for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
+        moving.show(frame, workers);
+        caster.follow(moving.deformedMeshes(), workers);
+        const scene::Camera camera = opened.setup.path.at(frame);
+        const render::RenderOptions size = options("anchored");
+        const measure::TruthImage truth = caster.cast(camera, size.width, size.height, workers);
+        std::size_t technique = 0;
+        for (render::Renderer& renderer : renderers) {
+            const image::ImageU32 drawn = renderer.render(camera).ids();
+            image::ImageU32& last = before[technique++];
+            if (frame > 0) {
+                const measure::FlipCount flips = measure::countFlips({last, truthBefore}, {drawn, truth});
+                EXPECT_GT(flips.compared, 10'000u);
+                EXPECT_EQ(flips.flips, 0u) << depth::presets()[technique - 1].name << ", frame " << frame;
+                EXPECT_GT(measure::countFlips({last, truth}, {drawn, truth}).flips, 0u) << "frame " << frame;
+            }
+            last = drawn;
+        }
+        truthBefore = truth;
     }
 }
 
