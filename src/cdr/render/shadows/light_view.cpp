@@ -1,3 +1,4 @@
+#include <cdr/render/shadows/divided_view.h>
 #include <cdr/render/shadows/light_shape.h>
 #include <cdr/render/shadows/light_view.h>
 
@@ -82,12 +83,20 @@ struct TexelLimits {
     std::uint32_t most = 0; ///< of a side of a map
 };
 
+/// The least of ..., 1, 1.5, 2, 3, 4, ... that suffices. So a map uses two thirds of its side, and floats hold texels exactly.
+/// Where they are so wide that dividedView() halves them, it is a power of two.
+double texelFrom(double least, const TexelLimits& limits) {
+    const double power = powerOfTwoFrom(least);
+    const double pixels = kPixelsPerTexel * power / limits.finest;
+    return pixels <= kWidestTexel && 0.75 * power >= least ? 0.75 * power : power;
+}
+
 /// Lays texels over what is to be seen. They keep their places in the world, so shadows do not crawl as a camera moves.
 void layTexels(LightView& view, const Cover& cover, const TexelLimits& limits) {
     const glm::dvec2 extent = cover.high - cover.low;
     const double widest = std::max(extent.x, extent.y);
-    view.texel =
-        std::max(powerOfTwoFrom(widest / (limits.most - 2.0 * kBorder - 1.0)), powerOfTwoFrom(limits.finest));
+    view.texel = std::max(texelFrom(widest / (limits.most - 2.0 * kBorder - 1.0), limits),
+                          powerOfTwoFrom(limits.finest));
     const glm::dvec2 world =
         view.isDistant() ? glm::dvec2(glm::dot(view.right, view.origin), glm::dot(view.up, view.origin))
                          : glm::dvec2(0.0);

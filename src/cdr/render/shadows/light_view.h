@@ -24,7 +24,7 @@ struct LightView {
     double wOffset = 1.0;            ///< w: wOffset + wPerUnit * ahead
     double wPerUnit = 0.0;
     glm::dvec2 low{0.0};    ///< of right / w and up / w, at the map's first texel's corner
-    double texel = 1.0;     ///< in those units; a power of two
+    double texel = 1.0;     ///< in those units; a power of two, or 1.5 times one
     vk::Extent2D size;      ///< texels
     double nearAhead = 0.0; ///< of what is drawn, the nearest to the light
     double farAhead = 0.0;  ///< of the receivers, the farthest from it
