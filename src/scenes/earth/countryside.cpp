@@ -149,8 +149,9 @@ double insideFence(const glm::dvec2& place) {
 glm::dvec3 lawnAt(const glm::dvec2& place, double texel) {
     const double patches =
         sumWaves({.longest = 300.0, .shortest = 1.0, .gain = 0.6, .seed = 71}, place, texel);
+    const double tufts = sumWaves({.longest = 12.0, .shortest = 1.0, .gain = 0.85, .seed = 73}, place, texel);
     const double mown = shownBy(texel, 24.0) * std::tanh(6.0 * std::sin(place.y * 0.26));
-    return kLawn * (1.0 + 0.2 * patches + 0.04 * mown);
+    return kLawn * (1.0 + 0.2 * patches + 0.04 * mown + 0.13 * tufts);
 }
 
 } // namespace

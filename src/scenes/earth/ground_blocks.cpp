@@ -11,10 +11,19 @@ constexpr std::uint32_t kAcross = 4;
 constexpr std::uint32_t kCoarsest = 3; ///< level of the widest block's tiles: it reaches beyond the horizon
 
 /// The first of the tiles around the corner that is nearest to a place.
-std::uint32_t firstAround(double position, std::uint32_t count) {
+std::uint32_t firstAround(double position, std::uint32_t count, std::uint32_t across) {
     const double first =
-        std::clamp(std::round(position) - 0.5 * kAcross, 0.0, static_cast<double>(count - kAcross));
+        std::clamp(std::round(position) - 0.5 * across, 0.0, static_cast<double>(count - across));
     return static_cast<std::uint32_t>(first);
+}
+
+GroundBlock blockAround(const Geodetic& place, std::uint32_t level, std::uint32_t across) {
+    const std::uint32_t rows = 1u << level;
+    const double perDegree = rows / 180.0;
+    return {.first = {level, firstAround((place.longitude + 180.0) * perDegree, 2 * rows, across),
+                      firstAround((90.0 - place.latitude) * perDegree, rows, across)},
+            .columns = across,
+            .rows = across};
 }
 
 } // namespace
@@ -39,13 +48,9 @@ GeodeticFrame GroundBlock::frame() const {
 std::vector<GroundBlock> blocksAround(const Geodetic& place, std::uint32_t finest) {
     std::vector<GroundBlock> blocks{GroundBlock{}};
     for (std::uint32_t level = kCoarsest; level <= finest; ++level) {
-        const std::uint32_t rows = 1u << level;
-        const double perDegree = rows / 180.0;
-        blocks.push_back({.first = {level, firstAround((place.longitude + 180.0) * perDegree, 2 * rows),
-                                    firstAround((90.0 - place.latitude) * perDegree, rows)},
-                          .columns = kAcross,
-                          .rows = kAcross});
+        blocks.push_back(blockAround(place, level, kAcross));
     }
+    blocks.push_back(blockAround(place, finest, kAcross / 2)); // no tiles are smaller, so it has fewer
     return blocks;
 }
 

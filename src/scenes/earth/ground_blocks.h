@@ -17,7 +17,7 @@ struct GroundBlock {
     GeodeticFrame frame() const;
 };
 
-/// The whole Earth, and blocks of 4 x 4 tiles around a place. Each block is half as wide as the last one.
+/// The whole Earth, and blocks of 4 x 4 tiles around a place, the last of 2 x 2. Each block is half as wide as the last one.
 /// @param finest level of the tiles of the last block.
 std::vector<GroundBlock> blocksAround(const Geodetic& place, std::uint32_t finest);
 
