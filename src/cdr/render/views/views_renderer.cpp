@@ -116,6 +116,10 @@ depth::Cascades ViewsRenderer::look(Cameras cameras, std::span<const depth::Inte
 
 void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
     requireCameras(cameras, views());
+    // What settling draws again lists what it shows, and must not come between the begin of a view's targets and its draws.
+    for (const auto& renderer : m_renderers) {
+        renderer->settle(renderer->slotOf(renderer->m_frames));
+    }
     const host::Stopwatch watch;
     const depth::Cascades cascades = look(cameras, occupiedBy(how.hosts));
     const double lookMs = watch.milliseconds();
@@ -149,10 +153,6 @@ void ViewsRenderer::launchInTurn(Cameras cameras, std::span<const Renderer::Deli
 }
 
 void ViewsRenderer::launchTogether(Cameras cameras, std::span<Renderer::Delivery> deliveries) {
-    // What settling draws again must not come between the begin of a view's targets and its draws.
-    for (const auto& renderer : m_renderers) {
-        renderer->settle(renderer->slotOf(renderer->m_frames));
-    }
     try {
         for (std::size_t i = 0; i < cameras.size(); ++i) {
             Renderer& renderer = *m_renderers[i];
