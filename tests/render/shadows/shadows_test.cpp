@@ -259,6 +259,28 @@ TEST_F(ShadowsTest, WhatCannotBeIsRefused) {
     EXPECT_EQ(refusalOf(boxScene(), shadowOptions("anchored")), "none");
 }
 
+/// It has no shadow itself, and those of the mesh behind it in the buffers stay.
+TEST_F(ShadowsTest, AMeshWithoutTrianglesTakesNoShadowAway) {
+    scene::Scene scene = boxScene();
+    scene.meshes.insert(scene.meshes.begin(), scene::Mesh{});
+    scene.lights = {{.position = {5.0, 500.0, -10.0}, .color = glm::vec3(1.0f), .halfDistance = 1000.0}};
+    scene::addInstance(scene, 1, 0, 0, {0.0, 2.0, -10.0}, glm::mat3(2.0f));
+    scene::addInstance(scene, 1, 0, 1, {0.0, -11.0, -10.0}, glm::mat3(20.0f));
+    const scene::Camera camera = scene::lookAlong({.farView = 1000.0}, {0.0, 6.0, 0.0}, {0.0, -0.5, -1.0});
+    const RenderOptions options = shadowOptions("anchored");
+    const image::ImageRgba8 wanted = draw(scene, camera, options).reached;
+    const auto isDark = [](const image::Rgba8& pixel) { return pixel[0] == 0; };
+    ASSERT_GT(std::count_if(wanted.pixels.begin(), wanted.pixels.end(), isDark), 100);
+    for (const bool isFirst : {false, true}) { // of both, in the order in which they are drawn
+        scene::Scene more = scene;
+        scene::addInstance(more, 0, 0, 2, {6.0, 2.5, -10.0}, glm::mat3(1.0f));
+        if (isFirst) {
+            scene::swapInstances(more.instances, 0, 2);
+        }
+        EXPECT_EQ(draw(more, camera, options).reached, wanted) << isFirst;
+    }
+}
+
 } // namespace
 
 } // namespace cdr::render_test

@@ -77,14 +77,15 @@ void CasterDraws::record(vk::CommandBuffer commands, std::size_t view) const {
     const GpuScene& scene = m_scene.uploaded;
     commands.bindVertexBuffers(0, {scene.vertices(), m_records.handle()}, {0, 0});
     commands.bindIndexBuffer(scene.indices(), 0, vk::IndexType::eUint32);
-    const auto meshOf = [&](std::size_t draw) -> const MeshRange& {
-        return scene.kinds()[scene.sources()[m_casters[draw]].kind].mesh;
+    const auto kindOf = [&](std::size_t draw) -> const DrawKind& {
+        return scene.kinds()[scene.sources()[m_casters[draw]].kind];
     };
     const Range& range = m_ranges[view];
     for (std::size_t first = range.begin; first < range.end;) {
-        const MeshRange& mesh = meshOf(first);
+        const DrawKind& kind = kindOf(first);
+        const MeshRange& mesh = kind.mesh;
         std::size_t end = first + 1;
-        while (end < range.end && meshOf(end).firstIndex == mesh.firstIndex) {
+        while (end < range.end && kindOf(end).meshIndex == kind.meshIndex) {
             ++end;
         }
         commands.drawIndexed(mesh.indexCount, static_cast<std::uint32_t>(end - first), mesh.firstIndex,
