@@ -122,7 +122,7 @@ MeshRange SceneMeshes::place(const scene::Mesh& mesh, Packed& into) {
 }
 
 void SceneMeshes::upload(const scene::Scene& scene, const Counts& room) {
-    m_room = {}; // until all is there
+    m_room.reset(); // until all is there
     m_used = {};
     m_ranges.clear();
     m_levels.clear();
@@ -173,7 +173,7 @@ bool SceneMeshes::append(const scene::Scene& scene, const std::set<std::uint32_t
         after.vertices += added.vertices;
         after.indices += added.indices;
     }
-    if (after.vertices > m_room.vertices || after.indices > m_room.indices) {
+    if (!m_room || after.vertices > m_room->vertices || after.indices > m_room->indices) {
         return false;
     }
     Packed packed;
@@ -197,7 +197,7 @@ void SceneMeshes::uploadDetails(const scene::Scene& scene) {
     if (!hasDetail(scene)) {
         return;
     }
-    std::vector<PackedDetail> details(m_room.vertices);
+    std::vector<PackedDetail> details(m_room->vertices);
     for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
         const std::vector<PackedDetail> more = detailsOf(scene.meshes[mesh]);
         std::copy(more.begin(), more.end(), details.begin() + m_ranges[mesh].vertexOffset);

@@ -70,8 +70,8 @@ class SceneMeshes {
     gpu::Buffer m_vertices;
     gpu::Buffer m_details;
     gpu::Buffer m_indices;
-    Counts m_room;
-    Counts m_used; ///< of it, from the start on; what meshes that went have left is among it
+    std::optional<Counts> m_room; ///< none where an upload ended early
+    Counts m_used;                ///< of it, from the start on; what meshes that went have left is among it
     std::vector<MeshRange> m_ranges;
     std::vector<LevelRange> m_levels;
 };

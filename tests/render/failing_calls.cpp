@@ -1,0 +1,133 @@
+#include "failing_calls.h"
+
+#include "../support/own_loader.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+namespace cdr::render_test {
+
+namespace {
+
+struct WantedFailure {
+    std::string name; ///< empty: none
+    std::size_t after = 0;
+    bool hasFailed = false;
+
+    bool takes(std::string_view call) {
+        if (call != name || hasFailed) {
+            return false;
+        }
+        hasFailed = after == 0;
+        after -= hasFailed ? 0 : 1;
+        return hasFailed;
+    }
+};
+
+WantedFailure& wantedFailure() {
+    static WantedFailure only;
+    return only;
+}
+
+constexpr char kCreateBuffer[] = "vkCreateBuffer";
+constexpr char kCreateFence[] = "vkCreateFence";
+constexpr char kQueueSubmit2[] = "vkQueueSubmit2";
+
+/// A function of Vulkan as this program calls it.
+template <const char* name, typename Function>
+struct Failable;
+template <const char* name, typename... Parameters>
+struct Failable<name, VkResult(VKAPI_PTR*)(Parameters...)> {
+    using Function = VkResult(VKAPI_PTR*)(Parameters...);
+    static Function& real() {
+        static Function only = nullptr;
+        return only;
+    }
+    static VKAPI_ATTR VkResult VKAPI_CALL call(Parameters... parameters) {
+        return wantedFailure().takes(name) ? VK_ERROR_OUT_OF_DEVICE_MEMORY : real()(parameters...);
+    }
+    /// The function to call in the place of what was found.
+    static PFN_vkVoidFunction standIn(PFN_vkVoidFunction found) {
+        real() = reinterpret_cast<Function>(found);
+        return reinterpret_cast<PFN_vkVoidFunction>(&call);
+    }
+};
+
+/// The same for any of them; what was found itself where the name is another's.
+PFN_vkVoidFunction failableOf(std::string_view name, PFN_vkVoidFunction found) {
+    if (name == kCreateBuffer) {
+        return Failable<kCreateBuffer, PFN_vkCreateBuffer>::standIn(found);
+    }
+    if (name == kCreateFence) {
+        return Failable<kCreateFence, PFN_vkCreateFence>::standIn(found);
+    }
+    if (name == kQueueSubmit2) {
+        return Failable<kQueueSubmit2, PFN_vkQueueSubmit2>::standIn(found);
+    }
+    return found;
+}
+
+std::optional<std::uint64_t>& heapBytes() {
+    static std::optional<std::uint64_t> most;
+    return most;
+}
+
+PFN_vkGetPhysicalDeviceMemoryProperties realMemory = nullptr;
+
+void VKAPI_PTR memoryOf(VkPhysicalDevice physical, VkPhysicalDeviceMemoryProperties* memory) {
+    realMemory(physical, memory);
+    for (std::uint32_t heap = 0; heap < memory->memoryHeapCount; ++heap) {
+        VkDeviceSize& size = memory->memoryHeaps[heap].size;
+        size = std::min<VkDeviceSize>(size, heapBytes().value_or(size));
+    }
+}
+
+PFN_vkGetDeviceProcAddr realDeviceLoader = nullptr;
+
+PFN_vkVoidFunction VKAPI_PTR failableDeviceLoader(VkDevice device, const char* name) {
+    return failableOf(name, realDeviceLoader(device, name));
+}
+
+PFN_vkVoidFunction VKAPI_PTR failableLoader(VkInstance instance, const char* name) {
+    const PFN_vkVoidFunction found = test::systemsLoader()(instance, name);
+    if (found == nullptr) {
+        return nullptr;
+    }
+    if (std::string_view(name) == "vkGetDeviceProcAddr") { // by which memory is allocated
+        realDeviceLoader = reinterpret_cast<PFN_vkGetDeviceProcAddr>(found);
+        return reinterpret_cast<PFN_vkVoidFunction>(&failableDeviceLoader);
+    }
+    if (std::string_view(name) == "vkGetPhysicalDeviceMemoryProperties") {
+        realMemory = reinterpret_cast<PFN_vkGetPhysicalDeviceMemoryProperties>(found);
+        return reinterpret_cast<PFN_vkVoidFunction>(&memoryOf);
+    }
+    return failableOf(name, found);
+}
+
+const testing::Environment* const kBringFailableLoader =
+    testing::AddGlobalTestEnvironment(new test::OwnLoader(&failableLoader));
+
+} // namespace
+
+FailingCall::FailingCall(std::string_view name, std::size_t after) {
+    wantedFailure() = {.name = std::string(name), .after = after};
+}
+
+FailingCall::~FailingCall() {
+    wantedFailure() = {};
+}
+
+bool FailingCall::hasFailed() {
+    return wantedFailure().hasFailed;
+}
+
+SmallHeaps::SmallHeaps(std::uint64_t bytes) {
+    heapBytes() = bytes;
+}
+
+SmallHeaps::~SmallHeaps() {
+    heapBytes().reset();
+}
+
+} // namespace cdr::render_test

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace cdr::render_test {
+
+/// While it lives, one Vulkan call of this program runs out of memory. There is one at a time, and other threads make none
+/// of these calls meanwhile.
+class FailingCall {
+  public:
+    /// @param name vkCreateBuffer, vkCreateFence or vkQueueSubmit2
+    /// @param after calls that succeed first
+    explicit FailingCall(std::string_view name, std::size_t after = 0);
+    ~FailingCall();
+    FailingCall(const FailingCall&) = delete;
+    FailingCall& operator=(const FailingCall&) = delete;
+
+    /// Whether it has failed.
+    static bool hasFailed();
+};
+
+/// While it lives, what is made on a physical device finds heaps of at most so many bytes.
+class SmallHeaps {
+  public:
+    explicit SmallHeaps(std::uint64_t bytes);
+    ~SmallHeaps();
+    SmallHeaps(const SmallHeaps&) = delete;
+    SmallHeaps& operator=(const SmallHeaps&) = delete;
+};
+
+} // namespace cdr::render_test
