@@ -19,6 +19,20 @@ scene::Camera cameraAt(double x) {
     return camera;
 }
 
+/// One that sees so far that the split below has more cascades than there may be.
+scene::Camera refusedCamera() {
+    scene::Camera camera = cameraAt(1.0);
+    camera.farView = 1e12;
+    return camera;
+}
+
+/// One whose cascades begin elsewhere.
+scene::Camera otherCamera(double x) {
+    scene::Camera camera = cameraAt(x);
+    camera.nearView = 0.3;
+    return camera;
+}
+
 /// After an error all is as the last frame that was drawn left it.
 class FailedFrameTest : public RenderTest {
   protected:
@@ -45,6 +59,88 @@ class FailedFrameTest : public RenderTest {
     scene::Scene m_scene = boxScene();
     std::optional<render::GpuScene> m_onDevice;
 };
+
+TEST_F(FailedFrameTest, WhatIsRefusedLeavesTheLastFrame) {
+    for (const std::size_t inFlight : {std::size_t{1}, std::size_t{2}}) {
+        render::RenderOptions chosen = options();
+        chosen.framesInFlight = inFlight;
+        render::Renderer renderer(device(), m_scene, *m_onDevice, chosen);
+        render::Renderer other(device(), m_scene, *m_onDevice, chosen);
+        const render::Surfaces none = renderer.surfaces();
+        EXPECT_THROW(renderer.render(refusedCamera()), base::InputError);
+        expectSame(renderer.surfaces(), none);
+        renderer.draw(cameraAt(0.0));
+        other.draw(cameraAt(0.0));
+        const render::Surfaces last = renderer.surfaces();
+        EXPECT_FALSE(last.anchorsView.empty());
+        EXPECT_THROW(renderer.render(refusedCamera()), base::InputError);
+        expectSame(renderer.surfaces(), last);
+        EXPECT_EQ(renderer.render(cameraAt(0.1)).motion, other.render(cameraAt(0.1)).motion);
+    }
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+/// Whichever of its submissions fails. The next frame is drawn right, and nothing in it moved.
+TEST_F(FailedFrameTest, WhatIsNotSubmittedLeavesTheLastFrame) {
+    render::Renderer renderer(device(), m_scene, *m_onDevice, options());
+    renderer.draw(cameraAt(0.0));
+    const render::Surfaces last = renderer.surfaces();
+    {
+        const FailingCall failing("vkQueueSubmit2");
+        EXPECT_THROW(renderer.draw(otherCamera(0.5)), std::exception);
+        ASSERT_TRUE(FailingCall::hasFailed());
+    }
+    expectSame(renderer.surfaces(), last);
+    const render::Frame first = draw(m_scene, cameraAt(1.0), options());
+    const render::Frame next = renderer.render(cameraAt(1.0));
+    EXPECT_EQ(hashOf(next), hashOf(first));
+    EXPECT_EQ(next.motion, first.motion);
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+TEST_F(FailedFrameTest, RefusedViewsLeaveTheLastOnes) {
+    for (const bool deviceClock : {false, true}) { // views are drawn together, and in turn
+        render::RenderOptions chosen = options();
+        chosen.deviceClock = deviceClock;
+        render::ViewsRenderer renderer(device(), m_scene, *m_onDevice, chosen, 2);
+        render::ViewsRenderer other(device(), m_scene, *m_onDevice, chosen, 2);
+        const std::array first{cameraAt(0.0), cameraAt(0.2)};
+        const std::array refused{refusedCamera(), refusedCamera()};
+        const std::array next{cameraAt(0.1), cameraAt(0.3)};
+        renderer.draw(first);
+        other.draw(first);
+        const std::array last{renderer.surfaces(0), renderer.surfaces(1)};
+        EXPECT_THROW(renderer.draw(refused), base::InputError);
+        const std::vector<render::Frame> wanted = other.render(next);
+        expectSame(renderer.surfaces(0), last[0]);
+        expectSame(renderer.surfaces(1), last[1]);
+        const std::vector<render::Frame> frames = renderer.render(next);
+        EXPECT_EQ(frames[0].motion, wanted[0].motion);
+        EXPECT_EQ(frames[1].motion, wanted[1].motion);
+    }
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+/// Where the draws of a view were not submitted, none of its frame was drawn.
+TEST_F(FailedFrameTest, ViewsThatAreNotSubmittedLeaveTheLastOnes) {
+    render::ViewsRenderer renderer(device(), m_scene, *m_onDevice, options(), 2);
+    const std::array first{cameraAt(0.0), cameraAt(0.2)};
+    const std::array next{otherCamera(0.1), otherCamera(0.3)};
+    renderer.draw(first);
+    const std::array last{renderer.surfaces(0), renderer.surfaces(1)};
+    {
+        const FailingCall failing("vkQueueSubmit2");
+        EXPECT_THROW(renderer.draw(next), std::exception);
+        ASSERT_TRUE(FailingCall::hasFailed());
+    }
+    expectSame(renderer.surfaces(0), last[0]);
+    expectSame(renderer.surfaces(1), last[1]);
+    const std::vector<render::Frame> frames = renderer.render(next);
+    for (std::size_t view = 0; view < 2; ++view) {
+        EXPECT_EQ(hashOf(frames[view]), hashOf(draw(m_scene, next[view], options())));
+    }
+    EXPECT_EQ(messageCount(), 0u);
+}
 
 /// However far it came: once the mesh is gone that had no room, or there is room for it, all others are there.
 TEST_F(FailedFrameTest, MeshesOutliveAnUploadWithoutMemory) {

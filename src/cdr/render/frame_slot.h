@@ -54,6 +54,14 @@ struct Renderer::Slot {
     FrameStats stats;
     std::uint64_t revision = 0; ///< of the scene
     Destination destination = Destination::device;
+
+    /// While a frame is on its way: what abandon() gives back.
+    struct Before {
+        FrameView view;
+        Destination destination = Destination::device;
+        bool isMotionFollowed = false; ///< by the frame that is on its way
+    };
+    Before before;
 };
 
 /// Where a frame goes.

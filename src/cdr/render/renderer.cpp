@@ -248,13 +248,6 @@ Renderer::Slot& Renderer::slotOf(std::size_t frame) const {
     return m_passes->slots[frame % m_passes->slots.size()];
 }
 
-Renderer::Slot& Renderer::nextSlot() {
-    Slot& slot = slotOf(m_frames);
-    settle(slot);
-    ++m_frames;
-    return slot;
-}
-
 void Renderer::settle(Slot& slot) {
     while (slot.isPending) {
         if (slot.recorded) {
@@ -288,15 +281,45 @@ bool Renderer::hasRoomSufficed(Slot& slot) {
 
 Renderer::Slot& Renderer::run(const scene::Camera& camera, const Delivery& delivery) {
     Slot& slot = prepare(camera, delivery);
-    launch(slot, delivery);
+    try {
+        launch(slot, delivery);
+    } catch (...) {
+        abandon(slot);
+        throw;
+    }
+    commit(slot);
     return slot;
+}
+
+void Renderer::commit(Slot& slot) {
+    slot.before = {};
+    ++m_frames;
+}
+
+void Renderer::abandon(Slot& slot) {
+    slot.view = std::move(slot.before.view);
+    slot.destination = slot.before.destination;
+    if (slot.before.isMotionFollowed) {
+        m_motion->forget();
+    }
 }
 
 Renderer::Slot& Renderer::prepare(const scene::Camera& camera, const Delivery& delivery) {
     scene::requireUsable(camera);
     followScene();
-    const FrameMotion motion = m_motion != nullptr ? m_motion->follow(m_drawn, camera) : FrameMotion{};
-    Slot& slot = nextSlot();
+    Slot& slot = slotOf(m_frames);
+    settle(slot);
+    slot.before = {.view = std::move(slot.view), .destination = slot.destination, .isMotionFollowed = false};
+    try {
+        decide(slot, camera, delivery);
+    } catch (...) {
+        abandon(slot);
+        throw;
+    }
+    return slot;
+}
+
+void Renderer::decide(Slot& slot, const scene::Camera& camera, const Delivery& delivery) {
     slot.revision = m_revision;
     host::StageWatch watch(m_options.trace);
     slot.view = m_passes->cutter.look(camera);
@@ -317,7 +340,8 @@ Renderer::Slot& Renderer::prepare(const scene::Camera& camera, const Delivery& d
     }
     slot.shading.update(m_drawn.scene, camera, slot.view.frustum, slot.view.anchorsView());
     if (slot.motion) {
-        m_passes->motion->update(*slot.motion, m_drawn, slot.view, motion);
+        slot.before.isMotionFollowed = true;
+        m_passes->motion->update(*slot.motion, m_drawn, slot.view, m_motion->follow(m_drawn, camera));
     }
     slot.stats.times.splitMs = watch.lap("split");
     if (slot.shadows) {
@@ -339,7 +363,6 @@ Renderer::Slot& Renderer::prepare(const scene::Camera& camera, const Delivery& d
         }
         slot.stats.times.translucentMs = watch.lap("translucent draws");
     }
-    return slot;
 }
 
 Frame Renderer::render(const scene::Camera& camera, FrameCopy copy) {

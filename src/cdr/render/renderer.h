@@ -60,7 +60,7 @@ class CDR_EXPORT Renderer {
     Renderer& operator=(const Renderer&) = delete;
 
     /// Renders one frame, waits for it and copies it to the host; Frame::gbuffer stays empty unless asked
-    /// for.
+    /// for. After an error the last frame is still the one before, and motion of the next one is since then, or none.
     /// @throws base::InputError for an unusable camera or split, and with RenderOptions::motion where instances of one
     /// object moved apart since the last frame. Also with a visibility buffer where a world has come to hold what that
     /// cannot show: once it is gone, frames are drawn again. So for what GpuScene::update() refuses.
@@ -154,7 +154,6 @@ class CDR_EXPORT Renderer {
     void followFacets();
     /// @param frame counted from 0, since the passes were made
     Slot& slotOf(std::size_t frame) const;
-    Slot& nextSlot();
     /// Lists what is drawn into the G-buffer: all that is seen but blended instances.
     void cull(const FrameView& view);
     /// Whether a frame of the slot reads that list.
@@ -184,8 +183,14 @@ class CDR_EXPORT Renderer {
     void recordOutputs(Slot& slot, const HostFrame& host);
     void settle(Slot& slot);
     void waitFor(Slot& slot);
-    /// Decides what a frame shows and draws, up to beginFrame().
+    /// Decides what a frame shows and draws, up to beginFrame(). commit() or abandon() ends the frame; where this throws, it
+    /// was abandoned.
     Slot& prepare(const scene::Camera& camera, const Delivery& delivery);
+    void decide(Slot& slot, const scene::Camera& camera, const Delivery& delivery);
+    /// It was launched and is the last frame now.
+    void commit(Slot& slot);
+    /// An error ended it: the frame before stays the last one.
+    void abandon(Slot& slot);
     Slot& run(const scene::Camera& camera, const Delivery& delivery);
     void recordReadback(VkCommandBuffer commands, Destination destination) const;
     Frame fetch(const Slot& slot) const;
@@ -204,7 +209,7 @@ class CDR_EXPORT Renderer {
     std::unique_ptr<MotionHistory> m_motion; ///< where motion is worked out
     std::unique_ptr<visibility::VisibleCells>
         m_visible;            ///< kept from frame to frame so that a warm one allocates nothing
-    std::size_t m_frames = 0; ///< begun so far with these passes
+    std::size_t m_frames = 0; ///< launched so far with these passes
 };
 
 } // namespace cdr::render

@@ -153,10 +153,13 @@ void ViewsRenderer::launchInTurn(Cameras cameras, std::span<const Renderer::Deli
 }
 
 void ViewsRenderer::launchTogether(Cameras cameras, std::span<Renderer::Delivery> deliveries) {
+    std::vector<Renderer::Slot*> begun;
+    std::size_t committed = 0;
     try {
         for (std::size_t i = 0; i < cameras.size(); ++i) {
             Renderer& renderer = *m_renderers[i];
             Renderer::Slot& slot = renderer.prepare(cameras[i], deliveries[i]);
+            begun.push_back(&slot);
             host::StageWatch watch(options().trace);
             renderer.beginFrame(slot, deliveries[i], watch);
             if (i == 0) {
@@ -174,11 +177,16 @@ void ViewsRenderer::launchTogether(Cameras cameras, std::span<Renderer::Delivery
         }
         for (std::size_t i = 0; i < cameras.size(); ++i) {
             host::StageWatch watch(options().trace);
-            m_renderers[i]->finishFrame(lastSlot(i), deliveries[i], watch);
+            m_renderers[i]->finishFrame(*begun[i], deliveries[i], watch);
+            m_renderers[i]->commit(*begun[i]);
+            ++committed;
         }
     } catch (...) {
         if (deliveries.front().areDrawsSubmitted) {
             waitQuietly(m_renderers.front()->m_device);
+        }
+        for (std::size_t i = committed; i < begun.size(); ++i) {
+            m_renderers[i]->abandon(*begun[i]);
         }
         throw;
     }
