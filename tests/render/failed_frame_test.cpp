@@ -142,6 +142,21 @@ TEST_F(FailedFrameTest, ViewsThatAreNotSubmittedLeaveTheLastOnes) {
     EXPECT_EQ(messageCount(), 0u);
 }
 
+TEST_F(FailedFrameTest, ASizeThatIsNotMadeLeavesTheLastFrame) {
+    render::Renderer renderer(device(), m_scene, *m_onDevice, options());
+    renderer.draw(cameraAt(0.0));
+    const render::Surfaces last = renderer.surfaces();
+    {
+        const FailingCall failing("vkCreateFence");
+        EXPECT_THROW(renderer.resize(32, 32), std::system_error);
+        ASSERT_TRUE(FailingCall::hasFailed());
+    }
+    EXPECT_EQ(renderer.options(), options());
+    expectSame(renderer.surfaces(), last);
+    EXPECT_EQ(hashOf(renderer.render(cameraAt(1.0))), hashOf(draw(m_scene, cameraAt(1.0), options())));
+    EXPECT_EQ(messageCount(), 0u);
+}
+
 /// However far it came: once the mesh is gone that had no room, or there is room for it, all others are there.
 TEST_F(FailedFrameTest, MeshesOutliveAnUploadWithoutMemory) {
     const std::string wanted = hashOf(draw(m_scene, cameraAt(0.0), options()));

@@ -158,7 +158,7 @@ void Renderer::makePasses() {
                                                              made->extent, m_paths->makeOccluders(m_workers));
     }
     std::swap(m_passes, made);
-    m_frames = 0;
+    const std::size_t framesBefore = std::exchange(m_frames, 0);
     try {
         for (std::size_t slot = 0; slot < m_options.framesInFlight; ++slot) {
             Slot& begun = m_passes->slots.emplace_back();
@@ -176,6 +176,7 @@ void Renderer::makePasses() {
         }
     } catch (...) {
         std::swap(m_passes, made);
+        m_frames = framesBefore;
         throw;
     }
 }
