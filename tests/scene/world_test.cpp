@@ -53,6 +53,22 @@ TEST(World, AddsMovesAndRemovesInstances) {
     EXPECT_EQ(world.scene().instances.size(), 2u);
 }
 
+/// A scene that a world left has places of what was removed.
+TEST(World, OfAnotherWorldsSceneLeavesRemovedInstancesRemoved) {
+    World first = boxWorld();
+    const MeshHandle mesh = first.addMesh(makeBox(glm::vec3(1.0f)));
+    const MaterialHandle material = first.addMaterial({.name = "second"});
+    first.removeInstance(first.addInstance({.mesh = mesh, .material = material}));
+    World second{Scene(first.scene())};
+    EXPECT_EQ(refusalOf([&] { second.instance(1); }), "instance 1 is not there");
+    second.removeMesh(second.mesh(1));
+    second.removeMaterial(second.material(1));
+    const InstanceHandle added = second.addInstance(boxAt(second, {9.0, 0.0, 0.0}));
+    EXPECT_EQ(added.index, 1u);
+    EXPECT_EQ(second.instance(1), added);
+    EXPECT_EQ(second.scene().instances.size(), 2u);
+}
+
 TEST(World, GivesAMeshOtherVertices) {
     World world = boxWorld();
     const InstanceHandle second = world.addInstance(boxAt(world, {9.0, 0.0, 0.0}));

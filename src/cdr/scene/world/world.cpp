@@ -29,6 +29,10 @@ World::World(Scene scene)
         m_lightOf.push_back(light);
     }
     for (std::size_t i = 0; i < m_scene.instances.size(); ++i) {
+        if (m_scene.instances.radius[i] == kNoRadius) { // another world's, which removed it
+            m_instances.free(m_instances.at(i));
+            continue;
+        }
         m_meshes.use(m_scene.instances.mesh[i]);
         m_materials.use(m_scene.instances.material[i]);
     }

@@ -35,6 +35,7 @@ struct InstanceOptions {
 class CDR_EXPORT World {
   public:
     World() : World(Scene{}) {}
+    /// Of another world's scene, what that removed is not there, and its places are free.
     /// @throws base::InputError as requireUsable(scene).
     explicit World(Scene scene);
 
