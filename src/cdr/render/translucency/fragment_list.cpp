@@ -80,8 +80,9 @@ std::uint64_t FragmentList::mostFragments() const {
 
 void FragmentList::makeNodes(std::uint64_t fragments) {
     const std::uint64_t bytes = bytesFor(fragments);
-    gpu::requireDeviceBytes(m_device, bytes, fmt::format("{} translucent fragments", fragments));
     m_nodes = {}; // first, so that both need not fit
+    m_capacity = 0;
+    gpu::requireDeviceBytes(m_device, bytes, fmt::format("{} translucent fragments", fragments));
     m_nodes = gpu::Buffer(m_device, bytes, Usage::eStorageBuffer, gpu::MemoryUse::deviceOnly,
                           "fragment list nodes");
     m_capacity = static_cast<std::uint32_t>(fragments);

@@ -23,7 +23,7 @@ class FragmentList {
                  std::uint64_t mostBytes);
 
     vk::DescriptorSet set() const { return m_set; }
-    std::uint32_t capacity() const { return m_capacity; } ///< fragments
+    std::uint32_t capacity() const { return m_capacity; } ///< fragments; 0 after grow() threw
     std::uint64_t bytes() const { return m_heads.size() + m_nodes.size(); }
 
     /// Empties the lists and sets their counter to 0; outside a rendering scope.
@@ -34,7 +34,7 @@ class FragmentList {
     std::uint32_t count() const;
 
     /// Makes room for `fragments`, which it must not have yet; no frame may be using the lists. Else says why
-    /// there can be none.
+    /// there can be none. base::RunError where the device's memory went meanwhile; then the list is to grow before it is used.
     std::optional<ListRefusal> grow(std::uint64_t fragments);
 
     /// Descriptors in a set: heads, nodes, count.

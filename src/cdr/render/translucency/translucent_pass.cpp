@@ -82,6 +82,9 @@ TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) co
 void TranslucentPass::prepare(Slot& slot, const FrameView& view, std::uint32_t subPixelBits,
                               host::WorkerPool& workers) const {
     slot.refusal = m_refusal;
+    if (methodOf(slot) == Translucency::sorted && slot.list->capacity() == 0) {
+        slot.refusal = slot.list->grow(1);
+    }
     slot.draws.prepare(view, methodOf(slot), workers);
     if (slot.shadows) {
         slot.shadows->prepare(view, slot.draws.visible(), subPixelBits, workers);

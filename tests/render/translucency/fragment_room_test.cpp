@@ -1,0 +1,71 @@
+#include "../failing_calls.h"
+#include "../fixture.h"
+#include "../host/host_side.h"
+
+#include <scenes/sheets.h>
+
+namespace cdr::render_test {
+
+namespace {
+
+using render::Translucency;
+
+class FragmentRoomTest : public RenderTest {
+  protected:
+    static render::RenderOptions sorted() {
+        render::RenderOptions options = thumbnailOptions(depth::parseTechnique("reversed"));
+        options.width = 192;
+        options.height = 108;
+        options.translucency.method = Translucency::sorted;
+        return options;
+    }
+
+    /// So many panes, each of which covers the picture.
+    static scene::Scene panes(int count) {
+        scene::Scene scene = boxScene();
+        scene.meshes.push_back(scenes::makeSquare(1.0f));
+        scene.materials.push_back({.name = "glass",
+                                   .baseColorFactor = glm::vec4(0.5f),
+                                   .doubleSided = true,
+                                   .alphaMode = scene::AlphaMode::blend});
+        for (int pane = 0; pane < count; ++pane) {
+            scene::addInstance(scene, 1, 1, 1, {0.0, 0.0, -10.0 - pane}, glm::mat3(100.0f));
+        }
+        return scene;
+    }
+
+    static scene::Camera behind() { return scene::lookAlong({}, {}, {0.0, 0.0, 1.0}); }
+};
+
+/// The larger list takes the place of the smaller one.
+TEST_F(FragmentRoomTest, ListsGrowWhereBothWouldNotFit) {
+    const scene::Scene scene = panes(2);
+    const render::RenderOptions options = sorted();
+    const std::string wanted = hashOf(draw(scene, {}, options));
+    const SmallHeaps heaps(std::uint64_t{256} << 20u);
+    const gpu::Device small(gpu::BorrowedDevice{.instance = instance().handle(),
+                                                .physical = device().physical(),
+                                                .device = device().handle(),
+                                                .queue = device().queue(),
+                                                .queueFamily = device().queueFamily(),
+                                                .hasGpuDrivenFeatures = true,
+                                                .hasFragmentStores = true});
+    const render::GpuScene onDevice(small, scene);
+    render::Renderer renderer(small, scene, onDevice, options);
+    renderer.draw(behind());
+    const std::uint64_t pixels = std::uint64_t{192} * 108;
+    const std::uint64_t listBytes = pixels * 32;
+    const std::uint64_t available = gpu::freeDeviceBytes(small);
+    ASSERT_GT(available, 2 * listBytes);
+    ASSERT_LT(available, std::uint64_t{256} << 20u);
+    const gpu::Buffer rest(small, available - listBytes * 3 / 2, vk::BufferUsageFlagBits::eTransferDst,
+                           gpu::MemoryUse::deviceOnly, "the rest");
+    const render::Frame frame = renderer.render({});
+    EXPECT_EQ(frame.stats.translucency.fragments, 2 * pixels);
+    EXPECT_EQ(hashOf(frame), wanted);
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+} // namespace
+
+} // namespace cdr::render_test
