@@ -71,6 +71,7 @@ struct Renderer::Delivery {
     const HostFrame* host = nullptr; ///< into which it is recorded; null: it is submitted
     /// Of a view among others, for which `m_visible` is filled already; null: the frame is culled and cut alone.
     const depth::Cascades* shared = nullptr;
+    bool isAwaited = false;         ///< before anybody sees it, so that it can be drawn again
     bool areDrawsSubmitted = false; ///< by submitDraws(), ahead of the rest
 };
 

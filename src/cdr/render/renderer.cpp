@@ -221,6 +221,9 @@ void Renderer::forgetFrames() {
     if (m_motion != nullptr) {
         m_motion->forget();
     }
+    if (m_passes->translucent != nullptr) {
+        m_passes->translucent->forget();
+    }
 }
 
 void Renderer::skip(const scene::Camera& camera) {
@@ -356,8 +359,10 @@ void Renderer::decide(Slot& slot, const scene::Camera& camera, const Delivery& d
         slot.stats.times.occludersMs = watch.lap("occluders");
     }
     if (slot.translucent) {
-        m_passes->translucent->prepare(*slot.translucent, slot.view, subPixelBits(m_device, m_options),
-                                       m_workers);
+        using AfterRefusal = TranslucentPass::AfterRefusal;
+        m_passes->translucent->prepare(*slot.translucent, slot.view,
+                                       delivery.isAwaited ? AfterRefusal::sorted : AfterRefusal::weighted,
+                                       subPixelBits(m_device, m_options), m_workers);
         if (slot.translucent->shadows) {
             slot.stats.shadows.maps += slot.translucent->shadows->maps();
             slot.stats.shadows.casters += slot.translucent->shadows->casters();
@@ -368,13 +373,14 @@ void Renderer::decide(Slot& slot, const scene::Camera& camera, const Delivery& d
 
 Frame Renderer::render(const scene::Camera& camera, FrameCopy copy) {
     Slot& slot =
-        run(camera, {.destination = copy == FrameCopy::color ? Destination::hostColor : Destination::host});
+        run(camera, {.destination = copy == FrameCopy::color ? Destination::hostColor : Destination::host,
+                     .isAwaited = true});
     waitFor(slot);
     return fetch(slot);
 }
 
 FrameStats Renderer::draw(const scene::Camera& camera) {
-    Slot& slot = run(camera, {});
+    Slot& slot = run(camera, {.isAwaited = true});
     waitFor(slot);
     return slot.stats;
 }

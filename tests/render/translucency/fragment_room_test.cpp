@@ -37,6 +37,34 @@ class FragmentRoomTest : public RenderTest {
     static scene::Camera behind() { return scene::lookAlong({}, {}, {0.0, 0.0, 1.0}); }
 };
 
+/// Frames that nobody waits for cannot be drawn again. Once one had too little room, those after it are drawn weighted.
+TEST_F(FragmentRoomTest, FramesThatOverlapAreDrawnWeightedWhereListsMayNotGrow) {
+    const scene::Scene scene = panes(3);
+    render::RenderOptions options = sorted();
+    options.translucency.method = Translucency::weighted;
+    const image::ImageRgba8 weighted = draw(scene, {}, options).color;
+    options = sorted();
+    const image::ImageRgba8 whole = draw(scene, {}, options).color;
+    ASSERT_NE(whole, weighted);
+    options.translucency.mostBytes = std::uint64_t{192} * 108 * 60; // a node for most pixels
+    const render::GpuScene onDevice(device(), scene);
+    for (const std::size_t inFlight : {std::size_t{1}, std::size_t{2}}) {
+        options.framesInFlight = inFlight;
+        HostSide host(device(), {192, 108});
+        render::Renderer renderer(device(), scene, onDevice, options);
+        for (int frame = 0; frame < 5; ++frame) {
+            renderer.record({}, host.begin());
+            host.submit();
+            const bool isKnown = frame >= static_cast<int>(inFlight);
+            EXPECT_EQ(host.color<image::Rgba8>() == weighted, isKnown) << frame << " of " << inFlight;
+        }
+        // One that is waited for can be drawn again, so it is sorted where its fragments fit.
+        EXPECT_EQ(renderer.draw(behind()).translucency.method, Translucency::sorted);
+        EXPECT_EQ(renderer.draw({}).translucency.method, Translucency::weighted);
+    }
+    EXPECT_EQ(messageCount(), 0u);
+}
+
 /// The larger list takes the place of the smaller one.
 TEST_F(FragmentRoomTest, ListsGrowWhereBothWouldNotFit) {
     const scene::Scene scene = panes(2);

@@ -37,7 +37,9 @@ CDR_EXPORT Translucency parseTranslucency(std::string_view name);
 struct TranslucencyOptions {
     Translucency method = Translucency::weighted; ///< how they blend
     /// Most device bytes that the lists of one frame in flight may take, for Translucency::sorted. A frame
-    /// that has more fragments is drawn weighted, and says so.
+    /// that has more fragments is drawn weighted, and says so. One that is submitted or recorded may be seen before that is
+    /// known, and lacks fragments. Those after it are then drawn weighted, until the scene or the size changes, a frame that
+    /// is waited for finds room, or Renderer::forgetFrames().
     std::uint64_t mostBytes = std::uint64_t{256} << 20u;
     bool countsFragments = false; ///< fills Frame::fragmentCounts
 

@@ -66,7 +66,8 @@ TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) co
               .surroundings = {},
               .shadows = {},
               .list = {},
-              .refusal = {}};
+              .refusal = {},
+              .revision = 0};
     slot.surroundings = gpu::allocateSet(m_device, *slot.pool, *m_surroundingsLayout);
     gpu::writeImageBinding(m_device, slot.surroundings, 0, kImage, m_gbuffer.view(), *m_sampler);
     gpu::writeBufferBinding(m_device, slot.surroundings, 1, kBuffer, shading.lights().handle());
@@ -79,9 +80,13 @@ TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) co
     return slot;
 }
 
-void TranslucentPass::prepare(Slot& slot, const FrameView& view, std::uint32_t subPixelBits,
-                              host::WorkerPool& workers) const {
+void TranslucentPass::prepare(Slot& slot, const FrameView& view, AfterRefusal afterRefusal,
+                              std::uint32_t subPixelBits, host::WorkerPool& workers) const {
+    slot.revision = m_scene.uploaded.revision();
     slot.refusal = m_refusal;
+    if (afterRefusal == AfterRefusal::weighted && m_noRoom && m_noRoom->revision == slot.revision) {
+        slot.refusal = m_noRoom->refusal;
+    }
     if (methodOf(slot) == Translucency::sorted && slot.list->capacity() == 0) {
         slot.refusal = slot.list->grow(1);
     }
@@ -114,12 +119,18 @@ void TranslucentPass::record(vk::CommandBuffer primary, Slot& slot) const {
     }
 }
 
-bool TranslucentPass::settle(Slot& slot, TranslucencyStats& stats) const {
+bool TranslucentPass::settle(Slot& slot, TranslucencyStats& stats) {
     const bool sorted = methodOf(slot) == Translucency::sorted;
     const std::uint32_t fragments = sorted ? slot.list->count() : 0;
     if (sorted && fragments > slot.list->capacity()) {
         slot.refusal = slot.list->grow(fragments);
+        if (slot.refusal) {
+            m_noRoom = {.refusal = *slot.refusal, .revision = slot.revision};
+        }
         return false;
+    }
+    if (sorted) {
+        m_noRoom.reset();
     }
     stats = {.method = methodOf(slot),
              .draws = slot.draws.draws(),

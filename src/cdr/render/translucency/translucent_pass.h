@@ -25,6 +25,7 @@ class TranslucentPass {
         std::optional<TranslucentShadows> shadows; ///< where surfaces receive them
         std::optional<FragmentList> list;          ///< when sorting
         std::optional<ListRefusal> refusal;        ///< why this frame is not sorted, though it was to be
+        std::uint64_t revision = 0;                ///< of the scene that it shows
     };
 
     /// What the scene refers to and the images must outlive the pass. base::RunError, with both figures, when the
@@ -39,15 +40,22 @@ class TranslucentPass {
     /// @param shading of the same frame slot, which must outlive this one.
     Slot makeSlot(const ShadingInputs& shading) const;
 
+    /// Where a frame before had no room for its fragments, and lists cannot grow.
+    enum class AfterRefusal : std::uint8_t {
+        weighted, ///< the next one is drawn weighted too, while the scene is the same
+        sorted,   ///< it is tried sorted nonetheless, since it can be drawn again before anybody sees it
+    };
     /// Decides what a frame draws; the slot's last frame must have finished.
-    void prepare(Slot& slot, const FrameView& view, std::uint32_t subPixelBits,
+    void prepare(Slot& slot, const FrameView& view, AfterRefusal afterRefusal, std::uint32_t subPixelBits,
                  host::WorkerPool& workers) const;
+    /// The next frame is tried sorted.
+    void forget() { m_noRoom.reset(); }
     /// Before a frame is drawn again, for what settle() changed. The scene must be that of prepare().
     void prepareAgain(Slot& slot, const FrameView& view, host::WorkerPool& workers) const;
     /// After shading; the lit image stays a colour attachment.
     void record(vk::CommandBuffer primary, Slot& slot) const;
     /// After the frame ran. False when its fragments found no room; draw it again.
-    bool settle(Slot& slot, TranslucencyStats& stats) const;
+    bool settle(Slot& slot, TranslucencyStats& stats);
 
     /// Copies the counts to the host, if they are counted; the frame's last commands except for
     /// recordHostBarrier().
@@ -72,6 +80,12 @@ class TranslucentPass {
     std::unique_ptr<SortedBlend> m_sorted; ///< where it is asked for and can be
     std::optional<ListRefusal> m_refusal;  ///< why it cannot, where it is asked for
     std::unique_ptr<FragmentCounter> m_counter;
+    /// What the last frame was told that had too many fragments, unless a later one found room.
+    struct NoRoom {
+        ListRefusal refusal;
+        std::uint64_t revision = 0; ///< of the scene
+    };
+    std::optional<NoRoom> m_noRoom;
 };
 
 } // namespace cdr::render

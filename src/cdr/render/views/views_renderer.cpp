@@ -126,6 +126,7 @@ void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
     std::vector<Renderer::Delivery> deliveries;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         deliveries.push_back({.destination = how.destination, .shared = &cascades});
+        deliveries.back().isAwaited = how.isAwaited;
         deliveries.back().host = how.hosts.empty() ? nullptr : &how.hosts[i];
     }
     deliveries.front().sync.waits = how.sync.waits;
@@ -199,7 +200,8 @@ Renderer::Slot& ViewsRenderer::lastSlot(std::size_t view) const {
 
 std::vector<Frame> ViewsRenderer::render(Cameras cameras, FrameCopy copy) {
     launch(cameras, {.destination = copy == FrameCopy::color ? Renderer::Destination::hostColor
-                                                             : Renderer::Destination::host});
+                                                             : Renderer::Destination::host,
+                     .isAwaited = true});
     std::vector<Frame> frames;
     for (std::size_t view = 0; view < views(); ++view) {
         m_renderers[view]->waitFor(lastSlot(view));
@@ -209,7 +211,7 @@ std::vector<Frame> ViewsRenderer::render(Cameras cameras, FrameCopy copy) {
 }
 
 std::vector<FrameStats> ViewsRenderer::draw(Cameras cameras) {
-    launch(cameras, {});
+    launch(cameras, {.isAwaited = true});
     std::vector<FrameStats> stats;
     for (std::size_t view = 0; view < views(); ++view) {
         m_renderers[view]->waitFor(lastSlot(view));

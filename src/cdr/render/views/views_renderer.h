@@ -92,7 +92,8 @@ class CDR_EXPORT ViewsRenderer {
         Renderer::Destination destination = Renderer::Destination::device;
         FrameSync sync{}; ///< of all views together
         std::span<const HostFrame>
-            hosts{}; ///< by view, that they are recorded into; empty: they are submitted
+            hosts{};            ///< by view, that they are recorded into; empty: they are submitted
+        bool isAwaited = false; ///< as of a Renderer::Delivery
     };
     /// Culls and cuts for all cameras.
     /// @param occupied view distances of what the scene does not hold
