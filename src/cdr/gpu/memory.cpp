@@ -144,6 +144,19 @@ std::uint64_t predictBytes(const Device& device, const ImageOptions& options) {
     return std::max<std::uint64_t>(needed.memoryRequirements.size, bytesOfPixels(options));
 }
 
+bool takesDeviceBytes(const Device& device, MemoryUse use) {
+    const vk::BufferCreateInfo buffer{.size = kOwnMemoryBytes,
+                                      .usage = vk::BufferUsageFlagBits::eTransferDst};
+    const VmaAllocationCreateInfo memory = allocationInfo(use, false);
+    std::uint32_t type = 0;
+    check(vmaFindMemoryTypeIndexForBufferInfo(
+              device.allocator(), &static_cast<const VkBufferCreateInfo&>(buffer), &memory, &type),
+          "vmaFindMemoryTypeIndexForBufferInfo", "a buffer", kOwnMemoryBytes);
+    const VkPhysicalDeviceMemoryProperties* all = nullptr;
+    vmaGetMemoryProperties(device.allocator(), &all);
+    return (all->memoryHeaps[all->memoryTypes[type].heapIndex].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0;
+}
+
 std::uint64_t freeDeviceBytes(const Device& device) {
     const VkPhysicalDeviceMemoryProperties* memory = nullptr;
     vmaGetMemoryProperties(device.allocator(), &memory);

@@ -86,6 +86,9 @@ class Image {
 /// Device bytes of an image, by the driver, which is asked without making it.
 std::uint64_t predictBytes(const Device& device, const ImageOptions& options);
 
+/// Whether buffers of this use take device-local memory, as they do where it is the host's too.
+bool takesDeviceBytes(const Device& device, MemoryUse use);
+
 /// Device-local bytes that are still free, by the driver's budget.
 std::uint64_t freeDeviceBytes(const Device& device);
 

@@ -1,4 +1,7 @@
+#include <cdr/base/error.h>
 #include <cdr/gpu/pipeline.h>
+
+#include <fmt/format.h>
 
 #include <array>
 #include <numeric>
@@ -217,6 +220,15 @@ SetLayout makeSetLayout(const Device& device, const SetLayoutOptions& options, c
         device.setName(*layout, name);
         return layout;
     }));
+}
+
+void requireGroups(const Device& device, std::uint64_t groups, const std::string& what) {
+    const std::uint32_t most =
+        vk::PhysicalDevice(device.physical()).getProperties().limits.maxComputeWorkGroupCount[0];
+    if (groups > most) {
+        throw base::RunError(fmt::format("{} needs {} groups of a compute shader, {} runs {}", what, groups,
+                                         device.info().name, most));
+    }
 }
 
 void bindFullscreenPipeline(vk::CommandBuffer commands, vk::Pipeline pipeline, vk::Extent2D extent) {

@@ -121,6 +121,9 @@ Pipeline makeGraphicsPipeline(const Device& device, const GraphicsPipelineOption
 
 Pipeline makeComputePipeline(const Device& device, const ComputePipelineOptions& options);
 
+/// base::RunError with both figures when a dispatch for `what` has more groups in a row than the device runs.
+void requireGroups(const Device& device, std::uint64_t groups, const std::string& what);
+
 /// Binds a pipeline whose vertex shader covers the picture with one triangle, and sets its dynamic state.
 void bindFullscreenPipeline(vk::CommandBuffer commands, vk::Pipeline pipeline, vk::Extent2D extent);
 

@@ -15,6 +15,10 @@ class Readback {
     Readback(const gpu::Device& device, vk::Extent2D extent, std::size_t bytesPerPixel,
              const std::string& name);
 
+    /// Device bytes that it takes: none where copies on the host have memory of their own.
+    static std::uint64_t predictBytes(const gpu::Device& device, vk::Extent2D extent,
+                                      std::size_t bytesPerPixel);
+
     /// Copies an image that is in the transfer source layout.
     void record(vk::CommandBuffer primary, const gpu::Image& image) const;
 

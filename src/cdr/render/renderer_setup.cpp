@@ -3,6 +3,7 @@
 #include <cdr/render/occluders/device_occlusion.h>
 #include <cdr/render/occluders/occlusion_culling.h>
 #include <cdr/render/output/motion_pass.h>
+#include <cdr/render/readback.h>
 #include <cdr/render/renderer_setup.h>
 #include <cdr/render/shadows/shadow_pass.h>
 
@@ -41,6 +42,14 @@ void requireDetail(const RenderOptions& options) {
         throw base::InputError("levels of detail by cluster are chosen by the CPU: not with gpu-driven "
                                "submission");
     }
+}
+
+/// Of the copies of a frame on the host.
+std::uint64_t predictCopyBytes(const gpu::Device& device, vk::Extent2D extent, const RenderOptions& options) {
+    const std::size_t bytesPerPixel = sizeof(image::Rgba8) + sizeof(GBufferPixel) +
+                                      (options.motion ? sizeof(glm::vec2) : 0) +
+                                      (options.shadows.isOn() ? sizeof(image::Rgba8) : 0);
+    return Readback::predictBytes(device, extent, bytesPerPixel);
 }
 
 std::uint64_t predictOcclusionBytes(const gpu::Device& device, vk::Extent2D extent,
@@ -126,7 +135,7 @@ std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions
     return predictLayerBytes(device, extent, options.technique.format,
                              hasFacets ? kVisibilityFormat : kGBufferFormat) +
            (hasFacets ? gpu::predictBytes(device, gbufferOptions(extent)) : 0) +
-           predictLitBytes(device, extent, options) +
+           predictLitBytes(device, extent, options) + predictCopyBytes(device, extent, options) +
            Picture::predictBytes(device, pictureOptions(extent, options, scene)) +
            ShadingPass::predictBytes(extent, options.effects) +
            (options.motion ? MotionPass::predictBytes(device, extent) : 0) +
@@ -173,6 +182,9 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
         }
     }
     const vk::Extent2D extent{options.width, options.height};
+    if (options.occlusionCulling && options.submission == Submission::gpuDriven) {
+        DeviceOcclusion::requireLimits(device, extent);
+    }
     gpu::requireDeviceBytes(device, predictPictureBytes(device, options, scene),
                             fmt::format("a {}x{} picture", extent.width, extent.height));
     return extent;

@@ -137,7 +137,6 @@ MemoryCost pixelCost(const gpu::Device& device, const MemoryOptions& options,
     const render::RenderOptions once = optionsOf(options, options.width, targets);
     const render::RenderOptions twice = optionsOf(options, 2 * options.width, targets);
     const double pixels = static_cast<double>(options.width) * options.height;
-    constexpr double kReadback = sizeof(image::Rgba8) + sizeof(render::GBufferPixel);
     const auto layers = static_cast<double>(layersOf(targets, options.cascades));
     constexpr double kColor = sizeof(render::GBufferPixel);
     const double layer = static_cast<double>(render::predictLayerBytes(
@@ -149,7 +148,7 @@ MemoryCost pixelCost(const gpu::Device& device, const MemoryOptions& options,
     return {.what = "targets " + nameOf(targets),
             .per = "pixel",
             .on = "device",
-            .predictedBytes = picture + kReadback + layers * layer - sharedDepth,
+            .predictedBytes = picture + layers * layer - sharedDepth,
             .measuredBytes = (deviceTaken(device, setup, uploaded, twice).bytes -
                               deviceTaken(device, setup, uploaded, once).bytes) /
                              pixels};

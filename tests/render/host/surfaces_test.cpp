@@ -36,6 +36,22 @@ TEST_F(SurfacesTest, AVisibilityBufferCountsInThePredictedBytes) {
               without + std::uint64_t{4} * options.width * options.height);
 }
 
+/// Copies on the host count where the device's memory is the host's.
+TEST_F(SurfacesTest, ARendererTakesNoMoreThanPredicted) {
+    scene::Scene scene = boxScene();
+    addBox(scene, {0.0, 0.0, -10.0});
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    draw(scene, {}, options); // blocks for small buffers stay
+    options.width = 1280;
+    options.height = 720;
+    options.motion = true;
+    const render::GpuScene gpuScene(device(), scene);
+    const std::uint64_t before = gpu::freeDeviceBytes(device());
+    const render::Renderer renderer(device(), scene, gpuScene, options);
+    constexpr std::uint64_t kBlocks = std::uint64_t{4} << 20u;
+    EXPECT_LE(before - gpu::freeDeviceBytes(device()), predictPictureBytes(device(), options, {}) + kBlocks);
+}
+
 /// A box that four cascades share asks for more draw records than there are instances, so frames that see it are drawn
 /// again. One that was submitted and left must not be over the images of the frame after it.
 TEST_F(SurfacesTest, AFrameThatLackedRoomDoesNotComeOverALaterOne) {

@@ -242,6 +242,29 @@ TEST_F(OcclusionCullingTest, IsRefusedWhereItIsNotDone) {
     EXPECT_NE(refusalOf(boxScene(), culling(options)).find("focus"), std::string::npos);
 }
 
+/// The device reads the occluders' depth from one buffer.
+TEST_F(OcclusionCullingTest, APictureWhoseDepthTheDeviceCannotReadIsRefused) {
+    if (!canDrawGpuDriven()) {
+        return;
+    }
+    const std::uint64_t side = device().info().maxImageSide;
+    const std::uint64_t rows = device().info().maxStorageBufferBytes / sizeof(float) / side + 1;
+    if (rows > side) {
+        leaveOut("a limit below its largest picture");
+        return;
+    }
+    render::RenderOptions options = culling(thumbnailOptions(depth::parseTechnique("anchored")));
+    options.submission = render::Submission::gpuDriven;
+    options.width = static_cast<std::uint32_t>(side);
+    options.height = static_cast<std::uint32_t>(rows);
+    try {
+        draw(boxScene(), {}, options);
+        ADD_FAILURE() << "it was drawn";
+    } catch (const base::RunError& error) {
+        EXPECT_NE(std::string(error.what()).find("byte buffer"), std::string::npos) << error.what();
+    }
+}
+
 } // namespace
 
 } // namespace cdr::render_test

@@ -1,3 +1,4 @@
+#include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/occluders/device_occlusion.h>
@@ -8,6 +9,8 @@
 #include <cdr/shaders/reduce_depth_comp.h>
 #include <cdr/shaders/reduce_depth_squares_comp.h>
 #include <cdr/visibility/occluders.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -87,6 +90,17 @@ DeviceOcclusion::DeviceOcclusion(const gpu::Device& device, const GpuScene& scen
 std::uint64_t DeviceOcclusion::predictBytes(const gpu::Device& device, vk::Extent2D extent) {
     return gpu::predictBytes(device, occluderDepthOptions(extent)) + occluderCopyBytes(extent) +
            tileBytes(extent);
+}
+
+void DeviceOcclusion::requireLimits(const gpu::Device& device, vk::Extent2D extent) {
+    const std::uint64_t bytes = occluderCopyBytes(extent);
+    if (bytes > device.info().maxStorageBufferBytes) {
+        throw base::RunError(fmt::format(
+            "occlusion culling of a {}x{} picture on the device needs a {} byte buffer, {} allows {}",
+            extent.width, extent.height, bytes, device.info().name, device.info().maxStorageBufferBytes));
+    }
+    gpu::requireGroups(device, partsOf(tilesOf(extent).size(), kReduceInvocations),
+                       "occlusion culling on the device");
 }
 
 DeviceOcclusion::Slot DeviceOcclusion::makeSlot() const {

@@ -41,6 +41,8 @@ class DeviceOcclusion {
     void forget() { m_hasSeen = false; }
 
     static std::uint64_t predictBytes(const gpu::Device& device, vk::Extent2D extent);
+    /// base::RunError, with both figures, for a picture that the device's limits of shaders do not allow.
+    static void requireLimits(const gpu::Device& device, vk::Extent2D extent);
 
   private:
     void provideSeen(std::size_t instances);
