@@ -221,6 +221,29 @@ TEST_F(SubmissionTest, FramesInFlightOutOfRangeAreRefused) {
     }
 }
 
+/// Neighbours are drawn with other states, so that each is a group of its own, in each of the most cascades.
+TEST_F(SubmissionTest, MoreListsThanTheDeviceHasGroupsForAreRefused) {
+    if (!canDrawGpuDriven()) {
+        return;
+    }
+    const std::uint64_t mostGroups =
+        vk::PhysicalDevice(device().physical()).getProperties().limits.maxComputeWorkGroupCount[0];
+    if (mostGroups > 65'535) {
+        leaveOut("a limit that a small scene exceeds");
+        return;
+    }
+    scene::Scene scene = boxScene();
+    scene.materials.push_back({.name = "both sides", .doubleSided = true});
+    const std::uint32_t instances = 32'768; // two lists in each of 64 cascades, 64 lists in a group
+    for (std::uint32_t i = 0; i < instances; ++i) {
+        scene::addInstance(scene, 0, i % 2, i, {0.0, 0.0, 10.0}, glm::mat3(1.0f));
+    }
+    render::RenderOptions options = thumbnailOptions(depth::parseTechnique("standard/count:64"));
+    options.submission = Submission::gpuDriven;
+    EXPECT_THROW(draw(scene, {}, options), base::RunError);
+    EXPECT_EQ(messageCount(), 0u);
+}
+
 } // namespace
 
 } // namespace cdr::render_test

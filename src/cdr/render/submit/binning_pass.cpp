@@ -360,27 +360,35 @@ void BinningPass::recordCopies(vk::CommandBuffer commands, const Copies& copies)
                            .dstAccessMask = Access::eShaderStorageRead}});
 }
 
+std::uint64_t BinningPass::blocks() const {
+    return (instances() + shaders::kBinBlock - 1) / shaders::kBinBlock;
+}
+
+std::uint64_t BinningPass::listGroups(std::size_t cascades) const {
+    const std::uint64_t lists = std::uint64_t{2} * cascades * m_groups.size();
+    return (lists + kCommandInvocations - 1) / kCommandInvocations;
+}
+
+void BinningPass::requireGroups(std::size_t cascades) const {
+    gpu::requireGroups(m_device, std::max(blocks(), listGroups(cascades)), "a gpu-driven scene");
+}
+
 void BinningPass::record(vk::CommandBuffer commands, Kept kept, std::size_t cascades,
                          const std::vector<vk::DescriptorSet>& sets) const {
-    const auto blocks =
-        static_cast<std::uint32_t>((instances() + shaders::kBinBlock - 1) / shaders::kBinBlock);
-    const std::size_t lists = 2 * cascades * m_groups.size();
-    const auto listGroups =
-        static_cast<std::uint32_t>((lists + kCommandInvocations - 1) / kCommandInvocations);
     const auto next =
         barrier(PipelineStage::eComputeShader, Access::eShaderStorageRead | Access::eShaderStorageWrite);
     m_device.beginLabel(commands, "cull and bin");
     commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *m_layout, 0, sets, {});
-    const auto dispatch = [&](vk::Pipeline pipeline, std::uint32_t groups, const vk::MemoryBarrier2& after) {
+    const auto dispatch = [&](vk::Pipeline pipeline, std::uint64_t groups, const vk::MemoryBarrier2& after) {
         commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipeline);
-        commands.dispatch(groups, 1, 1);
+        commands.dispatch(static_cast<std::uint32_t>(groups), 1, 1);
         gpu::pipelineBarrier(commands, {}, {after});
     };
-    dispatch(*m_count[static_cast<std::size_t>(kept)], blocks, next);
+    dispatch(*m_count[static_cast<std::size_t>(kept)], blocks(), next);
     dispatch(*m_scan, 1, next);
-    dispatch(*m_fill, blocks, next);
+    dispatch(*m_fill, blocks(), next);
     dispatch(
-        *m_commands, listGroups,
+        *m_commands, listGroups(cascades),
         barrier(PipelineStage::eDrawIndirect | PipelineStage::eVertexAttributeInput | PipelineStage::eHost,
                 Access::eIndirectCommandRead | Access::eVertexAttributeRead | Access::eHostRead));
     m_device.endLabel(commands);

@@ -62,6 +62,8 @@ class BinningPass {
     /// @param sets that of the lists, and of occlusion unless all are kept.
     void record(vk::CommandBuffer commands, Kept kept, std::size_t cascades,
                 const std::vector<vk::DescriptorSet>& sets) const;
+    /// base::RunError, with both figures, where the device does not run as many groups of the passes.
+    void requireGroups(std::size_t cascades) const;
     /// The commands of the last record() will be submitted.
     void noteRecorded() { m_isStaged = false; }
 
@@ -88,6 +90,8 @@ class BinningPass {
     Tables tables() const;
     void copyAll(Copies& copies) const;
     bool copyChanges(const Changes& changes, Copies& copies) const;
+    std::uint64_t blocks() const;                         ///< groups that count and fill
+    std::uint64_t listGroups(std::size_t cascades) const; ///< that list commands
     gpu::Pipeline makePipeline(const gpu::Spirv& spirv, const char* name) const;
 
     const gpu::Device& m_device;

@@ -96,6 +96,7 @@ void DeviceLists::growRecords(std::size_t draws) {
 }
 
 void DeviceLists::growLists(std::size_t cascades) {
+    m_binning.requireGroups(cascades);
     const std::size_t buckets = 2 * cascades;
     const std::size_t blocks = (m_binning.instances() + shaders::kBinBlock - 1) / shaders::kBinBlock;
     grow(landings, m_binning.instances() * sizeof(std::uint32_t));
