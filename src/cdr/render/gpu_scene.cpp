@@ -306,7 +306,10 @@ bool GpuScene::State::followVertices() {
     if (m_keepsLastVertices) {
         m_lastVertices.keep(m_meshes, *m_scene, meshes);
     }
-    return m_meshes.followVertices(*m_scene, meshes);
+    const bool changesPipeline = m_meshes.followVertices(*m_scene, meshes);
+    m_followed.vertices =
+        changes.end(); // now: where the update fails after this, the next one moves nothing again
+    return changesPipeline;
 }
 
 void GpuScene::State::updateVertices() {

@@ -215,6 +215,27 @@ TEST_F(DeformedMotionTest, WhatIsNewDidNotMove) {
     EXPECT_NE(frame.motion.at(280, 60), glm::vec2(0.0f));
 }
 
+/// A texture that has no room on the device ends the update when the vertices are there.
+TEST_F(DeformedMotionTest, AnUpdateThatIsRepeatedMovesTheSameVertices) {
+    std::vector<image::Raster<glm::vec2>> motions;
+    for (const bool isRepeated : {false, true}) {
+        Sheets sheets(20.0);
+        render::GpuScene onDevice(device(), sheets.world);
+        render::Renderer renderer(device(), onDevice, motionOptions("anchored"));
+        renderer.render(sheets.cameraAt(0.0));
+        sheets.show(0.5);
+        if (isRepeated) {
+            const image::ImageRgba8 wide(device().info().maxImageSide + 1, 1, {255, 255, 255, 255});
+            const scene::TextureHandle texture = sheets.world.addTexture({.name = {}, .pixels = wide});
+            EXPECT_THROW(renderer.render(sheets.cameraAt(0.1)), base::InputError);
+            sheets.world.removeTexture(texture);
+        }
+        motions.push_back(renderer.render(sheets.cameraAt(0.1)).motion);
+    }
+    EXPECT_EQ(motions[1], motions[0]);
+    EXPECT_EQ(messageCount(), 0u);
+}
+
 /// For the first one there is no room, so all are uploaded again, with their vertices of this frame.
 TEST_F(DeformedMotionTest, MeshesMayComeAtTheSameTime) {
     Sheets sheets(20.0);
