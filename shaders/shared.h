@@ -61,7 +61,7 @@ CDR_CONST kCascadeSlots = 64u;
 // A material's detail, in a uniform buffer.
 struct DetailRecord {
     vec4 emissionAndNormalScale; // linear emission; the normal texture's scale
-    vec4 shineAndOcclusion;      // metallic, roughness, occlusion strength; 1 if it blends
+    vec4 shineAndOcclusion;      // metallic, roughness, occlusion strength; unused
     uint
         secondPlaces; // of which textures, as a sum of the above, a vertex' second place in textures is meant
     uint unused0;
