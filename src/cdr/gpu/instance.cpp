@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <string>
+#include <utility>
 
 namespace cdr::gpu {
 
@@ -74,7 +75,13 @@ struct Instance::Handles {
 
 Instance::~Instance() = default;
 Instance::Instance(Instance&&) noexcept = default;
-Instance& Instance::operator=(Instance&&) noexcept = default;
+
+Instance& Instance::operator=(Instance&& other) noexcept {
+    m_handles = std::move(other.m_handles); // first: the old ones may write to their log until they are gone
+    m_hasDebugUtils = other.m_hasDebugUtils;
+    m_validation = std::move(other.m_validation);
+    return *this;
+}
 
 VkInstance Instance::handle() const {
     return *m_handles->instance;
