@@ -73,4 +73,42 @@ TEST_F(BorrowedDevices, AQueueFamilyThatIsNotThereIsRefused) {
               "the borrowed device " + name() + " has no queue family 1000 that does graphics and compute");
 }
 
+/// An instance of an engine's own, for a version of Vulkan that it names, and a device with the features that cdr needs.
+struct EnginesDevice {
+    vk::UniqueInstance instance;
+    vk::UniqueDevice device;
+    BorrowedDevice lent;
+};
+
+EnginesDevice madeFor(std::uint32_t version) {
+    EnginesDevice made;
+    const vk::ApplicationInfo application{.apiVersion = version};
+    made.instance = vk::createInstanceUnique({.pApplicationInfo = &application});
+    const vk::PhysicalDevice physical = made.instance->enumeratePhysicalDevices().front();
+    constexpr float kPriority = 1.0f;
+    const vk::DeviceQueueCreateInfo queue{.queueCount = 1, .pQueuePriorities = &kPriority};
+    vk::PhysicalDeviceVulkan13Features v13{.synchronization2 = true, .dynamicRendering = true};
+    vk::PhysicalDeviceVulkan12Features v12{.pNext = &v13, .timelineSemaphore = true};
+    const vk::PhysicalDeviceFeatures2 features{.pNext = &v12,
+                                               .features = {.depthClamp = true, .shaderClipDistance = true}};
+    made.device = physical.createDeviceUnique(
+        {.pNext = &features, .queueCreateInfoCount = 1, .pQueueCreateInfos = &queue});
+    made.lent = {.instance = *made.instance,
+                 .physical = physical,
+                 .device = *made.device,
+                 .queue = made.device->getQueue(0, 0)};
+    return made;
+}
+
+/// Its device lacks the functions of later versions, though the loader gives them for the instance.
+TEST_F(BorrowedDevices, AnInstanceOfAnEarlierVersionIsRefused) {
+    EXPECT_EQ(refusalOf(madeFor(VK_API_VERSION_1_3).lent), "");
+    for (const std::uint32_t version : {VK_API_VERSION_1_1, VK_API_VERSION_1_2}) {
+        EXPECT_EQ(refusalOf(madeFor(version).lent),
+                  "the device gives no vkCmdBeginRendering; its instance must be made for Vulkan 1.3");
+    }
+    EXPECT_EQ(refusalOf(madeFor(VK_API_VERSION_1_0).lent),
+              "the borrowed device " + name() + " lacks Vulkan 1.3, for which the instance must be made");
+}
+
 } // namespace

@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/gpu/features.h>
+#include <cdr/gpu/functions.h>
 #include <cdr/gpu/memory.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
@@ -223,6 +224,7 @@ Device::Device(const BorrowedDevice& borrowed) : m_handles(std::make_unique<Hand
     m_handles->allocator = borrowed.allocator;
     DeviceInfo& info = m_handles->info = describe(borrowed.physical, 0);
     requireSuitable(borrowed, info);
+    requireDeviceFunctions(borrowed.device);
     if (borrowed.features != nullptr) {
         if (const auto missing = missingFeatures(*borrowed.features); !missing.empty()) {
             throw base::InputError(fmt::format("the borrowed device {} was made without {}", info.name,

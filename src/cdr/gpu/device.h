@@ -68,8 +68,8 @@ CDR_EXPORT std::vector<DeviceInfo> listDevices(const Instance& instance);
 
 /// Handles of a device that another program part created and owns.
 ///
-/// It must have been created for Vulkan 1.3 with the features that enableFeatures() turns on, and the queue must support
-/// graphics and compute. The owner destroys it after the gpu::Device that borrows it.
+/// The instance must have been made for Vulkan 1.3, and the device with the features that enableFeatures() turns on. The queue
+/// must support graphics and compute. The owner destroys them after the gpu::Device that borrows them.
 struct BorrowedDevice {
     VkInstance instance = VK_NULL_HANDLE;       ///< that the device is of
     VkPhysicalDevice physical = VK_NULL_HANDLE; ///< that the device is of
@@ -113,6 +113,7 @@ class CDR_EXPORT Device {
     /// @throws base::InputError that names the features which the physical device lacks, or which BorrowedDevice::features
     ///         leaves off.
     /// @throws base::InputError for a loader that is not the one in use, or that does not know all of Vulkan 1.3.
+    /// @throws base::InputError for an instance that was made for an earlier version than Vulkan 1.3.
     /// @throws base::RunError when there is no loader.
     /// @throws std::system_error for Vulkan's other errors.
     explicit Device(const BorrowedDevice& borrowed);

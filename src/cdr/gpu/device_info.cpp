@@ -51,6 +51,10 @@ std::vector<std::string> missingFrom(vk::PhysicalDevice physical) {
         physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features>();
     const auto& core = features.get<vk::PhysicalDeviceFeatures2>().features;
     const auto& v13 = features.get<vk::PhysicalDeviceVulkan13Features>();
+    if (!v13.dynamicRendering && !v13.synchronization2 && !v13.maintenance4) {
+        // Vulkan 1.3 demands all three, but an instance of 1.0 is not told of them.
+        return {"Vulkan 1.3, for which the instance must be made"};
+    }
     for (const auto& [has, name] :
          {std::pair{v13.dynamicRendering, "dynamicRendering"},
           std::pair{v13.synchronization2, "synchronization2"}, std::pair{core.depthClamp, "depthClamp"},

@@ -6,6 +6,7 @@
 
 #include <mutex>
 #include <stdexcept>
+#include <type_traits>
 
 namespace cdr::gpu {
 
@@ -43,6 +44,16 @@ const char* firstMissing(const Functions& f) {
 #undef CDR_IF_MISSING
     return nullptr;
 }
+
+template <typename Function>
+constexpr bool kIsOfDevice = false;
+template <typename First, typename... Rest>
+constexpr bool kIsOfDevice<void(VKAPI_PTR*)(First, Rest...)> =
+    std::is_same_v<First, VkDevice> || std::is_same_v<First, VkQueue> ||
+    std::is_same_v<First, VkCommandBuffer>;
+template <typename First, typename... Rest>
+constexpr bool kIsOfDevice<VkResult(VKAPI_PTR*)(First, Rest...)> =
+    kIsOfDevice<void(VKAPI_PTR*)(First, Rest...)>;
 
 /// With the mutex held.
 void loadGlobal(PFN_vkGetInstanceProcAddr loader) {
@@ -85,6 +96,16 @@ void loadFunctions(PFN_vkGetInstanceProcAddr loader, VkInstance instance) {
         throw base::InputError(
             fmt::format("the Vulkan loader gives no {}; the instance must be made for Vulkan 1.3", missing));
     }
+}
+
+void requireDeviceFunctions(VkDevice device) {
+    // By an instance, a loader gives any function of a device that it knows itself.
+#define CDR_REQUIRE(name)                                                                                    \
+    if (kIsOfDevice<PFN_##name> && functionsOfProcess.vkGetDeviceProcAddr(device, #name) == nullptr) {       \
+        throw base::InputError("the device gives no " #name "; its instance must be made for Vulkan 1.3");   \
+    }
+    CDR_CORE_FUNCTIONS(CDR_REQUIRE)
+#undef CDR_REQUIRE
 }
 
 } // namespace cdr::gpu

@@ -155,4 +155,8 @@ void loadFunctions(PFN_vkGetInstanceProcAddr loader);
 /// base::InputError that names a function of Vulkan 1.3 which the loader does not know for this instance.
 void loadFunctions(PFN_vkGetInstanceProcAddr loader, VkInstance instance);
 
+/// base::InputError that names a function of Vulkan 1.3 which this device does not have, since its instance was made for an
+/// earlier version. Call loadFunctions() first.
+void requireDeviceFunctions(VkDevice device);
+
 } // namespace cdr::gpu
