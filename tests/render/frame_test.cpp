@@ -268,6 +268,41 @@ TEST_F(FrameTest, ResizedPicturesAreThoseOfARendererOfTheirSize) {
     EXPECT_EQ(hashOf(renderer.render(camera)), hashOf(draw(setup.scene, camera, options)));
 }
 
+/// The commands that carry edits to the device were never run, so the next frame carries them again.
+TEST_F(FrameTest, EditsOutliveASubmissionThatFails) {
+    scene::World world(boxScene());
+    const scene::InstanceHandle box =
+        world.addInstance({.mesh = world.mesh(0), .material = world.material(0)});
+    bool fails = false;
+    const vk::Queue queue = device().queue();
+    const gpu::Device borrowed(
+        gpu::BorrowedDevice{.instance = instance().handle(),
+                            .physical = device().physical(),
+                            .device = device().handle(),
+                            .queue = queue,
+                            .queueFamily = device().queueFamily(),
+                            .hasDebugNames = instance().hasDebugNames(),
+                            .hasGpuDrivenFeatures = canDrawGpuDriven(),
+                            .submit = [&](const VkSubmitInfo2& submission, VkFence done) {
+                                return fails ? VK_ERROR_OUT_OF_DEVICE_MEMORY
+                                             : gpu::functions().vkQueueSubmit2(queue, 1, &submission, done);
+                            }});
+    for (const render::Submission submission : submissions()) {
+        render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
+        options.submission = submission;
+        render::GpuScene gpuScene(borrowed, world);
+        render::Renderer renderer(borrowed, gpuScene, options);
+        for (const double x : {0.5, -0.5}) { // the first frame, and one after an edit
+            world.setTransform(box, {.position = {x, 0.0, -3.0}});
+            fails = true;
+            EXPECT_THROW(renderer.render({}), vk::OutOfDeviceMemoryError);
+            fails = false;
+            EXPECT_EQ(hashOf(renderer.render({})), hashOf(draw(world.scene(), {}, options)))
+                << nameOf(submission) << " " << x;
+        }
+    }
+}
+
 /// A host that waits for the frame's semaphore reads on the device what render() reads back. The host's own submit function
 /// brings frames to the queue.
 TEST_F(FrameTest, ASubmittedFrameIsReachableOnTheDevice) {

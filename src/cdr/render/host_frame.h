@@ -44,8 +44,9 @@ struct HostFrame {
     /// before is not bound afterwards.
     VkCommandBuffer commands = VK_NULL_HANDLE;
     /// A timeline semaphore that reaches `doneValue` once the device has run `commands`. Signalled by the submission
-    /// that they are in, or by the host where it drops them. The renderer waits for it before it takes back what the
-    /// frame reads, so it must outlive the renderer, or live until Renderer::finish().
+    /// that they are in. The renderer waits for it before it takes back what the frame reads, in its destructor too. So it must
+    /// outlive the renderer, or live until Renderer::finish(). A host that does not submit its commands calls
+    /// Renderer::dropRecorded(), and nothing waits.
     VkSemaphore done = VK_NULL_HANDLE;
     std::uint64_t doneValue = 0; ///< that `done` reaches
     /// Where the picture goes: of the renderer's size, made for VK_IMAGE_USAGE_TRANSFER_DST_BIT, in a format that

@@ -309,6 +309,7 @@ void Renderer::abandon(Slot& slot) {
 }
 
 Renderer::Slot& Renderer::prepare(const scene::Camera& camera, const Delivery& delivery) {
+    m_mayDrop = false;
     scene::requireUsable(camera);
     followScene();
     Slot& slot = slotOf(m_frames);
@@ -399,6 +400,7 @@ void Renderer::requireRecordable(const HostFrame& frame) {
 }
 
 void Renderer::record(const scene::Camera& camera, const HostFrame& frame) {
+    m_mayDrop = false; // the frame before was submitted
     requireRecordable(frame);
     run(camera, {.host = &frame});
 }

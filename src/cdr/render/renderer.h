@@ -54,7 +54,7 @@ class CDR_EXPORT Renderer {
     /// Of a world: each frame shows it as it is when the frame begins.
     /// @errors base::InputError, base::RunError and std::system_error as above.
     Renderer(const gpu::Device& device, GpuScene& live, const RenderOptions& options);
-    /// Waits for what is in flight.
+    /// Waits for what is in flight, a recorded frame that the host has not submitted yet among them: dropRecorded().
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -86,8 +86,8 @@ class CDR_EXPORT Renderer {
     /// @errors base::InputError, base::RunError and std::system_error as render(), of an earlier frame too.
     void submit(const scene::Camera& camera, const FrameSync& sync = {});
     /// Records one frame into a host's command buffer and images. The host submits it to the device's queue,
-    /// before this or any other renderer of the device begins its next frame. Waits for the frame that was
-    /// recorded `framesInFlight` calls before.
+    /// before this or any other renderer of the device begins its next frame, or calls dropRecorded(). Waits for the frame
+    /// that was recorded `framesInFlight` calls before.
     ///
     /// A frame whose lists had too little room, as for submit(), lacks what found none; the next one has the room. Where
     /// lists of fragments may not grow, those after it are drawn weighted, until the scene or the size changes.
@@ -97,6 +97,11 @@ class CDR_EXPORT Renderer {
     ///         commands are to be reset.
     /// @throws std::system_error as render().
     void record(const scene::Camera& camera, const HostFrame& frame);
+    /// The host does not submit the frame that record() recorded last: its commands are reset. Nothing waits for that frame
+    /// then, and the next one shows all edits. It is as if the frame had gone by skip(). Call it before anything else of this
+    /// renderer, its destructor too. Does nothing where the last frame was not recorded, or record() threw.
+    /// @errors None.
+    void dropRecorded();
     /// Waits for all that was submitted or recorded.
     /// @errors base::RunError and std::system_error of these frames, as render().
     void finish();
@@ -210,6 +215,7 @@ class CDR_EXPORT Renderer {
     std::unique_ptr<MotionHistory> m_motion; ///< where motion is worked out
     std::unique_ptr<visibility::VisibleCells>
         m_visible;            ///< kept from frame to frame so that a warm one allocates nothing
+    bool m_mayDrop = false;   ///< the last frame was recorded for a host
     std::size_t m_frames = 0; ///< launched so far with these passes
 };
 

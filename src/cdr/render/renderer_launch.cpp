@@ -6,6 +6,7 @@
 #include <cdr/render/shading/finish.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 
+#include <utility>
 #include <vector>
 
 namespace cdr::render {
@@ -89,7 +90,21 @@ void Renderer::finishFrame(Slot& slot, const Delivery& delivery, host::StageWatc
         const auto timed = slot.clock ? slot.clock->around(slot.commands) : slot.commands;
         gpu::submit(m_device, timed, *slot.done, delivery.sync.waits, delivery.sync.signals);
     }
+    slot.path->noteLaunched(); // not where the submission failed
+    m_mayDrop = delivery.host != nullptr;
     slot.isPending = true;
+}
+
+void Renderer::dropRecorded() {
+    if (!std::exchange(m_mayDrop, false) || m_frames == 0) {
+        return;
+    }
+    Slot& slot = slotOf(m_frames - 1);
+    slot.isPending = false;
+    slot.path->noteDropped();
+    if (auto* byDevice = findIn<DeviceOcclusion>(m_passes->occlusion)) {
+        byDevice->forget(); // what it saw in that frame was never written
+    }
 }
 
 bool Renderer::isRead(const Slot& slot, const Delivery& delivery) {

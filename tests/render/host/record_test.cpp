@@ -303,6 +303,36 @@ TEST_F(RecordTest, AWorldChangesBetweenRecordedFrames) {
     EXPECT_EQ(host.color<image::Rgba8>().pixels, draw(world.scene(), {}, options).color.pixels);
 }
 
+/// The next frame shows every edit, and nothing waits for the frame that never ran.
+TEST_F(RecordTest, ADroppedFrameLosesNoEdit) {
+    scene::World world(boxScene());
+    const scene::InstanceHandle box =
+        world.addInstance({.mesh = world.mesh(0), .material = world.material(0)});
+    for (const render::Submission submission : recordable()) {
+        render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
+        options.submission = submission;
+        options.framesInFlight = 2;
+        options.occlusionCulling = submission == render::Submission::gpuDriven;
+        render::GpuScene gpuScene(device(), world);
+        HostSide host(device(), extentOf(options));
+        render::Renderer renderer(device(), gpuScene, options);
+        renderer.dropRecorded(); // there is none
+        for (int turn = 0; turn < 3; ++turn) {
+            world.setTransform(box, {.position = {0.5 * turn, 0.0, -5.0}});
+            for (int drop = 0; drop <= turn; ++drop) {
+                renderer.record({}, host.begin());
+                renderer.dropRecorded();
+            }
+            renderer.record({}, host.begin());
+            host.submit();
+            EXPECT_EQ(host.color<image::Rgba8>().pixels, draw(world.scene(), {}, options).color.pixels)
+                << nameOf(submission) << " " << turn;
+        }
+        renderer.record({}, host.begin());
+        renderer.dropRecorded();
+    } // the destructor does not wait
+}
+
 /// The host's pipelines write no second image, so it cannot draw from the frame on in which the first such surface is there.
 TEST_F(RecordTest, AHostCannotDrawBesideLightThatAWorldGained) {
     scene::World world(boxScene());

@@ -20,7 +20,7 @@ class Follower {
     std::size_t bytes() {
         m_onDevice.update();
         m_binning.follow(m_copies);
-        m_binning.noteRecorded();
+        m_binning.noteLaunched();
         std::size_t bytes = 0;
         for (const std::vector<vk::BufferCopy>& regions : m_copies.regions) {
             for (const vk::BufferCopy& region : regions) {

@@ -208,6 +208,25 @@ TEST_F(RecordViewsTest, RefuseWhatCannotBeRecorded) {
     EXPECT_EQ(host.at(1).color<image::Rgba8>().pixels, wanted[1].color.pixels);
 }
 
+/// A view that was recorded before an error, and frames that the host drops, are waited for by nobody.
+TEST_F(RecordViewsTest, NothingWaitsForFramesThatAreNotSubmitted) {
+    const render::RenderOptions options = eyeOptions(depth::parseTechnique("anchored"));
+    const std::vector<scene::Camera> cameras = bothEyes(scene::StereoMode::parallel);
+    for (const EyeCommands commands : {EyeCommands::shared, EyeCommands::separate}) {
+        TwoEyes host(device());
+        ViewsRenderer renderer(device(), m_scene, *m_onDevice, options, 2);
+        std::vector<HostFrame> frames = host.begin(commands);
+        frames[1].draw = [](const render::HostCascade&) { throw base::RunError("the host's"); };
+        EXPECT_THROW(renderer.record(cameras, frames), base::RunError);
+        renderer.finish();
+        renderer.record(cameras, host.begin(commands));
+        renderer.dropRecorded();
+        renderer.finish();
+        renderer.record(cameras, host.begin(commands));
+        renderer.dropRecorded();
+    } // nor does the destructor wait
+}
+
 } // namespace
 
 } // namespace cdr::render_test

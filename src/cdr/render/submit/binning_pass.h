@@ -64,8 +64,10 @@ class BinningPass {
                 const std::vector<vk::DescriptorSet>& sets) const;
     /// base::RunError, with both figures, where the device does not run as many groups of the passes.
     void requireGroups(std::size_t cascades) const;
-    /// The commands of the last record() will be submitted.
-    void noteRecorded() { m_isStaged = false; }
+    /// The commands with the last copies were submitted, or a host will submit them.
+    void noteLaunched() { m_isStaged = false; }
+    /// The host does not submit them after all.
+    void noteDropped() { m_isStaged = true; }
 
   private:
     /// How much was grouped.
@@ -107,7 +109,7 @@ class BinningPass {
     std::uint64_t m_tables = 0;         ///< GpuScene::tablesRevision()
     std::uint64_t m_meshes = 0;         ///< GpuScene::meshesRevision()
     std::size_t m_mostCommands = 0;     ///< of a group
-    bool m_isStaged = false;            ///< what the last follow() staged has not been recorded
+    bool m_isStaged = false;            ///< what the last follow() staged may not reach the device
     std::shared_ptr<const SceneBuffers> m_sceneBuffers;
     gpu::SetLayout m_setLayout;
     gpu::PipelineLayout m_layout;

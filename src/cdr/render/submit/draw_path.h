@@ -29,8 +29,8 @@ struct HostCommands {
 /// One way for a frame's draws to reach the device, for one frame slot: it owns the slot's command pools and
 /// lists. So a slot's frame must have finished before its next begins.
 ///
-/// A frame is bin(), begin(), whatever targets and passes put into it, end(), and once it ran, settle(). In between, endDraws()
-/// may divide it.
+/// A frame is bin(), begin(), whatever targets and passes put into it, end(), noteLaunched() and, once it ran, settle(). In
+/// between, endDraws() may divide it.
 class DrawPath : public CascadeCommands {
   public:
     /// Whether bin() reads the visible list.
@@ -47,6 +47,10 @@ class DrawPath : public CascadeCommands {
     /// Ends the frame's command buffers, or those after endDraws(): these are to run, in this order. Valid until the next
     /// begin(). A host's is left recording, and nothing is to run.
     virtual std::span<const vk::CommandBuffer> end(const FrameView& view) = 0;
+    /// What end() returned was submitted, or is in a host's commands, which it will submit.
+    virtual void noteLaunched() {}
+    /// The host does not submit its commands after all.
+    virtual void noteDropped() {}
     /// The records of the facets that a visibility buffer refers to, once begun; none for a G-buffer.
     virtual vk::BufferView facets() const { return {}; }
     /// After the frame ran. False when room did not suffice, which it now does: bin and draw it again.

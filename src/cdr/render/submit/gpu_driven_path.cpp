@@ -81,12 +81,19 @@ std::span<const vk::CommandBuffer> GpuDrivenPath::endDraws(const FrameView&) {
 }
 
 std::span<const vk::CommandBuffer> GpuDrivenPath::end(const FrameView&) {
-    m_binning.noteRecorded();
     if (m_host->into) {
         return {};
     }
     m_primary.end();
     return {&m_primary, 1};
+}
+
+void GpuDrivenPath::noteLaunched() {
+    m_binning.noteLaunched();
+}
+
+void GpuDrivenPath::noteDropped() {
+    m_binning.noteDropped();
 }
 
 bool GpuDrivenPath::settle(FrameStats& stats) {

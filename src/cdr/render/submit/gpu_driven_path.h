@@ -26,6 +26,8 @@ class GpuDrivenPath final : public DrawPath {
     void drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) override;
     std::span<const vk::CommandBuffer> endDraws(const FrameView& view) override;
     std::span<const vk::CommandBuffer> end(const FrameView& view) override;
+    void noteLaunched() override;
+    void noteDropped() override;
     bool settle(FrameStats& stats) override;
 
   private:

@@ -230,7 +230,21 @@ void ViewsRenderer::record(Cameras cameras, std::span<const HostFrame> frames) {
     for (std::size_t i = 0; i < frames.size(); ++i) {
         m_renderers[i]->requireRecordable(frames[i]);
     }
-    launch(cameras, {.hosts = frames});
+    for (const auto& renderer : m_renderers) {
+        renderer->m_mayDrop = false; // the frames before were submitted
+    }
+    try {
+        launch(cameras, {.hosts = frames});
+    } catch (...) {
+        dropRecorded(); // the views that were recorded before the error
+        throw;
+    }
+}
+
+void ViewsRenderer::dropRecorded() {
+    for (const auto& renderer : m_renderers) {
+        renderer->dropRecorded();
+    }
 }
 
 void ViewsRenderer::finish() {

@@ -59,6 +59,9 @@ class CDR_EXPORT ViewsRenderer {
     /// that Renderer::record() refuses, and for two frames that share an image. Then nothing was recorded.
     /// @throws base::RunError, std::system_error as Renderer::record(): the commands of all views are then to be reset.
     void record(std::span<const scene::Camera> cameras, std::span<const HostFrame> frames);
+    /// The host does not submit the frames that record() recorded last, as Renderer::dropRecorded(): of all views or none.
+    /// @errors None.
+    void dropRecorded();
     /// Waits for all that was submitted or recorded.
     /// @errors base::RunError and std::system_error of these frames, as render().
     void finish();
