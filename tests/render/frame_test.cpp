@@ -268,6 +268,22 @@ TEST_F(FrameTest, ResizedPicturesAreThoseOfARendererOfTheirSize) {
     EXPECT_EQ(hashOf(renderer.render(camera)), hashOf(draw(setup.scene, camera, options)));
 }
 
+/// A mouse may be outside the picture, and a frame without its G-buffer.
+TEST_F(FrameTest, PickIsEmptyWhereThereIsNoSurfaceToRead) {
+    scene::Scene scene = boxScene();
+    addBox(scene, {0.0, 0.0, -0.6}); // fills the picture
+    const render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
+    const Frame frame = draw(scene, {}, options);
+    EXPECT_TRUE(frame.pick(options.width - 1, options.height - 1));
+    EXPECT_FALSE(frame.pick(options.width, 0));
+    EXPECT_FALSE(frame.pick(options.width + 5, options.height / 2));
+    EXPECT_FALSE(frame.pick(0, options.height));
+    EXPECT_FALSE(frame.pick(0xffffffff, 0xffffffff));
+    const render::GpuScene gpuScene(device(), scene);
+    render::Renderer renderer(device(), scene, gpuScene, options);
+    EXPECT_FALSE(renderer.render({}, render::FrameCopy::color).pick(3, 3));
+}
+
 /// The commands that carry edits to the device were never run, so the next frame carries them again.
 TEST_F(FrameTest, EditsOutliveASubmissionThatFails) {
     scene::World world(boxScene());

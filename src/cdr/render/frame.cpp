@@ -24,7 +24,7 @@ glm::vec3 Frame::normalView(std::uint32_t x, std::uint32_t y) const {
 }
 
 std::optional<Pick> Frame::pick(std::uint32_t x, std::uint32_t y) const {
-    if (id(x, y) == 0) {
+    if (x >= gbuffer.width || y >= gbuffer.height || id(x, y) == 0) {
         return std::nullopt;
     }
     const std::uint32_t viewWidth =

@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// @errors None: neither that a pixel is in the picture nor that the G-buffer was copied is checked.
+/// @errors None: neither that a pixel is in the picture nor that the G-buffer was copied is checked, but by Frame::pick().
 
 #include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
@@ -110,7 +110,7 @@ struct CDR_EXPORT Frame {
     /// Unit normal in view space; zero for background.
     glm::vec3 normalView(std::uint32_t x, std::uint32_t y) const;
 
-    /// The opaque surface at a pixel; empty for background.
+    /// The opaque surface at a pixel. Empty for background, outside the picture, and where the G-buffer was not copied.
     std::optional<Pick> pick(std::uint32_t x, std::uint32_t y) const;
 
     /// id() of every pixel.
