@@ -284,6 +284,15 @@ TEST_F(FrameTest, PickIsEmptyWhereThereIsNoSurfaceToRead) {
     EXPECT_FALSE(renderer.render({}, render::FrameCopy::color).pick(3, 3));
 }
 
+TEST_F(FrameTest, ARendererRefusesTheGpuSceneOfAnotherScene) {
+    const scene::Scene scene = boxScene();
+    const scene::Scene equal = scene;
+    const render::GpuScene gpuScene(device(), scene);
+    const render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
+    EXPECT_NO_THROW(render::Renderer(device(), scene, gpuScene, options));
+    EXPECT_THROW(render::Renderer(device(), equal, gpuScene, options), base::InputError);
+}
+
 /// The commands that carry edits to the device were never run, so the next frame carries them again.
 TEST_F(FrameTest, EditsOutliveASubmissionThatFails) {
     scene::World world(boxScene());

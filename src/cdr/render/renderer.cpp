@@ -24,10 +24,13 @@ bool hasFacets(const RenderOptions& options) {
     return options.surface != SurfacePath::gbuffer;
 }
 
-const GpuScene& fixed(const GpuScene& gpuScene) {
+const GpuScene& fixed(const GpuScene& gpuScene, const scene::Scene& scene) {
     if (gpuScene.isLive()) {
         throw base::InputError(
             "the scene of a world changes: give its GpuScene to the renderer without its scene");
+    }
+    if (&gpuScene.scene() != &scene) {
+        throw base::InputError("the GpuScene was made of another scene than the renderer is to draw");
     }
     return gpuScene;
 }
@@ -119,7 +122,7 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
 
 Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
                    const RenderOptions& options)
-    : Renderer(device, scene, fixed(gpuScene), nullptr, options) {}
+    : Renderer(device, scene, fixed(gpuScene, scene), nullptr, options) {}
 
 Renderer::Renderer(const gpu::Device& device, GpuScene& live, const RenderOptions& options)
     : Renderer(device, live.scene(), followed(live), &live, options) {}
