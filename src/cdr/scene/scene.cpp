@@ -1,4 +1,7 @@
+#include <cdr/base/error.h>
 #include <cdr/scene/scene.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +28,15 @@ float largestStretch(const glm::mat3& basis) {
                      glm::dot(basis[2], basis[2]));
 }
 
+float placedRadius(const Scene& scene, std::uint32_t mesh, const glm::mat3& basis) {
+    if (mesh >= scene.meshes.size()) {
+        throw base::InputError(fmt::format(
+            "scene: mesh {} of an instance is not there, the scene has {}; add meshes before their instances",
+            mesh, scene.meshes.size()));
+    }
+    return scene.meshes[mesh].boundingRadius * largestStretch(basis);
+}
+
 } // namespace
 
 std::uint32_t Scene::objectCount() const {
@@ -34,11 +46,12 @@ std::uint32_t Scene::objectCount() const {
 
 void addInstance(Scene& scene, std::uint32_t mesh, std::uint32_t material, std::uint32_t object,
                  const glm::dvec3& position, const glm::mat3& basis) {
+    const float radius = placedRadius(scene, mesh, basis);
     Instances& instances = scene.instances;
     instances.x.push_back(position.x);
     instances.y.push_back(position.y);
     instances.z.push_back(position.z);
-    instances.radius.push_back(scene.meshes[mesh].boundingRadius * largestStretch(basis));
+    instances.radius.push_back(radius);
     instances.basis.push_back(basis);
     instances.mesh.push_back(mesh);
     instances.material.push_back(material);
@@ -47,10 +60,11 @@ void addInstance(Scene& scene, std::uint32_t mesh, std::uint32_t material, std::
 
 void placeInstance(Scene& scene, std::size_t i, const glm::dvec3& position, const glm::mat3& basis) {
     Instances& instances = scene.instances;
+    const float radius = placedRadius(scene, instances.mesh[i], basis);
     instances.x[i] = position.x;
     instances.y[i] = position.y;
     instances.z[i] = position.z;
-    instances.radius[i] = scene.meshes[instances.mesh[i]].boundingRadius * largestStretch(basis);
+    instances.radius[i] = radius;
     instances.basis[i] = basis;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// @errors None.
+/// @errors None but those that a function names.
 
 #include <cdr/base/export.h>
 #include <cdr/scene/air.h>
@@ -97,13 +97,16 @@ struct CDR_EXPORT Scene {
 inline constexpr std::uint32_t kMaxObjects = (1u << 24) - 2;
 
 /// Appends one instance. Its radius is the mesh's times an upper bound of the basis' largest singular value.
-/// @param mesh of the scene, which is not checked, as `material` and `object` are not: requireUsable() does.
+/// @param mesh that the scene holds already
+/// @param material of the scene, which is not checked, as `object` is not: requireUsable() does.
 /// @param position of the mesh's origin, which is its bounding centre, in world space.
+/// @throws base::InputError where the scene has no such mesh; nothing is added then.
 CDR_EXPORT void addInstance(Scene& scene, std::uint32_t mesh, std::uint32_t material, std::uint32_t object,
                             const glm::dvec3& position, const glm::mat3& basis);
 
 /// Moves an instance and gives it the radius that addInstance() would.
 /// @param position as addInstance() takes it.
+/// @throws base::InputError as addInstance().
 CDR_EXPORT void placeInstance(Scene& scene, std::size_t instance, const glm::dvec3& position,
                               const glm::mat3& basis);
 
