@@ -1,6 +1,7 @@
 #include "host_loader.h"
 
 #include <cdr/base/error.h>
+#include <cdr/gpu/commands.h>
 #include <cdr/gpu/device.h>
 #include <cdr/gpu/vulkan_hpp.h>
 
@@ -71,6 +72,26 @@ TEST_F(BorrowedDevices, AQueueFamilyThatIsNotThereIsRefused) {
     spoilt.queueFamily = 1000;
     EXPECT_EQ(refusalOf(spoilt),
               "the borrowed device " + name() + " has no queue family 1000 that does graphics and compute");
+}
+
+/// vkQueueWaitIdle() needs the lock that the host's submit() takes, and cdr does not have it.
+TEST_F(BorrowedDevices, AWaitThatFailsDoesNotTouchASharedQueue) {
+    for (const bool isShared : {false, true}) {
+        BorrowedDevice borrowed = lent();
+        int submissions = 0;
+        if (isShared) {
+            borrowed.submit = [&](const VkSubmitInfo2& submission, VkFence done) {
+                ++submissions;
+                return functions().vkQueueSubmit2(borrowed.queue, 1, &submission, done);
+            };
+        }
+        const Device device(borrowed);
+        EXPECT_EQ(device.isQueueShared(), isShared);
+        cdr::test::waits() = {.fencesToFail = 1};
+        EXPECT_THROW(waitForQueue(device), vk::OutOfHostMemoryError);
+        EXPECT_EQ(cdr::test::waits().idle, isShared ? 0 : 1);
+        EXPECT_EQ(submissions, isShared ? 2 : 0) << "the second is waited for in its place";
+    }
 }
 
 /// An instance of an engine's own, for a version of Vulkan that it names, and a device with the features that cdr needs.

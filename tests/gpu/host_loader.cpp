@@ -36,13 +36,43 @@ void VKAPI_PTR withholdingFeatures2(VkPhysicalDevice physical, VkPhysicalDeviceF
     }
 }
 
+PFN_vkWaitForFences realWaitForFences = nullptr;
+PFN_vkQueueWaitIdle realQueueWaitIdle = nullptr;
+
+VkResult VKAPI_PTR failingWaitForFences(VkDevice device, std::uint32_t count, const VkFence* fences,
+                                        VkBool32 all, std::uint64_t timeout) {
+    if (waits().fencesToFail > 0) {
+        --waits().fencesToFail;
+        return VK_ERROR_OUT_OF_HOST_MEMORY;
+    }
+    return realWaitForFences(device, count, fences, all, timeout);
+}
+
+VkResult VKAPI_PTR countingQueueWaitIdle(VkQueue queue) {
+    ++waits().idle;
+    return realQueueWaitIdle(queue);
+}
+
+/// Keeps what was found, and gives what takes its place.
+template <typename Function>
+PFN_vkVoidFunction replaced(PFN_vkVoidFunction found, Function& kept, Function replacement) {
+    kept = reinterpret_cast<Function>(found);
+    return reinterpret_cast<PFN_vkVoidFunction>(replacement);
+}
+
 PFN_vkVoidFunction VKAPI_PTR hostsLoader(VkInstance instance, const char* name) {
     const PFN_vkVoidFunction found = systemsLoader()(instance, name);
-    if (std::string_view(name) != "vkGetPhysicalDeviceFeatures2" || found == nullptr) {
-        return found;
+    const std::string_view asked(found != nullptr ? name : "");
+    if (asked == "vkGetPhysicalDeviceFeatures2") {
+        return replaced(found, realFeatures2, &withholdingFeatures2);
     }
-    realFeatures2 = reinterpret_cast<PFN_vkGetPhysicalDeviceFeatures2>(found);
-    return reinterpret_cast<PFN_vkVoidFunction>(&withholdingFeatures2);
+    if (asked == "vkWaitForFences") {
+        return replaced(found, realWaitForFences, &failingWaitForFences);
+    }
+    if (asked == "vkQueueWaitIdle") {
+        return replaced(found, realQueueWaitIdle, &countingQueueWaitIdle);
+    }
+    return found;
 }
 
 const testing::Environment* const kBringLoader =
@@ -53,6 +83,11 @@ const testing::Environment* const kBringLoader =
 std::vector<std::string>& withheldFeatures() {
     static std::vector<std::string> names;
     return names;
+}
+
+Waits& waits() {
+    static Waits counted;
+    return counted;
 }
 
 } // namespace cdr::test

@@ -9,4 +9,11 @@ namespace cdr::test {
 /// returns, except for the features that a test withholds here, by their names in Vulkan.
 std::vector<std::string>& withheldFeatures();
 
+/// What this program's waits come to.
+struct Waits {
+    int fencesToFail = 0; ///< so many of the next waits for fences end with an error
+    int idle = 0;         ///< calls of vkQueueWaitIdle()
+};
+Waits& waits();
+
 } // namespace cdr::test

@@ -7,6 +7,19 @@ namespace cdr::gpu {
 
 namespace {
 
+/// A queue that others submit to is waited for by a fence, since vkQueueWaitIdle() needs their lock.
+void finishQueue(const Device& device) {
+    if (!device.isQueueShared()) {
+        vk::Queue(device.queue()).waitIdle();
+        return;
+    }
+    const vk::UniqueFence done = vk::Device(device.handle()).createFenceUnique({});
+    submit(device, {}, *done);
+    vk::resultCheck(
+        vk::Device(device.handle()).waitForFences(*done, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
+        "vkWaitForFences");
+}
+
 /// Where a wait fails, what it was for may still be in work, and who waited is about to destroy what that uses. So the queue
 /// is waited for first.
 /// @param call names it in messages
@@ -15,7 +28,7 @@ void waitOrFinish(const Device& device, const char* call, const std::function<vk
         vk::resultCheck(wait(), call);
     } catch (const vk::Error&) {
         try {
-            vk::Queue(device.queue()).waitIdle();
+            finishQueue(device);
         } catch (const vk::Error&) { // the first failure is told
         }
         throw;

@@ -183,6 +183,10 @@ void Device::submit(const VkSubmitInfo2& submission, VkFence done) const {
     vk::resultCheck(static_cast<vk::Result>(result), "vkQueueSubmit2");
 }
 
+bool Device::isQueueShared() const {
+    return m_handles->submit != nullptr;
+}
+
 VmaAllocator_T* Device::allocator() const {
     return m_handles->allocator;
 }

@@ -90,7 +90,8 @@ struct BorrowedDevice {
     /// version of Vulkan Memory Allocator that cdr was built with, compiled with the same settings, and it must outlive the
     /// gpu::Device.
     VmaAllocator_T* allocator = nullptr;
-    /// Takes the place of vkQueueSubmit2() on `queue`, for a queue that others submit to as well: it takes their lock.
+    /// Takes the place of vkQueueSubmit2() on `queue`, for a queue that others submit to as well: it takes their lock. cdr calls
+    /// nothing else that Vulkan wants this lock for.
     std::function<VkResult(const VkSubmitInfo2& submission, VkFence done)> submit{};
 };
 
@@ -137,6 +138,8 @@ class CDR_EXPORT Device {
     /// @param done may be null.
     /// @throws std::system_error for Vulkan's errors, a lost device among them.
     void submit(const VkSubmitInfo2& submission, VkFence done) const;
+    /// Whether others submit to queue() too: BorrowedDevice::submit is there, and holds the lock.
+    bool isQueueShared() const;
     /// Of all memory that cdr takes; lent, or one of its own.
     VmaAllocator_T* allocator() const;
     /// Pipelines that renderers of one device share are compiled once.
