@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/gpu/device.h>
 #include <cdr/gpu/failure.h>
 #include <cdr/gpu/vulkan_hpp.h>
 
@@ -6,6 +7,7 @@
 
 #include <new>
 #include <stdexcept>
+#include <system_error>
 
 namespace cdr::gpu_test {
 
@@ -32,6 +34,14 @@ TEST(FailureOf, NamesWhatVulkanAndTheSystemRanOutOf) {
     EXPECT_TRUE(has(failureFrom(vk::InitializationFailedError("vkCreateDevice")), "Vulkan: vkCreateDevice"));
     EXPECT_TRUE(has(failureFrom(std::bad_alloc()), "out of memory"));
     EXPECT_TRUE(has(failureFrom(std::logic_error("never")), "never"));
+}
+
+TEST(FailureOf, ALostDeviceIsToldFromOtherErrors) {
+    EXPECT_TRUE(gpu::isDeviceLost(vk::DeviceLostError("vkQueueSubmit2")));
+    EXPECT_FALSE(gpu::isDeviceLost(vk::OutOfDeviceMemoryError("vkQueueSubmit2")));
+    EXPECT_FALSE(gpu::isDeviceLost(
+        std::system_error(static_cast<int>(vk::Result::eErrorDeviceLost), std::generic_category())));
+    EXPECT_FALSE(gpu::isDeviceLost(base::RunError("the device was lost")));
 }
 
 } // namespace

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <system_error>
 #include <utility>
 
 namespace cdr::gpu {
@@ -155,6 +156,11 @@ struct Device::Handles {
     vk::UniquePipelineCache pipelineCache;
     PipelineObjects pipelineObjects;
 };
+
+bool isDeviceLost(const std::exception& error) {
+    const auto* system = dynamic_cast<const std::system_error*>(&error);
+    return system != nullptr && system->code() == vk::make_error_code(vk::Result::eErrorDeviceLost);
+}
 
 Device::~Device() = default;
 Device::Device(Device&&) noexcept = default;

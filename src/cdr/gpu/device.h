@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <string>
@@ -94,6 +95,11 @@ struct BorrowedDevice {
     /// nothing else that Vulkan wants this lock for.
     std::function<VkResult(const VkSubmitInfo2& submission, VkFence done)> submit{};
 };
+
+/// Whether the error says that the device was lost. What was made on the device is of no use then: destroy its renderers and
+/// GpuScenes, then the gpu::Device, and make all of them anew on another. Scenes and worlds stay as they are.
+/// @errors None.
+CDR_EXPORT bool isDeviceLost(const std::exception& error);
 
 /// A logical device with one queue and a memory allocator. Frees what it created; what it borrowed stays. It must outlive
 /// what is made on it, and its Instance must outlive it.
