@@ -33,7 +33,8 @@ Failure explain(const std::exception_ptr& error) {
 
 Failure failureOf(const std::exception_ptr& error) {
     Failure failure = explain(error);
-    std::replace(failure.line.begin(), failure.line.end(), '\n', ' ');
+    std::replace_if(
+        failure.line.begin(), failure.line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
     return failure;
 }
 

@@ -49,7 +49,7 @@ fs::path withLinksFollowed(const fs::path& path) {
         }
         target = target.parent_path() / fs::read_symlink(target, error); // an absolute link replaces the rest
     }
-    throw base::InputError(path.string() + ": too many links");
+    throw base::InputError(oneLine(path) + ": too many links");
 }
 
 /// 64 random bits from the system, in hexadecimal digits.
@@ -92,7 +92,7 @@ int writeAll(int descriptor, std::span<const std::uint8_t> bytes) {
 }
 
 [[noreturn]] void throwWriteFailed(const fs::path& path, int error) {
-    throw base::RunError(path.string() + ": write failed: " + std::generic_category().message(error));
+    throw base::RunError(oneLine(path) + ": write failed: " + std::generic_category().message(error));
 }
 
 /// An existing file that is open for writing, and closed with its owner.
@@ -123,11 +123,18 @@ bool isWritable(int descriptor) {
 
 } // namespace
 
+std::string oneLine(const fs::path& path) {
+    std::string line = path.string();
+    std::replace_if(
+        line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    return line;
+}
+
 Bytes readFile(const fs::path& path, std::uintmax_t maxBytes) {
     const InputFile file(path, maxBytes);
     Bytes bytes(static_cast<std::size_t>(file.size()));
     if (!file.read(0, bytes)) {
-        throw base::InputError(path.string() + ": cannot be read");
+        throw base::InputError(oneLine(path) + ": cannot be read");
     }
     return bytes;
 }
@@ -136,23 +143,23 @@ PendingFile::PendingFile(fs::path path) : m_path(std::move(path)), m_target(with
     std::error_code error;
     const fs::file_status status = fs::status(m_target, error);
     if (m_path.filename().empty() || fs::is_directory(status)) {
-        throw base::InputError(m_path.string() + ": names a folder, not a file to write");
+        throw base::InputError(oneLine(m_path) + ": names a folder, not a file to write");
     }
     m_descriptor = descriptorOf(m_target);
     m_isCopied = m_descriptor || (fs::exists(status) && !fs::is_regular_file(status));
     if (error == std::errc::filename_too_long) {
-        throw base::InputError(m_path.string() + ": cannot be written, its name is too long");
+        throw base::InputError(oneLine(m_path) + ": cannot be written, its name is too long");
     }
     const bool isRefused =
         m_descriptor ? !isWritable(*m_descriptor) : m_isCopied && ::access(m_target.c_str(), W_OK) != 0;
     if (isRefused) {
-        throw base::InputError(m_path.string() + ": cannot be written");
+        throw base::InputError(oneLine(m_path) + ": cannot be written");
     }
     const fs::path beside = m_target.has_parent_path() ? m_target.parent_path() : ".";
     m_temporary = createTemporary(m_isCopied ? fs::temp_directory_path() : beside,
                                   m_path.extension().string(), m_unfinished);
     if (m_temporary.empty()) {
-        throw base::InputError(m_path.string() + ": cannot be written, its folder is missing or read-only");
+        throw base::InputError(oneLine(m_path) + ": cannot be written, its folder is missing or read-only");
     }
     if (fs::is_regular_file(status)) {
         fs::permissions(m_temporary, status.permissions(), error);
@@ -177,7 +184,7 @@ void PendingFile::commit() const {
     std::error_code error;
     fs::rename(m_temporary, m_target, error);
     if (error) {
-        throw base::InputError(m_path.string() + ": cannot be written: " + error.message());
+        throw base::InputError(oneLine(m_path) + ": cannot be written: " + error.message());
     }
 }
 
@@ -214,7 +221,7 @@ void makeFolder(const fs::path& path) {
     std::error_code error;
     fs::create_directories(path, error);
     if (error) {
-        throw base::InputError(path.string() + ": cannot be made: " + error.message());
+        throw base::InputError(oneLine(path) + ": cannot be made: " + error.message());
     }
 }
 

@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/host/file.h>
 #include <cdr/host/input_file.h>
 
 #include <fcntl.h>
@@ -20,13 +21,13 @@ void requireRegularFile(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (status.type() == fs::file_type::not_found) {
-        throw base::InputError(path.string() + ": no such file");
+        throw base::InputError(oneLine(path) + ": no such file");
     }
     if (error) {
-        throw base::InputError(path.string() + ": " + error.message());
+        throw base::InputError(oneLine(path) + ": " + error.message());
     }
     if (!fs::is_regular_file(status)) {
-        throw base::InputError(path.string() + ": not a regular file");
+        throw base::InputError(oneLine(path) + ": not a regular file");
     }
 }
 
@@ -54,8 +55,8 @@ InputFile::InputFile(const fs::path& path, std::uintmax_t maxBytes) {
         ::close(m_descriptor);
     }
     throw base::InputError(
-        isReadable ? fmt::format("{}: {} bytes is over the limit of {}", path.string(), m_size, maxBytes)
-                   : path.string() + ": cannot be read");
+        isReadable ? fmt::format("{}: {} bytes is over the limit of {}", oneLine(path), m_size, maxBytes)
+                   : oneLine(path) + ": cannot be read");
 }
 
 InputFile::~InputFile() {

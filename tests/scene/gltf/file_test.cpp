@@ -1,6 +1,7 @@
 #include "fixture.h"
 
 #include <cdr/host/file.h>
+#include <cdr/scene/gltf/open_gltf.h>
 
 namespace cdr::scene::test {
 namespace {
@@ -28,6 +29,32 @@ TEST_F(Gltf, BuffersBesideTheFile) {
     fs::current_path(folder());
     EXPECT_EQ(loadGltf("a.gltf").scene.instances.size(), 1u);
     fs::current_path(before);
+}
+
+/// A file may be named with line breaks and with what terminals obey.
+TEST_F(Gltf, AnErrorIsOneLineWhateverTheFileIsCalled) {
+    const auto lineOf = [](const fs::path& path, const GltfChoice& choice) {
+        try {
+            openGltf(path, choice);
+        } catch (const base::InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("opened");
+    };
+    const std::string name = "bad\x1b[31m\nname.gltf";
+    const std::string shown = (folder() / "bad [31m name.gltf: ").string();
+    expectSays(lineOf(folder() / name, {}), shown + "no such file");
+    expectSays(lineOf(write(name, std::string("{")), {}), shown + "not valid JSON");
+    write(name, square().glb());
+    GltfChoice camera;
+    camera.camera = 1;
+    GltfChoice animation;
+    animation.animation = "1";
+    GltfChoice light;
+    light.light = ModelLight::file;
+    for (const GltfChoice& choice : {camera, animation, light}) {
+        expectSays(lineOf(folder() / name, choice), shown);
+    }
 }
 
 /// Those that are missing too, which another rank may have; not those that loadGltf() may not read.

@@ -14,6 +14,7 @@
 #include "nodes.h"
 #include "solids/solids.h"
 
+#include <cdr/host/file.h>
 #include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/lod/mesh_pieces.h>
 
@@ -417,7 +418,7 @@ GltfImport importGltf(const ByteSource& file, const std::filesystem::path& path,
     try {
         return importParts(file, path, limits, scene);
     } catch (const base::InputError& error) {
-        throw base::InputError(fmt::format("{}: {}", path.string(), oneLine(error.what())));
+        throw base::InputError(fmt::format("{}: {}", host::oneLine(path), oneLine(error.what())));
     }
 }
 

@@ -124,8 +124,8 @@ std::optional<GltfCamera> chosenCamera(const std::filesystem::path& path, const 
     for (std::size_t i = 0; i < std::min<std::size_t>(import.cameras.size(), 10); ++i) {
         names += fmt::format("{} {} '{}'", i == 0 ? ":" : ",", i, import.cameras[i].name);
     }
-    throw base::InputError(fmt::format("{}: camera {} does not exist, the scene has {}{}", path.string(),
-                                       *choice, import.cameras.size(), names));
+    throw base::InputError(fmt::format("{}: camera {} does not exist, the scene has {}{}",
+                                       host::oneLine(path), *choice, import.cameras.size(), names));
 }
 
 constexpr base::EnumNames<ModelLight, kModelLights.size()> kLightNames{"light", {"lamps", "sky", "file"}};
@@ -166,8 +166,8 @@ std::optional<std::size_t> chosenAnimation(const std::filesystem::path& path, co
         return std::nullopt;
     }
     if (import.animation == nullptr || import.animation->animations.empty()) {
-        throw base::InputError(
-            fmt::format("{}: it has no animations, which --animation, --time and --fps play", path.string()));
+        throw base::InputError(fmt::format(
+            "{}: it has no animations, which --animation, --time and --fps play", host::oneLine(path)));
     }
     const std::vector<Animation>& animations = import.animation->animations;
     const std::string asked = choice.animation.value_or("0");
@@ -185,8 +185,8 @@ std::optional<std::size_t> chosenAnimation(const std::filesystem::path& path, co
     for (std::size_t i = 0; i < std::min<std::size_t>(animations.size(), 10); ++i) {
         names += fmt::format("{} {} '{}'", i == 0 ? ":" : ",", i, animations[i].name);
     }
-    throw base::InputError(fmt::format("{}: animation '{}' does not exist, the file has {}{}", path.string(),
-                                       asked.substr(0, 60), animations.size(), names));
+    throw base::InputError(fmt::format("{}: animation '{}' does not exist, the file has {}{}",
+                                       host::oneLine(path), asked.substr(0, 60), animations.size(), names));
 }
 
 std::string animationsNote(const std::vector<Animation>& animations) {
@@ -199,7 +199,8 @@ std::string animationsNote(const std::vector<Animation>& animations) {
 /// Says what of a file's lights is not shown. Without any, ModelLight::file would show next to nothing.
 void noteLights(const std::filesystem::path& path, GltfImport& import, std::optional<ModelLight> light) {
     if (light == ModelLight::file && import.lights.empty()) {
-        throw base::InputError(path.string() + ": it has no lights of its own, which --light file shows");
+        throw base::InputError(host::oneLine(path) +
+                               ": it has no lights of its own, which --light file shows");
     }
     if (light != ModelLight::file && !import.lights.empty()) {
         import.ignored.push_back(
