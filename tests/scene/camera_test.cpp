@@ -128,6 +128,20 @@ TEST(Camera, IsRefusedWithAxesThatAreNotFinite) {
     }
 }
 
+/// Zero axes draw nothing, and longer ones another size. Those of an engine that computes in float32 are good enough.
+TEST(Camera, IsRefusedWithAxesThatAreNotUnitOnes) {
+    for (glm::dvec3 Camera::*axis : {&Camera::right, &Camera::up, &Camera::back}) {
+        for (const double length : {0.0, 0.999, 1.001, 2.0}) {
+            Camera camera;
+            camera.*axis *= length;
+            EXPECT_THROW(requireUsable(camera), base::InputError) << length;
+        }
+        Camera rounded = lookAlong({}, {}, {0.3, -0.2, -0.7}, {0.1, 0.9, 0.2});
+        rounded.*axis = glm::dvec3(glm::vec3(rounded.*axis));
+        EXPECT_NO_THROW(requireUsable(rounded));
+    }
+}
+
 TEST(CameraPath, NeedsAFrame) {
     EXPECT_THROW(orbitPath({}, {}, 1.0, 0), base::InputError);
     EXPECT_THROW(turnPath({}, {}, 0), base::InputError);

@@ -43,6 +43,16 @@ glm::dvec3 unit(const glm::dvec3& v, const char* what) {
     return scaled / glm::length(scaled);
 }
 
+/// Axes that were computed in float32 are unit ones too.
+void requireUnit(const glm::dvec3& axis, const char* name) {
+    constexpr double kMostOff = 1e-5;
+    const double length = glm::length(axis);
+    if (!(std::abs(length - 1.0) <= kMostOff)) {
+        throw base::InputError(
+            fmt::format("camera: its axis '{}' must have the length 1, not {}", name, length));
+    }
+}
+
 /// Right and up without roll for a camera whose back is set.
 Camera level(Camera camera) {
     // Along the y axis, world z takes the place of y as up.
@@ -159,6 +169,9 @@ void requireUsable(const Camera& camera) {
     if (!isFinite(camera.right) || !isFinite(camera.up) || !isFinite(camera.back)) {
         throw base::InputError("camera: its axes must be finite");
     }
+    requireUnit(camera.right, "right");
+    requireUnit(camera.up, "up");
+    requireUnit(camera.back, "back");
 }
 
 } // namespace cdr::scene
