@@ -415,6 +415,28 @@ TEST(World, RefusesAirThatCannotBe) {
     }
 }
 
+TEST(World, TakesSurroundingsThatCanBe) {
+    World world;
+    const Environment day{
+        .ambient = glm::vec3(0.5f), .background = {0.2f, 0.3f, 0.4f}, .sky = Sky{}, .air = Air{}};
+    world.setEnvironment(day);
+    EXPECT_EQ(world.scene().ambient, day.ambient);
+    EXPECT_EQ(world.scene().background, day.background);
+    EXPECT_TRUE(world.scene().sky);
+    EXPECT_TRUE(world.scene().air);
+    Environment dark = world.environment();
+    dark.background.x = -0.1f;
+    EXPECT_THROW(world.setEnvironment(dark), base::InputError);
+    EXPECT_THROW(world.setEnvironment({.ambient = glm::vec3(std::numeric_limits<float>::infinity())}),
+                 base::InputError);
+    EXPECT_THROW(world.setEnvironment({.sky = Sky{.up = glm::dvec3(0.0)}}), base::InputError);
+    EXPECT_THROW(world.setEnvironment({.air = Air{.radius = 0.0}}), base::InputError);
+    EXPECT_EQ(world.environment().background, day.background) << "all of it or nothing";
+    world.setEnvironment({});
+    EXPECT_FALSE(world.scene().sky);
+    EXPECT_FALSE(world.scene().air);
+}
+
 TEST(World, LightsKeepTheirOrder) {
     World world = boxWorld();
     const LightHandle a = world.addLight({.position = {1.0, 0.0, 0.0}});

@@ -8,6 +8,8 @@
 #include <cdr/render/render_options.h>
 #include <cdr/render/surfaces.h>
 
+#include <glm/glm.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -133,6 +135,7 @@ class CDR_EXPORT Renderer {
         bool emission = false;
         bool sky = false;
         bool air = false;
+        glm::vec3 focusBackground{0.0f}; ///< that layers of a lens with a focus are cleared to; 0 of others
 
         SceneTraits traits() const { return {.blended = blended}; }
         bool operator==(const Needs&) const = default;

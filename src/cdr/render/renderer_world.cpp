@@ -14,7 +14,8 @@ Renderer::Needs Renderer::needs() const {
             .blended = uploaded.hasBlended() || prepared.blended,
             .emission = (uploaded.hasEmission() || prepared.emission) && keepsEmission(m_options),
             .sky = m_drawn.scene.sky.has_value(),
-            .air = m_drawn.scene.air.has_value()};
+            .air = m_drawn.scene.air.has_value(),
+            .focusBackground = m_options.focus.isOn() ? m_drawn.scene.background : glm::vec3(0.0f)};
 }
 
 void Renderer::remake(const Needs& needs, const RenderOptions& options) {

@@ -81,9 +81,13 @@ void requireInstance(const Scene& scene, std::size_t i) {
     requireUsable({instances.position(i), instances.basis[i]}, what);
 }
 
+bool isLight(const glm::vec3& color) {
+    return areFinite(color) && glm::all(glm::greaterThanEqual(color, glm::vec3(0.0f)));
+}
+
 void requireSky(const Sky& sky) {
     for (const glm::vec3& color : {sky.zenith, sky.horizon, sky.ground}) {
-        if (!areFinite(color) || !glm::all(glm::greaterThanEqual(color, glm::vec3(0.0f)))) {
+        if (!isLight(color)) {
             refuseUse("the sky's colours must be finite and 0 or more");
         }
     }
@@ -114,8 +118,17 @@ void requireAir(const Air& air) {
             refuseUse("the air's axis and its way to the Sun must be of length 1");
         }
     }
-    if (!areFinite(air.sunlight) || !glm::all(glm::greaterThanEqual(air.sunlight, glm::vec3(0.0f)))) {
+    if (!isLight(air.sunlight)) {
         refuseUse("the air's sunlight must be finite and 0 or more");
+    }
+}
+
+void requireSurroundings(const std::optional<Sky>& sky, const std::optional<Air>& air) {
+    if (sky) {
+        requireSky(*sky);
+    }
+    if (air) {
+        requireAir(*air);
     }
 }
 
@@ -213,6 +226,15 @@ void requireUsable(std::span<const Vertex> vertices, float boundingRadius, const
     }
 }
 
+void requireUsable(const Environment& environment) {
+    for (const glm::vec3& color : {environment.ambient, environment.background}) {
+        if (!isLight(color)) {
+            refuseUse("ambient light and background must be finite and 0 or more");
+        }
+    }
+    requireSurroundings(environment.sky, environment.air);
+}
+
 void requireUsable(const Texture& texture, const std::string& what) {
     const image::ImageRgba8& pixels = texture.pixels;
     if (pixels.width == 0 || pixels.height == 0 ||
@@ -264,12 +286,7 @@ void requireUsable(const Scene& scene) {
     requireAll(scene.textures, "texture ");
     requireAll(scene.materials, "material ", scene.textures.size());
     requireAll(scene.lights, "light ");
-    if (scene.sky) {
-        requireSky(*scene.sky);
-    }
-    if (scene.air) {
-        requireAir(*scene.air);
-    }
+    requireSurroundings(scene.sky, scene.air);
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         requireInstance(scene, i);
     }

@@ -7,6 +7,7 @@
 #include <cdr/base/export.h>
 #include <cdr/scene/scene.h>
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -18,6 +19,14 @@ struct Transform {
     glm::mat3 basis{1.0f};    ///< object to world, rotation and scale
 
     bool operator==(const Transform&) const = default;
+};
+
+/// What surrounds the things of a scene: its members of these names.
+struct Environment {
+    glm::vec3 ambient{0.25f};   ///< linear, 0 or more, multiplies albedo
+    glm::vec3 background{0.0f}; ///< linear, 0 or more
+    std::optional<Sky> sky{};   ///< takes the place of `ambient`
+    std::optional<Air> air{};   ///< between the camera and what it sees
 };
 
 /// Whether requireUsable() would let it pass.
@@ -40,6 +49,8 @@ CDR_EXPORT void requireUsable(std::span<const Vertex> vertices, float boundingRa
 /// @param vertices how many the mesh has
 CDR_EXPORT void requireUsable(std::span<const VertexDetail> details, std::size_t vertices,
                               const std::string& what);
+/// Colours finite and 0 or more, and numbers in the ranges that Sky and Air name.
+CDR_EXPORT void requireUsable(const Environment& environment);
 /// As many pixels as its size says, at least one.
 CDR_EXPORT void requireUsable(const Texture& texture, const std::string& what);
 /// Textures that are there, and numbers in the ranges that Material and MaterialDetail name.

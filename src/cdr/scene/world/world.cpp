@@ -173,6 +173,19 @@ void World::removeLight(LightHandle handle) {
     m_lightPlaces.free(handle);
 }
 
+Environment World::environment() const {
+    return {
+        .ambient = m_scene.ambient, .background = m_scene.background, .sky = m_scene.sky, .air = m_scene.air};
+}
+
+void World::setEnvironment(const Environment& environment) {
+    requireUsable(environment);
+    m_scene.ambient = environment.ambient;
+    m_scene.background = environment.background;
+    m_scene.sky = environment.sky;
+    m_scene.air = environment.air;
+}
+
 MeshHandle World::addMesh(Mesh mesh) {
     requireUsable(mesh, "the new mesh");
     return m_meshes.add(m_scene.meshes, std::move(mesh));

@@ -71,6 +71,12 @@ class CDR_EXPORT World {
     /// The handle names nothing afterwards.
     void removeLight(LightHandle handle);
 
+    /// What surrounds the things, as the scene says now.
+    Environment environment() const;
+    /// Changes it, for day and night. Where a sky or air comes or goes, the next frame of each renderer takes longer, since its
+    /// passes are made anew. Through a lens with a focus, another background does the same, and air is refused by the frame.
+    void setEnvironment(const Environment& environment);
+
     /// Makes a mesh that instances may use.
     MeshHandle addMesh(Mesh mesh);
     /// Gives a mesh other vertices in the place of its own, as many; its triangles stay. All instances that have it are
@@ -92,7 +98,7 @@ class CDR_EXPORT World {
     /// No material may use it.
     void removeTexture(TextureHandle handle);
 
-    /// What changed, for those that follow. Lights are few and read again every frame.
+    /// What changed, for those that follow. Lights and surroundings are few and read again every frame.
     struct Changes {
         const ChangeLog& instances; ///< by place
         const ChangeLog& meshes;    ///< by place
