@@ -84,8 +84,8 @@ RecordedCamera cameraIn(const nlohmann::json& json) {
                                              .fovY = numberIn(json, "fov_radians"),
                                              .nearView = numberIn(json, "near"),
                                              .farView = numberIn(json, "far")}};
+    requireOrthonormal(recorded.camera); // says more than requireUsable() about axes
     requireUsable(recorded.camera);
-    requireOrthonormal(recorded.camera);
     return recorded;
 }
 
@@ -139,9 +139,9 @@ CameraRecording readRecording(const std::filesystem::path& path) {
     try {
         return recordingIn(nlohmann::json::parse(bytes, refuseNesting));
     } catch (const base::InputError& error) {
-        throw base::InputError(fmt::format("{}: {}", path.string(), error.what()));
+        throw base::InputError(fmt::format("{}: {}", host::oneLine(path), error.what()));
     } catch (const nlohmann::json::exception&) {
-        throw base::InputError(path.string() + ": is not a camera path of cdr-viewer, or damaged");
+        throw base::InputError(host::oneLine(path) + ": is not a camera path of cdr-viewer, or damaged");
     }
 }
 
