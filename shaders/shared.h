@@ -38,7 +38,9 @@ CDR_CONST kDetailOcclusion = 4u; // an occlusion texture
 CDR_CONST kDetailEmissive = 8u;  // an emissive texture
 CDR_CONST kDetailEmits = 16u;    // it emits light, textured or not
 CDR_CONST kDetailMoved = 32u;    // some of its textures are read elsewhere than at a vertex' places
-CDR_CONST kDetailMasks = 64u;    // how many sums there are
+CDR_CONST kDetailShared =
+    64u; // occlusion is the red of the texture of metallic and roughness, at the same place
+CDR_CONST kDetailMasks = 128u; // how many sums there are
 
 // Textures of a material's detail: those of the first parts above, in their order.
 CDR_CONST kDetailTextures = 4u;

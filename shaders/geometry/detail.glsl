@@ -54,7 +54,10 @@ float detailOpenness(vec4 places) {
     if (!has(kDetailOcclusion)) {
         return 1.0;
     }
-    return mix(1.0, texture(occlusionTexture, placeOf(kDetailOcclusion, places)).r, detail.shineAndOcclusion.z);
+    // The compiler merges two reads of one texture at one place.
+    float share = has(kDetailShared) ? texture(shineTexture, placeOf(kDetailShine, places)).r
+                                     : texture(occlusionTexture, placeOf(kDetailOcclusion, places)).r;
+    return mix(1.0, share, detail.shineAndOcclusion.z);
 }
 
 // Linear light that the surface sends by itself.

@@ -2,6 +2,8 @@
 #include "../steps.h"
 
 #include <cdr/measure/truth/layered_truth.h>
+#include <cdr/render/materials/scene_textures.h>
+#include <cdr/shaders/shared.h>
 
 #include <array>
 
@@ -74,6 +76,25 @@ class PlacesTest : public RenderTest {
 };
 
 } // namespace
+
+/// One picture for occlusion, roughness and metallic, as many files have it, is read once.
+TEST_F(PlacesTest, ATextureOfTwoUsesLooksAsTwoTextures) {
+    for (const scene::AlphaMode mode : {scene::AlphaMode::opaque, scene::AlphaMode::blend}) {
+        scene::Scene scene = squareWith(&scene::MaterialDetail::metallicRoughness, {});
+        scene.ambient = glm::vec3(0.6f);
+        scene.materials[0].alphaMode = mode;
+        const render::Frame bright = draw(scene, camera(), options());
+        scene.materials[0].detail.occlusion = scene::TextureUse{};
+        const render::Frame once = draw(scene, camera(), options());
+        const std::uint32_t parts = render::detailPartsOf(scene.materials[0]);
+        scene.textures.push_back(scene.textures[0]);
+        scene.materials[0].detail.occlusion->texture = 1;
+        const render::Frame twice = draw(scene, camera(), options());
+        EXPECT_EQ(parts, render::detailPartsOf(scene.materials[0]) | shaders::kDetailShared);
+        EXPECT_EQ(once.color, twice.color);
+        EXPECT_NE(once.color, bright.color);
+    }
+}
 
 /// What a transform leads to looks as what vertices say, with every texture, opaque and blended.
 TEST_F(PlacesTest, TransformsLeadToAnyPlace) {

@@ -124,7 +124,9 @@ std::uint32_t detailPartsOf(const scene::Material& material) {
             parts |= part.part | (isMoved(*use) ? shaders::kDetailMoved : 0u);
         }
     }
-    return parts;
+    const bool isShared =
+        material.detail.occlusion && material.detail.occlusion == material.detail.metallicRoughness;
+    return parts | (isShared && !material.unlit ? shaders::kDetailShared : 0u);
 }
 
 SceneTextures::SceneTextures(const gpu::Device& device, std::size_t threads)
