@@ -89,6 +89,20 @@ TEST(ModelsCommand, PicturesOfFilesOfOneNameHaveTheirFoldersNamesToo) {
     }
 }
 
+/// Where folders do not tell names apart: a_b, and b in a folder a.
+TEST(ModelsCommand, NamesThatStayAlikeAreRefused) {
+    const TemporaryFolder folder;
+    const std::string deep = "1/2/3/4/5/6/7/8/9/";
+    for (const std::string& file : {deep + "a_b.gltf", deep + "a/b.gltf", std::string("c/b.gltf")}) {
+        std::filesystem::create_directories((folder.path() / file).parent_path());
+        std::filesystem::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", folder.path() / file);
+    }
+    const ProgramResult result = runProgram(
+        "models " + deep + "a_b.gltf " + deep + "a/b.gltf c/b.gltf --size 64x36 --out m", folder.path());
+    EXPECT_EQ(result.status, 2) << result.err;
+    EXPECT_NE(result.err.find("two models would both be written as "), std::string::npos) << result.err;
+}
+
 } // namespace
 
 } // namespace cdr::cli_test

@@ -80,7 +80,7 @@ TEST_F(FailedFrameTest, WhatIsRefusedLeavesTheLastFrame) {
     EXPECT_EQ(messageCount(), 0u);
 }
 
-/// Whichever of its submissions fails. The next frame is drawn right, and nothing in it moved.
+/// Its first submission fails. The next frame is drawn right, and nothing in it moved.
 TEST_F(FailedFrameTest, WhatIsNotSubmittedLeavesTheLastFrame) {
     render::Renderer renderer(device(), m_scene, *m_onDevice, options());
     renderer.draw(cameraAt(0.0));

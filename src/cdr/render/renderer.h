@@ -100,7 +100,8 @@ class CDR_EXPORT Renderer {
     /// @throws std::system_error as render().
     void record(const scene::Camera& camera, const HostFrame& frame);
     /// The host does not submit the frame that record() recorded last: its commands are reset. Nothing waits for that frame
-    /// then, and the next one shows all edits. It is as if the frame had gone by skip(). Call it before anything else of this
+    /// then, and the next one shows all edits. It is as if the frame had gone by skip(), but surfaces() speaks of that frame until
+    /// there is another. Call it before anything else of this
     /// renderer, its destructor too. Does nothing where the last frame was not recorded, or record() threw.
     /// @errors None.
     void dropRecorded();

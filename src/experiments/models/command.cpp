@@ -84,11 +84,9 @@ std::vector<std::string> pictureNames(const std::vector<std::string>& files) {
         }
     }
     std::set<std::string> taken;
-    const auto twice = std::find_if(files.begin(), files.end(), [&](const std::string& file) {
-        return !taken.insert(nameWithFolders(file, kMostFolders)).second;
-    });
-    throw base::InputError(
-        fmt::format("two models would both be written as {}_*.png", nameWithFolders(*twice, 0)));
+    const auto twice = std::find_if(names.begin(), names.end(),
+                                    [&](const std::string& name) { return !taken.insert(name).second; });
+    throw base::InputError(fmt::format("two models would both be written as {}_*.png", *twice));
 }
 
 /// base::InputError for what is no model.

@@ -40,7 +40,7 @@ class CDR_EXPORT ViewsRenderer {
     /// Renders one frame of each camera, waits for all and copies them to the host.
     /// @param cameras one for each view, with one lens
     /// @throws base::InputError for another number of cameras, for lenses that differ, or as Renderer::render().
-    /// @throws base::RunError, std::system_error as Renderer::render().
+    /// @throws base::RunError, std::system_error as Renderer::render(). Views whose draws were submitted before keep them.
     std::vector<Frame> render(std::span<const scene::Camera> cameras, FrameCopy copy = FrameCopy::everything);
     /// Renders one frame of each camera and waits for all, but leaves them on the device. FrameTimes::cullMs of
     /// the first is of all, their split included. executeMs begins when the view's draws are submitted, so it
