@@ -137,14 +137,14 @@ class Halving {
     /// What colours are multiplied by: the area that is covered, and alpha too. Alpha itself counts by area.
     enum class ColorWeight : std::uint8_t { area, alpha };
 
-    template <ColorWeight kWeight, typename Pixel>
+    template <ColorWeight Weight, typename Pixel>
     Linear sumOf(const Raster<Pixel>& picture, const Cover& column, const Cover& row) const {
         Linear sum{};
         for (std::uint32_t j = 0; j < row.count; ++j) {
             for (std::uint32_t i = 0; i < column.count; ++i) {
                 const Linear value = m_decode(picture.at(column.first + i, row.first + j));
                 const float area = row.weights[j] * column.weights[i];
-                const float weight = kWeight == ColorWeight::alpha ? area * value[3] : area;
+                const float weight = Weight == ColorWeight::alpha ? area * value[3] : area;
                 for (std::size_t c = 0; c < 3; ++c) {
                     sum[c] += weight * value[c];
                 }
