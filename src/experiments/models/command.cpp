@@ -86,7 +86,9 @@ std::vector<std::string> pictureNames(const std::vector<std::string>& files) {
     std::set<std::string> taken;
     const auto twice = std::find_if(names.begin(), names.end(),
                                     [&](const std::string& name) { return !taken.insert(name).second; });
-    throw base::InputError(fmt::format("two models would both be written as {}_*.png", *twice));
+    const std::string& file = files[static_cast<std::size_t>(twice - names.begin())];
+    throw base::InputError(
+        fmt::format("two models would both be written as {}_*.png", nameWithFolders(file, 0)));
 }
 
 /// base::InputError for what is no model.
