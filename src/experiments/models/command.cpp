@@ -57,7 +57,7 @@ std::string nameWithFolders(const std::string& file, std::size_t folders) {
     std::string name = path.stem().string();
     for (; folders > 0 && path.has_relative_path(); --folders) {
         path = path.parent_path();
-        name = path.filename().string() + "_" + name;
+        name = fmt::format("{}_{}", path.filename().string(), name);
     }
     return name;
 }
