@@ -62,7 +62,7 @@ class RankPart {
         if (!m_takesPart) {
             return;
         }
-        const std::uint64_t before = gpu::allocatedBytes(device);
+        const std::uint64_t before = gpu::allocatedDeviceBytes(device);
         host::WorkerPool workers(1);
         options.part = {.index = place.index, .count = ranks};
         m_scene = setup.scene;
@@ -70,7 +70,7 @@ class RankPart {
         m_onDevice = std::make_unique<render::GpuScene>(device, m_scene);
         m_renderer = std::make_unique<render::Renderer>(device, m_scene, *m_onDevice, options);
         m_renderer->render(m_camera);
-        m_deviceBytes = gpu::allocatedBytes(device) - before;
+        m_deviceBytes = gpu::allocatedDeviceBytes(device) - before;
     }
 
     /// Milliseconds until the first rank has the frame.

@@ -96,10 +96,10 @@ struct Taken {
 
 Taken deviceTaken(const gpu::Device& device, const scene::SceneSetup& setup, const render::GpuScene& uploaded,
                   const render::RenderOptions& options) {
-    const std::uint64_t before = gpu::allocatedBytes(device);
+    const std::uint64_t before = gpu::allocatedDeviceBytes(device);
     render::Renderer renderer(device, setup.scene, uploaded, options);
     const auto draws = static_cast<double>(renderer.draw(setup.path.at(0)).draws);
-    return {.bytes = static_cast<double>(gpu::allocatedBytes(device)) - static_cast<double>(before),
+    return {.bytes = static_cast<double>(gpu::allocatedDeviceBytes(device)) - static_cast<double>(before),
             .draws = draws};
 }
 

@@ -29,7 +29,7 @@ struct Memory {
 
 Memory memoryOf(const gpu::Device& device) {
     const struct mallinfo2 info = mallinfo2();
-    return {.host = info.uordblks + info.hblkhd, .device = gpu::allocatedBytes(device)};
+    return {.host = info.uordblks + info.hblkhd, .device = gpu::allocatedDeviceBytes(device)};
 }
 
 /// Edits of a world that comes back to what it was: each kind of thing is added, changed and removed.
