@@ -119,13 +119,16 @@ TEST_F(Contenders, StandForEveryKindOfTargetsAndEverySubmission) {
 TEST_F(Contenders, DistancesFromTheObjectResolveWhatOnesFromTheCameraDoNot) {
     Arena arena(device(), "mixed");
     const scene::Camera camera = arena.setup.path.at(0);
+    const auto wrongShare = [&](const Competing& competing) {
+        return wrongIn(make(arena, competing).render(camera), arena, camera).fraction();
+    };
+    // Anchored depth is wrong only where the device's rounding of vertices tilts a face, and that strikes rivals as well.
+    const double rounded = wrongShare(depth::namedTechnique("anchored").technique);
     for (const NamedRival& named : drawable()) {
-        Contender contender = make(arena, named.rival);
-        const measure::WrongPixels wrong = wrongIn(contender.render(camera), arena, camera);
         if (named.rival.distance == Distance::object) {
-            EXPECT_LT(wrong.fraction(), 0.001) << named.name;
+            EXPECT_LT(wrongShare(named.rival), rounded + 0.001) << named.name;
         } else {
-            EXPECT_GT(wrong.fraction(), 0.005) << named.name;
+            EXPECT_GT(wrongShare(named.rival), rounded + 0.005) << named.name;
         }
     }
 }
