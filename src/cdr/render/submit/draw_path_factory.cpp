@@ -40,7 +40,8 @@ DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& sc
                     ? std::make_unique<BinningPass>(device, scene, options.detail.mode, m_occlusionLayout)
                     : nullptr) {
     const GeometryOptions geometry{.technique = options.technique,
-                                   .batching = options.batching,
+                                   // What the device lists, nobody pushes a record for.
+                                   .batching = m_binning != nullptr ? Batching::instanced : options.batching,
                                    .shiny = kept.shine,
                                    .emission = kept.emission,
                                    .snapSteps = options.snapBits > 0 ? subPixelsIn(options, options.snapBits)
