@@ -110,8 +110,8 @@ TEST(Watertight, CubesEdgesAndCornersHit) {
         addObject(scene, mesh, {0.5, 0.0, -10.0});
         const measure::TruthImage truth = cast(scene, makePlainCamera(), 101, 101);
         for (std::uint32_t y = 48; y <= 52; ++y) {
-            EXPECT_EQ(truth.at(50, y).id, 1u);
-            EXPECT_EQ(truth.at(50, y).secondId, 2u);
+            EXPECT_EQ(truth.at(50, y).id, 2u);
+            EXPECT_EQ(truth.at(50, y).secondId, 1u);
         }
     }
 }

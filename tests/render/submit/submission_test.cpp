@@ -160,15 +160,68 @@ TEST_F(SubmissionTest, BatchingChangesNoBit) {
     const render::GpuScene gpuScene(device(), setup.scene);
     for (const depth::Technique& technique : techniquesToSubmit()) {
         std::string first;
-        for (const Batching batching : render::kBatchings) {
-            render::RenderOptions options = tinyOptions(technique);
-            options.batching = batching;
-            options.threads = 3;
-            render::Renderer renderer(device(), setup.scene, gpuScene, options);
-            const std::string hash = hashOf(renderer.render(setup.path.at(90)));
-            first = first.empty() ? hash : first;
-            EXPECT_EQ(hash, first) << nameOf(technique) << " " << nameOf(batching);
+        for (const Submission submission : submissions()) {
+            for (const Batching batching : render::kBatchings) {
+                render::RenderOptions options = tinyOptions(technique);
+                options.submission = submission;
+                options.batching = batching;
+                options.threads = 3;
+                render::Renderer renderer(device(), setup.scene, gpuScene, options);
+                const std::string hash = hashOf(renderer.render(setup.path.at(90)));
+                first = first.empty() ? hash : first;
+                EXPECT_EQ(hash, first)
+                    << nameOf(technique) << " " << nameOf(submission) << " " << nameOf(batching);
+            }
         }
+    }
+}
+
+/// The declared winner of equal depths, which the truth has too. Kinds of draws alternate, so that grouping them would show.
+TEST_F(SubmissionTest, OfEqualSurfacesTheLastInTheScenesOrderShowsHoweverDrawn) {
+    scene::Scene scene = boxScene();
+    scene.meshes.push_back(scene.meshes[0]);
+    const glm::mat3 turned(0.8f, 0.0f, -0.6f, 0.0f, 1.0f, 0.0f, 0.6f, 0.0f, 0.8f);
+    for (const std::uint32_t object : {7u, 9u, 2u, 4u}) {
+        const auto mesh = static_cast<std::uint32_t>(scene.instances.size() % 2);
+        scene::addInstance(scene, mesh, 0, object, {0.0, 0.0, -6.0}, turned);
+    }
+    const scene::Camera camera{.fovY = 0.5, .nearView = 1.0, .farView = 100.0};
+    host::WorkerPool workers(1);
+    const auto size = tinyOptions({});
+    const measure::TruthImage truth = measure::castTruth(scene, camera, size.width, size.height, workers);
+    ASSERT_EQ(truth.at(size.width / 2, size.height / 2).id, 5u);
+    const render::GpuScene gpuScene(device(), scene);
+    const auto expectRight = [&](const render::RenderOptions& options) {
+        const render::Frame frame = render::Renderer(device(), scene, gpuScene, options).render(camera);
+        EXPECT_EQ(measure::countWrong(frame.ids(), truth).wrong, 0u)
+            << nameOf(options.technique) << " " << nameOf(options.targets) << " "
+            << nameOf(options.submission) << " " << nameOf(options.batching) << " "
+            << nameOf(options.surface);
+    };
+    for (const depth::NamedTechnique& preset : depth::presets()) {
+        for (const Submission submission : submissions()) {
+            for (const Batching batching : render::kBatchings) {
+                render::RenderOptions options = tinyOptions(preset.technique);
+                options.submission = submission;
+                options.batching = batching;
+                options.threads = 3;
+                expectRight(options);
+            }
+        }
+        for (const TargetsKind targets : render::kTargetsKinds) {
+            render::RenderOptions options = tinyOptions(preset.technique);
+            options.targets = targets;
+            expectRight(options);
+        }
+        for (const render::SurfacePath surface :
+             {render::SurfacePath::visibility, render::SurfacePath::lit}) {
+            render::RenderOptions options = tinyOptions(preset.technique);
+            options.surface = surface;
+            expectRight(options);
+        }
+        render::RenderOptions options = tinyOptions(preset.technique);
+        options.occlusionCulling = true;
+        expectRight(options);
     }
 }
 

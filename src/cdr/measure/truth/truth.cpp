@@ -22,41 +22,54 @@ struct Seen {
     double distanceView;
     float layer;
     std::uint32_t id;
+    std::uint32_t instance; ///< index in the scene
 
     double rank() const { return distanceView - layer; }
+    /// As drawn: of equal surfaces the last in the scene's order shows.
     bool isBefore(const Seen& other) const {
-        return rank() < other.rank() || (rank() == other.rank() && id < other.id);
+        return rank() < other.rank() || (rank() == other.rank() && instance > other.instance);
     }
 };
 
-Seen firstOf(const TruthPixel& pixel) {
-    return {pixel.distanceView, pixel.layer, pixel.id};
-}
+/// Whose a pixel's two surfaces are, while its tile is cast.
+struct Owners {
+    std::uint32_t first = 0; ///< instances, any where the pixel has no such surface
+    std::uint32_t second = 0;
+};
 
-Seen secondOf(const TruthPixel& pixel) {
-    return {pixel.secondDistanceView, pixel.secondLayer, pixel.secondId};
-}
+/// A pixel while its tile is cast.
+struct CastPixel {
+    TruthPixel& pixel;
+    Owners& owners;
 
-void setFirst(TruthPixel& pixel, const Seen& seen) {
-    std::tie(pixel.distanceView, pixel.layer, pixel.id) = std::tie(seen.distanceView, seen.layer, seen.id);
-}
-
-void setSecond(TruthPixel& pixel, const Seen& seen) {
-    std::tie(pixel.secondDistanceView, pixel.secondLayer, pixel.secondId) =
-        std::tie(seen.distanceView, seen.layer, seen.id);
-}
-
-/// Enters a visible hit. Whatever the order of hits, the pixel ends up the same.
-void enterHit(TruthPixel& pixel, const Seen& hit) {
-    const Seen first = firstOf(pixel);
-    if (hit.isBefore(first)) {
-        if (hit.id != first.id) {
-            setSecond(pixel, first);
-        }
-        setFirst(pixel, hit);
-    } else if (hit.id != first.id && hit.isBefore(secondOf(pixel))) {
-        setSecond(pixel, hit);
+    Seen first() const { return {pixel.distanceView, pixel.layer, pixel.id, owners.first}; }
+    Seen second() const {
+        return {pixel.secondDistanceView, pixel.secondLayer, pixel.secondId, owners.second};
     }
+    void setFirst(const Seen& seen) const {
+        std::tie(pixel.distanceView, pixel.layer, pixel.id, owners.first) =
+            std::tie(seen.distanceView, seen.layer, seen.id, seen.instance);
+    }
+    void setSecond(const Seen& seen) const {
+        std::tie(pixel.secondDistanceView, pixel.secondLayer, pixel.secondId, owners.second) =
+            std::tie(seen.distanceView, seen.layer, seen.id, seen.instance);
+    }
+    /// Enters a visible hit. Whatever the order of hits, the pixel ends up the same.
+    void enter(const Seen& hit) const {
+        const Seen nearest = first();
+        if (hit.isBefore(nearest)) {
+            if (hit.id != nearest.id) {
+                setSecond(nearest);
+            }
+            setFirst(hit);
+        } else if (hit.id != nearest.id && hit.isBefore(second())) {
+            setSecond(hit);
+        }
+    }
+};
+
+double secondRank(const TruthPixel& pixel) {
+    return pixel.secondDistanceView - pixel.secondLayer;
 }
 
 /// The pixels to cast, all or some.
@@ -90,23 +103,38 @@ class Wanted {
     const image::Raster<std::uint8_t>* m_wanted;
 };
 
-void castInstance(const VisibleInstance& instance, const PixelRect& pixels, const Wanted& wanted,
+/// The pixels of a tile that are cast, and whose surfaces they have.
+struct Tile {
+    PixelRect pixels;
+    std::vector<Owners> owners;
+
+    explicit Tile(const PixelRect& rect)
+        : pixels(rect),
+          owners(std::size_t{rect.right - rect.left} * (rect.bottom - rect.top)) {}
+    Owners& at(std::uint32_t x, std::uint32_t y) {
+        return owners[std::size_t{y - pixels.top} * (pixels.right - pixels.left) + (x - pixels.left)];
+    }
+};
+
+void castInstance(const VisibleInstance& instance, Tile& tile, const Wanted& wanted,
                   const PixelSlopes& slopes, const scene::Camera& camera, TruthImage& truth) {
+    const PixelRect pixels = intersection(tile.pixels, instance.pixels);
     for (std::uint32_t y = pixels.top; y < pixels.bottom; ++y) {
         for (std::uint32_t x = pixels.left; x < pixels.right; ++x) {
             if (!wanted.has(x, y)) {
                 continue;
             }
             TruthPixel& pixel = truth.at(x, y);
-            const double secondRank = secondOf(pixel).rank();
-            if (instance.nearestRank() > secondRank) {
+            const double farthestRank = secondRank(pixel);
+            if (instance.nearestRank() > farthestRank) {
                 continue;
             }
-            const ViewRange range{camera.nearView, std::min(camera.farView, secondRank + instance.layer)};
+            const ViewRange range{camera.nearView, std::min(camera.farView, farthestRank + instance.layer)};
             const double hit =
                 instance.shape->nearest(instance.camera.ray(slopes.x[x], slopes.y[y]), instance.sides, range);
             if (hit < kNoHit) {
-                enterHit(pixel, {hit, static_cast<float>(instance.layer), instance.id});
+                CastPixel{pixel, tile.at(x, y)}.enter(
+                    {hit, static_cast<float>(instance.layer), instance.id, instance.instance});
             }
         }
     }
@@ -118,7 +146,7 @@ double farthestSecondRank(const PixelRect& pixels, const Wanted& wanted, const T
     for (std::uint32_t y = pixels.top; y < pixels.bottom; ++y) {
         for (std::uint32_t x = pixels.left; x < pixels.right; ++x) {
             if (wanted.has(x, y)) {
-                farthest = std::max(farthest, secondOf(truth.at(x, y)).rank());
+                farthest = std::max(farthest, secondRank(truth.at(x, y)));
             }
         }
     }
@@ -126,12 +154,13 @@ double farthestSecondRank(const PixelRect& pixels, const Wanted& wanted, const T
 }
 
 void castTile(std::span<const VisibleInstance> nearestFirst, std::span<const std::uint32_t> members,
-              const PixelRect& tile, const Wanted& wanted, const PixelSlopes& slopes,
+              const PixelRect& rect, const Wanted& wanted, const PixelSlopes& slopes,
               const scene::Camera& camera, TruthImage& truth) {
-    const PixelRect pixels = wanted.within(tile);
+    const PixelRect pixels = wanted.within(rect);
     if (pixels.empty()) {
         return;
     }
+    Tile tile(pixels);
     // Often enough to end early, seldom enough to cost nothing.
     constexpr std::size_t kCheckEvery = 8;
     for (std::size_t i = 0; i < members.size(); ++i) {
@@ -140,7 +169,7 @@ void castTile(std::span<const VisibleInstance> nearestFirst, std::span<const std
             instance.nearestRank() > farthestSecondRank(pixels, wanted, truth)) {
             return;
         }
-        castInstance(instance, intersection(pixels, instance.pixels), wanted, slopes, camera, truth);
+        castInstance(instance, tile, wanted, slopes, camera, truth);
     }
 }
 
