@@ -60,7 +60,8 @@ measure::DrawnFrame drawnFrame(const render::Frame& frame, const render::RenderO
                               .ids = frame.ids(),
                               .distancesView = image::Raster<double>(frame.width(), frame.height()),
                               .snapPixels =
-                                  step(subPixelBits) + (options.snapBits > 0 ? step(options.snapBits) : 0.0)};
+                                  step(subPixelBits) + (options.snapBits > 0 ? step(options.snapBits) : 0.0),
+                              .hasShadows = options.shadows.isOn()};
     for (std::uint32_t y = 0; y < frame.height(); ++y) {
         for (std::uint32_t x = 0; x < frame.width(); ++x) {
             drawn.distancesView.at(x, y) = frame.distanceView(x, y);

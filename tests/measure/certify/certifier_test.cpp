@@ -3,6 +3,7 @@
 
 #include <cdr/base/error.h>
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -76,6 +77,73 @@ TEST(Certifier, RepairsAllThatADeviceWithinItsLimitsDrawsWrong) {
         EXPECT_EQ(certificate.refused, 0u) << "seed " << seed;
         EXPECT_GT(certificate.wrong, 0u) << "seed " << seed;
         EXPECT_EQ(wrongAfter(made.scene, frame, certificate), 0u) << "seed " << seed;
+    }
+}
+
+/// Strips of one plane, each a thousandth of a unit wide and 1000 long, and a plate before them: closer than float64 can tell
+/// where it forms a strip's plane.
+CertifiedScene slivers(double gap, float tilt) {
+    constexpr int kStrips = 100;
+    constexpr float kWidth = 0.001f;
+    constexpr float kHalfLength = 500.0f;
+    scene::Mesh strips;
+    strips.name = "strips";
+    for (int strip = 0; strip < kStrips; ++strip) {
+        const float low = static_cast<float>(strip - kStrips / 2) * kWidth;
+        const auto first = static_cast<std::uint32_t>(strips.vertices.size());
+        for (const float y : {low, low + kWidth}) {
+            for (const float x : {-kHalfLength, kHalfLength}) {
+                strips.vertices.push_back({.position = {x, y, 0.0f}});
+            }
+        }
+        for (const std::uint32_t corner : {0u, 1u, 3u, 0u, 3u, 2u}) {
+            strips.indices.push_back(first + corner);
+        }
+    }
+    strips.boundingRadius = scene::boundingRadiusOf(strips.vertices);
+    scene::Mesh plate;
+    plate.name = "plate";
+    plate.indices = {0, 1, 3, 0, 3, 2};
+    for (const float y : {-1.0f, 1.0f}) {
+        for (const float x : {-1.0f, 1.0f}) {
+            plate.vertices.push_back({.position = 20.0f * kWidth * glm::vec3(x, y, 0.0f)});
+        }
+    }
+    plate.boundingRadius = scene::boundingRadiusOf(plate.vertices);
+    CertifiedScene made;
+    made.scene.meshes = {strips, plate};
+    made.scene.materials.push_back({.name = "grey"});
+    const glm::mat3 turned(
+        glm::rotate(glm::rotate(glm::mat4(1.0f), tilt, {0.3f, 1.0f, 0.2f}), 1.1f, {0.0f, 0.0f, 1.0f}));
+    const glm::dvec3 centre(0.0, 0.0, -1000.0);
+    scene::addInstance(made.scene, 0, 0, 0, centre, turned);
+    scene::addInstance(made.scene, 1, 0, 1, centre + gap * glm::dvec3(turned[2]), turned);
+    made.camera.fovY = 4e-5;
+    made.camera.nearView = 100.0;
+    made.camera.farView = 5000.0;
+    return made;
+}
+
+TEST(Certifier, CertifiesNoWrongPixelOfASliver) {
+    for (const float tilt : {0.3f, 0.7f, 1.1f}) {
+        for (const double gap : {1e-10, 1e-9, 1e-8}) {
+            const CertifiedScene made = slivers(gap, tilt);
+            DrawnFrame frame = drawnByRays(made.scene, made.camera, kEighthBits);
+            host::WorkerPool workers(1);
+            const measure::TruthImage truth =
+                measure::castTruth(made.scene, made.camera, frame.ids.width, frame.ids.height, workers);
+            std::uint64_t swapped = 0;
+            for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+                if (truth.pixels[i].secondId != 0) {
+                    frame.ids.pixels[i] = truth.pixels[i].secondId;
+                    frame.distancesView.pixels[i] = truth.pixels[i].secondDistanceView;
+                    ++swapped;
+                }
+            }
+            EXPECT_GT(swapped, 100u);
+            EXPECT_EQ(wrongAfter(made.scene, frame, certified(made.scene, frame)), 0u)
+                << "gap " << gap << ", tilt " << tilt << ", of " << swapped;
+        }
     }
 }
 

@@ -12,8 +12,6 @@ namespace cdr::measure {
 namespace {
 
 constexpr double kFloatRounding = 0x1p-24;
-/// Eight times what an operation of float64 rounds by, since what is placed here went through a few more than in a shader.
-constexpr double kDoubleOperation = 0x1p-50;
 /// No triangle is placed more exactly, pixels.
 constexpr double kLeastPixels = 0x1p-30;
 /// Cells go by the exponent and the first 5 bits of the mantissa.

@@ -8,6 +8,9 @@
 
 namespace cdr::measure {
 
+/// Eight times what an operation of float64 rounds by, since what a certificate computes goes through a few more than a shader.
+inline constexpr double kDoubleOperation = 0x1p-50;
+
 /// How large the numbers are that a device rounds while it draws a triangle.
 struct TriangleReach {
     double leastView = 0.0; ///< view distance of the nearest corner, after clipping
@@ -48,6 +51,8 @@ struct FrameBound {
 ///   product and a sum along each axis. That is 8 u of the largest depth of the triangle. What that plane's slope adds is a
 ///   shift of pixels.
 /// - A buffer adds its step, and a slanted surface what it rises over the pixels that its corners are off.
+///
+/// A triangle's plane is formed in float64. What that rounds is added, which is most for slivers.
 ///
 /// Roundings count at their worst and in one direction. No specification bounds how a driver interpolates, so this is
 /// tested and not proven. No certified pixel rests on it, see Certifier.

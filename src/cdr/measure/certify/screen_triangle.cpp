@@ -18,6 +18,25 @@ double sumOf(const glm::dvec2& v) {
     return std::abs(v.x) + std::abs(v.y);
 }
 
+/// A triangle's plane in view space, formed at a corner.
+struct Plane {
+    glm::dvec3 corner;
+    glm::dvec3 u; ///< edges from there
+    glm::dvec3 v;
+    glm::dvec3 normal = glm::cross(u, v);
+    double distance = glm::dot(normal, corner);
+
+    /// By how much the view distance along a ray may be off up to `mostView`, since float64 rounds the plane. A sliver's normal
+    /// is rounded most, and counts most far from the corner.
+    double rounding(double mostView) const {
+        const double lengthU = glm::length(u);
+        const double lengthV = glm::length(v);
+        const double turned = lengthU * lengthV * std::max(lengthU, lengthV);
+        const double moved = glm::length(normal) * glm::length(corner);
+        return kDoubleOperation * (turned + moved) * mostView / std::abs(distance);
+    }
+};
+
 } // namespace
 
 InstanceTriangles::InstanceTriangles(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
@@ -137,10 +156,10 @@ void InstanceTriangles::append(const MeshOutline::Face& face, Side side) {
         goesOn[edge] = side != Side::thin && across != MeshOutline::kNoNeighbour && m_sides[across] == side;
     }
     const glm::dvec3& origin = m_offsets[face.corners[0]];
-    const glm::dvec3 normal =
-        glm::cross(m_offsets[face.corners[1]] - origin, m_offsets[face.corners[2]] - origin);
-    const double distance = glm::dot(normal, m_centre + origin);
-    const glm::dvec3 perSlope = normal / distance;
+    const Plane plane{.corner = m_centre + origin,
+                      .u = m_offsets[face.corners[1]] - origin,
+                      .v = m_offsets[face.corners[2]] - origin};
+    const glm::dvec3 perSlope = plane.normal / plane.distance;
     const double alongX = perSlope.x / m_pixelsPerSlope;
     const double alongY = -perSlope.y / m_pixelsPerSlope;
     const std::array<double, 3> inverse{perSlope.z - alongX * m_middle.x - alongY * m_middle.y, alongX,
@@ -152,6 +171,10 @@ void InstanceTriangles::append(const MeshOutline::Face& face, Side side) {
         corners[0].goesOn = i > 2 || corners[0].goesOn;
         corners[2].goesOn = i + 1 < polygon.count || corners[2].goesOn;
         appendPart(corners, inverse, side);
+        // Of a thin one nothing is taken for sure.
+        if (ScreenTriangle& made = m_triangles.back(); !made.isThin) {
+            made.bound.distanceView += plane.rounding(made.mostView);
+        }
     }
 }
 

@@ -1,7 +1,9 @@
 #include <cdr/measure/certify/true_surfaces.h>
+#include <cdr/measure/shadows/shadow_truth.h>
 #include <cdr/measure/truth/object_ray.h>
 #include <cdr/measure/truth/surface_hit.h>
 #include <cdr/measure/truth/truth_air.h>
+#include <cdr/measure/truth/truth_finish.h>
 #include <cdr/measure/truth/truth_light.h>
 #include <cdr/measure/truth/visible_instances.h>
 
@@ -9,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 
 namespace cdr::measure {
@@ -52,12 +55,18 @@ void lightRepairs(const scene::Scene& scene, std::span<const Shape> shapes, cons
         repairs, visibleInstances(scene, shapes, camera, frame.ids.width, frame.ids.height, workers));
     const PixelSlopes slopes = pixelSlopes(camera, frame.ids.width, frame.ids.height);
     const TruthTextures textures(scene);
+    // Frames with effects are not certified, so the scene alone decides on tone mapping.
+    const TruthFinish finish{.neutral = scene.sky.has_value() || scene.air.has_value()};
+    std::optional<ShadowTruthCaster> shadows;
+    if (frame.hasShadows) {
+        shadows.emplace(scene, shapes);
+    }
     workers.run(repairs.size(), [&](std::size_t i, std::size_t) {
         PixelRepair& repair = repairs[i];
         const double x = slopes.x[repair.x];
         const double y = slopes.y[repair.y];
         const glm::dvec3 ray = -camera.back + x * camera.right + y * camera.up;
-        repair.color = encode(backgroundAlong(scene, camera.position, ray));
+        repair.color = encode(finished(backgroundAlong(scene, camera.position, ray), finish));
         std::vector<SurfaceHit> hits;
         for (const VisibleInstance& instance : byObject.at(repair.id)) {
             const PixelRect& pixels = instance.pixels;
@@ -71,8 +80,11 @@ void lightRepairs(const scene::Scene& scene, std::span<const Shape> shapes, cons
             repair.normal = hit->normal;
             repair.baseColor = glm::dvec3(hit->baseColor);
             const glm::dvec3 fromCamera = hit->distanceView * ray;
-            repair.color = encode(
-                throughAir(scene, camera.position, fromCamera, lightFrom(scene, camera, *hit, fromCamera)));
+            const glm::dvec4 reached = shadows && !hit->isUnlit
+                                           ? shadows->sharesAt(camera.position, fromCamera, hit->normal)
+                                           : glm::dvec4(1.0);
+            const glm::dvec3 light = lightFrom(scene, camera, *hit, fromCamera, reached);
+            repair.color = encode(finished(throughAir(scene, camera.position, fromCamera, light), finish));
         }
     });
 }

@@ -98,6 +98,20 @@ bool ShadowTruthCaster::reaches(const glm::dvec3& camera, const glm::dvec3& from
     return isFree(camera, fromCamera, (m_scene->lights.at(light).position - camera) - fromCamera);
 }
 
+glm::dvec4 ShadowTruthCaster::sharesAt(const glm::dvec3& camera, const glm::dvec3& fromCamera,
+                                       const glm::dvec3& normal) const {
+    glm::dvec4 shares(1.0);
+    const std::size_t lights = std::min<std::size_t>(m_scene->lights.size(), 4);
+    for (std::size_t light = 0; light < lights; ++light) {
+        const glm::dvec3 way = (m_scene->lights[light].position - camera) - fromCamera;
+        // A surface that faces away from the light gets none of it in any case.
+        if (glm::dot(normal, way) > 0.0 && !reaches(camera, fromCamera, light)) {
+            shares[static_cast<int>(light)] = 0.0;
+        }
+    }
+    return shares;
+}
+
 ShadowPixel ShadowTruthCaster::pixelAt(const scene::Camera& camera, const glm::dvec2& slope,
                                        const glm::dvec2& step, const scene::PointLight& light) const {
     const auto rayAt = [&](const glm::dvec2& at) {

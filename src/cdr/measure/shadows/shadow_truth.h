@@ -50,6 +50,11 @@ class ShadowTruthCaster {
     /// @param fromCamera the surface's point less the camera's position.
     bool reaches(const glm::dvec3& camera, const glm::dvec3& fromCamera, std::size_t light) const;
 
+    /// LitSurface::reached of a surface, 0 or 1 a light. A light that it faces away from counts as reaching it.
+    /// @param fromCamera as for reaches(). @param normal of the surface, world axes.
+    glm::dvec4 sharesAt(const glm::dvec3& camera, const glm::dvec3& fromCamera,
+                        const glm::dvec3& normal) const;
+
   private:
     /// An instance, its rays' space included.
     struct Caster {

@@ -56,8 +56,12 @@ std::vector<SurfaceHit> hitsAt(const View& view, std::uint32_t x, std::uint32_t 
     }
     // At one distance a translucent surface lies on the opaque one, not below it.
     std::sort(hits.begin(), hits.end(), [](const SurfaceHit& a, const SurfaceHit& b) {
-        return std::make_tuple(a.distanceView - a.layer, !a.isBlended, a.id) <
-               std::make_tuple(b.distanceView - b.layer, !b.isBlended, b.id);
+        const auto order = [](const SurfaceHit& hit) {
+            // Of opaque ones the last in the scene's order shows, which the higher id stands for.
+            return std::make_tuple(hit.distanceView - hit.layer, !hit.isBlended,
+                                   hit.isBlended ? hit.id : ~hit.id);
+        };
+        return order(a) < order(b);
     });
     const auto end =
         std::find_if(hits.begin(), hits.end(), [](const SurfaceHit& hit) { return !hit.isBlended; });
@@ -69,20 +73,9 @@ std::vector<SurfaceHit> hitsAt(const View& view, std::uint32_t x, std::uint32_t 
 
 /// LitSurface::reached.
 glm::dvec4 reachedAt(const View& view, const SurfaceHit& hit, const glm::dvec3& fromCamera) {
-    glm::dvec4 reached(1.0);
-    if (view.shadows == nullptr || hit.isUnlit) {
-        return reached;
-    }
-    const std::size_t lights = std::min<std::size_t>(view.scene.lights.size(), 4);
-    for (std::size_t light = 0; light < lights; ++light) {
-        const glm::dvec3 way = (view.scene.lights[light].position - view.camera.position) - fromCamera;
-        // A surface that faces away from the light gets none of it in any case.
-        if (glm::dot(hit.normal, way) > 0.0 &&
-            !view.shadows->reaches(view.camera.position, fromCamera, light)) {
-            reached[static_cast<int>(light)] = 0.0;
-        }
-    }
-    return reached;
+    return view.shadows == nullptr || hit.isUnlit
+               ? glm::dvec4(1.0)
+               : view.shadows->sharesAt(view.camera.position, fromCamera, hit.normal);
 }
 
 /// Pixel (x, y) as `pixel` and what it shows as `sequence`.
