@@ -225,6 +225,10 @@ void InstanceCells::refreshBoxes() {
 
 void InstanceCells::update(const scene::Scene& scene, std::span<const std::uint32_t> changed,
                            host::WorkerPool& workers) {
+    if (scene.instances.size() < m_slotOf.size()) { // another world took the place of the one before
+        build(scene, workers);
+        return;
+    }
     m_slotOf.resize(scene.instances.size(), kNoSlot);
     const bool mayBlend =
         std::any_of(scene.materials.begin(), scene.materials.end(), [](const scene::Material& material) {

@@ -108,6 +108,50 @@ TEST_F(WorldTest, AnyEditsGiveThePictureOfASceneBuiltAnew) {
     EXPECT_GT(blendedFragments, 0u);
 }
 
+/// As undo does it: a copy takes the world's place. An edit each, so that as much was edited after as before.
+TEST_F(WorldTest, AnAssignedWorldIsDrawnAsItIs) {
+    World world;
+    Editor editor(11, world);
+    editor.populate(60);
+    editor.editTables(3);
+    render::GpuScene onDevice(device(), world);
+    std::vector<std::unique_ptr<render::Renderer>> renderers;
+    for (const Submission submission : {Submission::secondaries, Submission::gpuDriven}) {
+        if (submission == Submission::secondaries || canDrawGpuDriven()) {
+            render::RenderOptions options = optionsFor("anchored", submission, TargetsKind::single, 2, 1);
+            options.motion = true;
+            renderers.push_back(std::make_unique<render::Renderer>(device(), onDevice, options));
+        }
+    }
+    const auto expectThePictureOfASceneBuiltAnew = [&] {
+        for (const auto& renderer : renderers) {
+            const render::Frame wanted = draw(editor.expected().build(), ahead(), renderer->options());
+            EXPECT_EQ(hashOf(renderer->render(ahead())), hashOf(wanted));
+        }
+    };
+    for (const int edits : {1, 3, 200}) {
+        SCOPED_TRACE(std::to_string(edits) + " edits");
+        expectThePictureOfASceneBuiltAnew();
+        const World saved = world;
+        Editor undone = editor;
+        for (int i = 0; i < edits; ++i) {
+            undone.edit(edits == 1 ? Editor::Scope::moves : Editor::Scope::all);
+        }
+        if (edits == 3) {
+            undone.populate(70); // so that fewer are there afterwards
+        }
+        for (const auto& renderer : renderers) {
+            renderer->render(ahead());
+        }
+        world = saved;
+        for (int i = 0; i < edits; ++i) {
+            editor.edit(Editor::Scope::moves);
+        }
+        expectThePictureOfASceneBuiltAnew();
+        ASSERT_EQ(messageCount(), 0u);
+    }
+}
+
 template <typename Values>
 auto oneOf(std::mt19937_64& random, const Values& values) {
     return values[std::uniform_int_distribution<std::size_t>(0, std::size(values) - 1)(random)];

@@ -14,6 +14,16 @@ namespace cdr::scene {
 /// @errors None.
 class ChangeLog {
   public:
+    ChangeLog() = default;
+    ChangeLog(const ChangeLog&) = default;
+    ~ChangeLog() = default;
+    /// The array was replaced by another one. Every reader of either log has to read it whole.
+    ChangeLog& operator=(const ChangeLog& other) {
+        m_first = (end() > other.end() ? end() : other.end()) + 1;
+        m_changed.clear();
+        return *this;
+    }
+
     /// Where a reader begins that has seen all so far.
     std::uint64_t end() const { return m_first + m_changed.size(); }
 

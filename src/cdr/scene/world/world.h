@@ -24,7 +24,8 @@ struct InstanceOptions {
 /// at the start of each frame. So all that draws sees an edit in the same frame.
 ///
 /// A copy accepts the handles of the world that it is copied from. Handles that one of the two returns after that must not
-/// be used with the other: there they may name another object.
+/// be used with the other: there they may name another object. A world that is assigned to, as by undo, is drawn as it is
+/// then, at the cost of reading it whole.
 ///
 /// Instances are drawn in the order of their places (Handle::index). A new one takes the place given back last. A place
 /// that is free keeps an instance without size, which no picture and no truth shows.
