@@ -9,6 +9,7 @@ namespace {
 scene::Scene withoutLevels(scene::Scene scene, const std::vector<std::uint32_t>& meshes) {
     for (const std::uint32_t mesh : meshes) {
         scene.meshes[mesh].levels.clear();
+        scene.meshes[mesh].clusters = {};
     }
     return scene;
 }

@@ -415,6 +415,19 @@ TEST(World, RefusesAirThatCannotBe) {
     }
 }
 
+TEST(World, RefusesAScenesColoursThatCanNotBe) {
+    const auto refused = [](auto change) {
+        Scene scene;
+        scene.materials.emplace_back();
+        change(scene);
+        return refusalOf([&] { requireUsable(scene); });
+    };
+    EXPECT_EQ(refused([](Scene&) {}), "");
+    EXPECT_NE(refused([](Scene& scene) { scene.ambient.r = std::numeric_limits<float>::quiet_NaN(); }), "");
+    EXPECT_NE(refused([](Scene& scene) { scene.background.g = -1.0f; }), "");
+    EXPECT_NE(refused([](Scene& scene) { scene.materials[0].baseColorFactor.b = -0.5f; }), "");
+}
+
 TEST(World, TakesSurroundingsThatCanBe) {
     World world;
     const Environment day{

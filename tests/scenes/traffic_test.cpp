@@ -55,6 +55,23 @@ TEST(Traffic, AllMoveAndEveryFrameCanBeMadeAlone) {
     EXPECT_THROW(makeTraffic(1, scene::kMaxObjects + 1), base::InputError);
 }
 
+/// Both would not hold for other vertices.
+TEST(MovingScene, KeepsNoLevelsAndNoClustersOfWhatBends) {
+    scene::Scene scene;
+    scene.meshes.push_back(scene::makeBox(glm::vec3(1.0f)));
+    scene.meshes[0].levels.push_back({.indices = {0, 1, 2}, .error = 1.0f});
+    scene.meshes[0].clusters.indices = {0, 1, 2};
+    scene.meshes[0].clusters.clusters.push_back({.indexCount = 3});
+    scene.meshes.push_back(scene.meshes[0]);
+    scene::SceneMotion motion;
+    motion.meshes = {0};
+    const MovingScene moving(scene, motion);
+    const std::vector<scene::Mesh>& meshes = moving.world().scene().meshes;
+    EXPECT_TRUE(meshes[0].levels.empty());
+    EXPECT_TRUE(meshes[0].clusters.clusters.empty());
+    EXPECT_FALSE(meshes[1].clusters.clusters.empty());
+}
+
 } // namespace
 
 } // namespace cdr::scenes

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
@@ -173,6 +174,25 @@ TEST(Clusters, SeamsStayClosed) {
     const std::vector<std::uint32_t> coarsest = indicesWhere(tree, [](const ClusterGroup&) { return true; });
     EXPECT_LT(coarsest.size(), mesh.indices.size() / 4);
     EXPECT_EQ(openEdges(coarsest), std::size_t{4 * 96}); // the border of the field, as it was
+}
+
+/// Cutting takes time by the square of the triangles around a point.
+TEST(Clusters, AFanOfManyTrianglesGetsNone) {
+    const auto fanOf = [](std::uint32_t triangles) {
+        Mesh fan;
+        fan.vertices.push_back({.position = glm::vec3(0.0f)});
+        for (std::uint32_t i = 0; i <= triangles; ++i) {
+            const double angle = i * 6.0 / triangles;
+            fan.vertices.push_back({.position = {std::cos(angle), std::sin(angle), 0.0}});
+        }
+        for (std::uint32_t i = 1; i <= triangles; ++i) {
+            fan.indices.insert(fan.indices.end(), {0, i, i + 1});
+        }
+        fan.boundingRadius = 1.1f;
+        return fan;
+    };
+    EXPECT_FALSE(clustersOf(fanOf(1000)).clusters.empty());
+    EXPECT_TRUE(clustersOf(fanOf(5000)).clusters.empty());
 }
 
 TEST(Clusters, SmallMeshesGetNone) {

@@ -22,6 +22,8 @@ constexpr std::size_t kGroupClusters = 8;
 constexpr double kMostLeft = 0.8;
 /// No coarser form of a group has fewer triangles.
 constexpr std::size_t kLeastTriangles = 12;
+/// A mesh with a point that more triangles meet in is not cut: that takes time by their square.
+constexpr std::size_t kMostAround = 4096;
 /// For roundings of float32 spheres.
 constexpr double kSphereMargin = 1.0 + 1e-6;
 
@@ -179,6 +181,15 @@ Indices placesOf(const SharedMesh& mesh) {
     return places;
 }
 
+/// How many triangles meet in the point that most meet in.
+std::size_t mostAround(const SharedMesh& mesh, const Indices& places) {
+    std::vector<std::size_t> around(mesh.positions.size());
+    for (const std::uint32_t index : mesh.indices) {
+        ++around[places[index]];
+    }
+    return *std::max_element(around.begin(), around.end());
+}
+
 /// One level coarser: groups that get coarser go into the tree, and what is loose afterwards is returned.
 std::vector<LooseCluster> coarsened(const SharedMesh& mesh, const Indices& places,
                                     std::vector<LooseCluster> loose, host::WorkerPool& workers,
@@ -221,6 +232,9 @@ std::vector<LooseCluster> coarsened(const SharedMesh& mesh, const Indices& place
 ClusterTree makeClusters(const Mesh& mesh, host::WorkerPool& workers) {
     const SharedMesh shared = sharedBy(mesh);
     const Indices places = placesOf(shared);
+    if (mostAround(shared, places) > kMostAround) {
+        return {};
+    }
     std::vector<LooseCluster> loose;
     for (Indices& cluster : cut(shared.indices, shared.positions)) {
         loose.push_back({.indices = std::move(cluster)});

@@ -253,6 +253,9 @@ void requireUsable(const Material& material, std::size_t textures, const std::st
     if (!areFinite(material.baseColorFactor) || !std::isfinite(material.alphaCutoff)) {
         refuseUse("{}: its base colour and alpha cutoff must be finite", what);
     }
+    if (!glm::all(glm::greaterThanEqual(material.baseColorFactor, glm::vec4(0.0f)))) {
+        refuseUse("{}: its base colour must be 0 or more", what);
+    }
     if (!std::isfinite(material.layer)) {
         refuseUse("{}: its layer must be finite", what);
     }
@@ -286,7 +289,7 @@ void requireUsable(const Scene& scene) {
     requireAll(scene.textures, "texture ");
     requireAll(scene.materials, "material ", scene.textures.size());
     requireAll(scene.lights, "light ");
-    requireSurroundings(scene.sky, scene.air);
+    requireUsable({scene.ambient, scene.background, scene.sky, scene.air});
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         requireInstance(scene, i);
     }
