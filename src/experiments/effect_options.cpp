@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
 #include <vector>
 
 namespace cdr::experiments {
@@ -15,10 +14,13 @@ namespace {
 
 std::vector<std::string> partsOf(const std::string& text, char separator) {
     std::vector<std::string> parts;
-    std::istringstream stream(text);
-    for (std::string part; std::getline(stream, part, separator);) {
-        parts.push_back(part);
+    std::size_t begin = 0;
+    for (std::size_t end = text.find(separator); end != std::string::npos;
+         end = text.find(separator, begin)) {
+        parts.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
     }
+    parts.push_back(text.substr(begin)); // also where it is empty, which no number is
     return parts;
 }
 

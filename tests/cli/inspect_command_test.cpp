@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <regex>
 
 namespace cdr::cli_test {
 
@@ -100,6 +101,11 @@ TEST(InspectCommand, NamesACoplanarPairAndItsRemedy) {
     EXPECT_GT(run.document.at("coplanar_fraction"), 0.01);
     EXPECT_EQ(rowOf(run.document, "anchored", "d32f").at("wrong"), 0) << "coplanar pixels are not wrong";
     EXPECT_TRUE(isSaid(run.document, "'wall' and 'poster' lie in one plane"));
+    const std::string advice = run.document.at("advice").dump();
+    EXPECT_TRUE(std::regex_search(
+        advice, std::regex("Take one away, move it by more than [0-9.e-]+ under reversed or [0-9.e-]+ under "
+                           "anchored, or give it a layer of as much")))
+        << advice;
     const auto picture = readPicture(folder.path() / "H.PNG").pixels;
     EXPECT_GT(std::count(picture.begin(), picture.end(), image::Rgba8{255, 0, 255, 255}), 100);
 }

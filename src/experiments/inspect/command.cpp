@@ -113,7 +113,7 @@ experiments::Columns<experiments::ObjectPair> pairColumns(const scene::Scene& sc
 }
 
 void print(const Command& command, const InspectArguments& arguments, const Inspection& inspection,
-           const scene::Scene& scene, const scene::Camera& camera) {
+           const scene::Scene& scene, const experiments::VerdictView& view) {
     const Console& console = command.console();
     std::vector<experiments::ObjectPair> shown = inspection.pairs;
     shown.resize(std::min(shown.size(), kPairsShown));
@@ -126,7 +126,7 @@ void print(const Command& command, const InspectArguments& arguments, const Insp
     }
     console.table(experiments::tableOf(techniqueColumns(), inspection.techniques));
     console.line("");
-    for (const std::string& line : experiments::explain(inspection, scene, camera, [unit](double view) {
+    for (const std::string& line : experiments::explain(inspection, scene, view, [unit](double view) {
              return base::quantityText(view, unit, base::NumberStyle::plain);
          })) {
         console.line(line);
@@ -158,7 +158,8 @@ void run(Command& command, InspectArguments& arguments) {
         experiments::runInspect(command.device(), setup.scene, cameras, options, command.progress());
     command.endProgress();
 
-    print(command, arguments, inspection, setup.scene, cameras.front());
+    const experiments::VerdictView view{.camera = cameras.front(), .height = options.height};
+    print(command, arguments, inspection, setup.scene, view);
     command.console().line(fmt::format("\n{}; {} views of {}x{}", command.opened().text(), cameras.size(),
                                        options.width, options.height));
     if (!arguments.heatMap.empty()) {
@@ -184,9 +185,9 @@ void run(Command& command, InspectArguments& arguments) {
         inspection.simplest
             ? experiments::jsonOf(techniqueColumns(), inspection.techniques[*inspection.simplest])
             : nlohmann::ordered_json(nullptr);
-    document["advice"] = experiments::explain(inspection, setup.scene, cameras.front());
+    document["advice"] = experiments::explain(inspection, setup.scene, view);
     document["advice_parts"] = experiments::sentenceParts(
-        experiments::explain(inspection, setup.scene, cameras.front(), experiments::markedLength));
+        experiments::explain(inspection, setup.scene, view, experiments::markedLength));
     document["fail_above"] = arguments.failAbove ? nlohmann::ordered_json(*arguments.failAbove) : nullptr;
     document["fails"] = fails;
     command.writeDocument(document);

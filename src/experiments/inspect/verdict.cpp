@@ -1,6 +1,7 @@
 #include "verdict.h"
 
 #include <cdr/depth/forecast.h>
+#include <cdr/scene/frustum.h>
 #include <experiments/readable.h>
 
 #include <fmt/format.h>
@@ -43,22 +44,32 @@ std::string simplestLine(const Inspection& inspection) {
 }
 
 /// What moves one of two coplanar faces far enough for a technique.
-std::string stepText(const ObjectPair& pair, const scene::Camera& camera, const char* technique,
-                     const depth::LengthText& lengthText) {
-    const double at = std::clamp(pair.atView, camera.nearView, camera.farView);
-    const auto forecast =
-        depth::tryForecast(depth::parseTechnique(technique),
-                           {.nearView = camera.nearView, .farView = camera.farView, .atView = at});
-    return forecast ? fmt::format("{} under {}", lengthText(forecast->guaranteedView()), technique) : "";
+/// "move it by more than 2 mm under reversed or 3 um under anchored": far enough for these techniques, as far as they are known.
+std::string moveText(const ObjectPair& pair, const VerdictView& view, const depth::LengthText& lengthText) {
+    const double at = std::clamp(pair.atView, view.camera.nearView, view.camera.farView);
+    std::string text = "move it";
+    for (const char* technique : {"reversed", "anchored"}) {
+        const auto forecast = depth::tryForecast(
+            depth::parseTechnique(technique),
+            {.nearView = view.camera.nearView,
+             .farView = view.camera.farView,
+             .footprintSlope = scene::frustumOf(view.camera, 1.0, view.height).footprintSlope,
+             .atView = at,
+             .spanView = at}); // little is known of what else is seen
+        if (forecast) {
+            text += fmt::format("{} {} under {}", text == "move it" ? " by more than" : " or",
+                                lengthText(forecast->guaranteedView()), technique);
+        }
+    }
+    return text;
 }
 
-std::string coplanarLine(const ObjectPair& pair, const scene::Scene& scene, const scene::Camera& camera,
+std::string coplanarLine(const ObjectPair& pair, const scene::Scene& scene, const VerdictView& view,
                          const depth::LengthText& lengthText) {
     return fmt::format(
-        "{} lie in one plane at {}: no technique separates them. Take one away, move it by more than {} or "
-        "{}, or give it a layer of as much (cdr_layer in its extras).",
-        both(scene, pair, "and"), lengthText(pair.atView), stepText(pair, camera, "reversed", lengthText),
-        stepText(pair, camera, "anchored", lengthText));
+        "{} lie in one plane at {}: no technique separates them. Take one away, {}, or give it "
+        "a layer of as much (cdr_layer in its extras).",
+        both(scene, pair, "and"), lengthText(pair.atView), moveText(pair, view, lengthText));
 }
 
 } // namespace
@@ -73,7 +84,7 @@ std::string nameOf(const InspectedTechnique& technique) {
 }
 
 std::vector<std::string> explain(const Inspection& inspection, const scene::Scene& scene,
-                                 const scene::Camera& camera, const depth::LengthText& lengthText) {
+                                 const VerdictView& view, const depth::LengthText& lengthText) {
     std::vector<std::string> lines{simplestLine(inspection)};
     std::size_t coplanar = 0;
     std::size_t sunk = 0;
@@ -81,7 +92,7 @@ std::vector<std::string> explain(const Inspection& inspection, const scene::Scen
     for (const ObjectPair& pair : inspection.pairs) {
         if (pair.isCoplanar()) {
             if (coplanar++ < kNamed) {
-                lines.push_back(coplanarLine(pair, scene, camera, lengthText));
+                lines.push_back(coplanarLine(pair, scene, view, lengthText));
             }
         } else if (pair.isSunk) {
             if (sunk++ < kNamed) {

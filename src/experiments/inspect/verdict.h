@@ -4,6 +4,7 @@
 
 #include <cdr/depth/advice.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,16 @@ std::string nameOfObject(const scene::Scene& scene, std::uint32_t object);
 /// "anchored with d32f".
 std::string nameOf(const InspectedTechnique& technique);
 
+/// A view whose range and pixels say what techniques resolve.
+struct VerdictView {
+    const scene::Camera& camera;
+    std::uint32_t height = 0; ///< pixels
+};
+
 /// What was found, one sentence per line. It names the simplest technique that suffices and the surfaces that are nearest to
 /// each other. It names what no technique can separate, with the remedy.
-/// @param camera of a view: its range says what techniques resolve.
 std::vector<std::string> explain(const Inspection& inspection, const scene::Scene& scene,
-                                 const scene::Camera& camera,
+                                 const VerdictView& view,
                                  const depth::LengthText& lengthText = depth::plainLength);
 
 } // namespace cdr::experiments
