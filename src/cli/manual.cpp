@@ -38,7 +38,7 @@ std::string manualOf(const CLI::App& program, const std::string& version) {
                             plain(command->get_description()), optionsOf(*command));
     }
     return page + ".SH EXIT STATUS\n0: done. 1: it failed while it ran. 2: the input is wrong; nothing was "
-                  "written.\n";
+                  "written. 3: done, and a check that was asked for did not pass.\n";
 }
 
 } // namespace cdr::cli
