@@ -31,7 +31,7 @@ check_all() {
     if has_valgrind; then check_memory; fi
     for driver in mesa swiftshader; do
         tools/drivers.sh "$driver" ctest --preset release --parallel "$(nproc)" \
-            --label-regex '^test_(gpu|render|rivals|experiments|report|cli)$'
+            --label-regex '^test_(gpu|render|rivals|output|runs|experiments|report|cli)$'
     done
     check_barriers
     tools/tidy.sh
@@ -178,7 +178,8 @@ fuzz_rooms() { # ROOM...
         case $room in
             scene) parsers+=(gltf camera_path words) ;;
             image) parsers+=(image) ;;
-            experiments) parsers+=(state unit_state timing) ;;
+            runs) parsers+=(unit_state kept_frame) ;;
+            experiments) parsers+=(state timing) ;;
             cli) parsers+=(kept_frame) ;;
             scenes | visibility) parsers+=(words) ;;
             report) parsers+=(manifest) ;;

@@ -3,15 +3,17 @@
 #include "rank_machine.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/document.h>
-#include <cdr/host/sha256.h>
+#include <cdr/host/json_text.h>
 #include <cdr/host/thread_placement.h>
 #include <cdr/scene/gltf/gltf.h>
-#include <experiments/same_files.h>
 #include <scenes/open_scene.h>
 #include <scenes/orbit/data.h>
 
 #include <fmt/format.h>
+#include <output/document.h>
+#include <program/build_info.h>
+#include <program/sha256.h>
+#include <runs/same_files.h>
 
 #include <algorithm>
 
@@ -76,7 +78,7 @@ void Command::reads(const std::filesystem::path& path) {
         }
     }
     m_read.push_back(path);
-    experiments::requireSameFiles(ranks(), path);
+    runs::requireSameFiles(ranks(), path);
 }
 
 void Command::readsEarth(const std::filesystem::path& folder) {
@@ -84,7 +86,7 @@ void Command::readsEarth(const std::filesystem::path& folder) {
     for (const std::filesystem::path& file : scenes::earthFiles(folder)) {
         m_files.reads(file);
     }
-    experiments::requireSameEarth(ranks(), folder);
+    runs::requireSameEarth(ranks(), folder);
 }
 
 void Command::sayKept(const std::filesystem::path& state) const {
@@ -94,12 +96,12 @@ void Command::sayKept(const std::filesystem::path& state) const {
 std::string Command::digestOfRun(const std::string& more) {
     nlohmann::ordered_json files = nlohmann::ordered_json::object();
     for (const std::filesystem::path& path : m_read) {
-        files[path.string()] = experiments::digestOfFiles(path);
+        files[path.string()] = runs::digestOfFiles(path);
     }
     if (!m_earth.empty()) {
-        files["orbit"] = experiments::digestOfEarth(m_earth);
+        files["orbit"] = runs::digestOfEarth(m_earth);
     }
-    const host::BuildInfo build = host::buildInfo();
+    const program::BuildInfo build = program::buildInfo();
     const gpu::DeviceInfo& device = this->device().info();
     const nlohmann::ordered_json parts{{"command", m_name},
                                        {"version", build.version},
@@ -110,7 +112,7 @@ std::string Command::digestOfRun(const std::string& more) {
                                        {"points", m_global.pointRadius.value_or(0.0)},
                                        {"files", std::move(files)},
                                        {"more", more}};
-    return host::sha256Of(host::textOf(parts, -1));
+    return program::sha256Of(host::textOf(parts, -1));
 }
 
 void Command::keepUnits(const std::filesystem::path& state, const std::string& more) {
@@ -187,8 +189,8 @@ void Command::endProgress() const {
 }
 
 nlohmann::ordered_json Command::makeDocument(nlohmann::ordered_json options) const {
-    nlohmann::ordered_json document = host::makeDocument(
-        m_name, m_opened ? m_opened->documentDevice() : host::DocumentDevice{}, std::move(options));
+    nlohmann::ordered_json document = output::makeDocument(
+        m_name, m_opened ? m_opened->documentDevice() : output::DocumentDevice{}, std::move(options));
     if (m_global.hostCpus != 0) {
         document["host"]["cpus"] = m_measuresTime ? host::allowedCpus().size() : m_global.hostCpus;
     }
@@ -201,7 +203,7 @@ void Command::writeDocument(nlohmann::ordered_json document) const {
             document["notes"] = *m_notes;
             document["noted_files"] = m_notedFiles;
         }
-        host::writeDocument(*m_output.json, document);
+        output::writeDocument(*m_output.json, document);
     }
 }
 

@@ -8,9 +8,9 @@
 #include <CLI/CLI.hpp>
 #include <cdr/scene/gltf/open_gltf.h>
 #include <cdr/scene/scene_setup.h>
-#include <experiments/kept_ranks.h>
 
 #include <nlohmann/json.hpp>
+#include <runs/kept_ranks.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -55,11 +55,11 @@ class Command {
     void sayKept(const std::filesystem::path& state) const;
 
     /// Where a file is named, ranks() keep there what they make from now on, and take from there what an earlier run made. For
-    /// every rank, once all files are read. base::InputError as experiments::KeptRanks.
+    /// every rank, once all files are read. base::InputError as runs::KeptRanks.
     /// @param more as digestOfRun() takes it.
     void keepUnits(const std::filesystem::path& state, const std::string& more = "");
     /// The ranks() that keep units; null where no file is named.
-    experiments::KeptRanks* keptRanks() { return m_kept ? &*m_kept : nullptr; }
+    runs::KeptRanks* keptRanks() { return m_kept ? &*m_kept : nullptr; }
 
     /// Opens a scene as scenes::openScene(), or of a glTF file what is chosen. Notes what of the file is not
     /// drawn. base::InputError when something is chosen of a scene that is no file.
@@ -102,7 +102,7 @@ class Command {
     std::vector<std::string> m_notedFiles;           ///< of each note
     std::string m_device;                            ///< of this rank, as gpu::Device takes it
     std::optional<OpenedDevice> m_opened;
-    std::optional<experiments::KeptRanks> m_kept;
+    std::optional<runs::KeptRanks> m_kept;
     bool m_measuresTime = false;
 };
 

@@ -12,9 +12,9 @@ namespace {
 
 struct NoArguments {};
 
-const experiments::Columns<gpu::DeviceInfo>& deviceColumns() {
+const output::Columns<gpu::DeviceInfo>& deviceColumns() {
     using Info = gpu::DeviceInfo;
-    static const experiments::Columns<Info> kColumns{
+    static const output::Columns<Info> kColumns{
         {.heading = "device",
          .text = [](const Info& info) { return fmt::format("{} {}", info.index, info.name); }},
         {.key = "index", .value = &Info::index},
@@ -52,12 +52,12 @@ void runDevices(Command& command, NoArguments&) {
     if (devices.empty()) {
         command.console().line("no Vulkan device found; for a software one install mesa-vulkan-drivers");
     } else {
-        command.console().table(experiments::tableOf(deviceColumns(), devices));
+        command.console().table(output::tableOf(deviceColumns(), devices));
     }
     const std::string mpi = ranks::mpiLibrary();
     command.console().line(mpi.empty() ? "built without MPI: runs on one machine" : "built with " + mpi);
     auto document = command.makeDocument(nlohmann::ordered_json::object());
-    document["results"] = experiments::jsonOf(deviceColumns(), devices);
+    document["results"] = output::jsonOf(deviceColumns(), devices);
     document["mpi"] = mpi.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(mpi);
     command.writeDocument(document);
 }

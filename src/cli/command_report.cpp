@@ -5,8 +5,6 @@
 
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
-#include <cdr/host/child_process.h>
-#include <cdr/host/document.h>
 #include <report/folder.h>
 #include <report/manifest.h>
 #include <report/page.h>
@@ -16,6 +14,8 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <output/document.h>
+#include <program/child_process.h>
 
 #include <cstdint>
 #include <ctime>
@@ -100,7 +100,7 @@ nlohmann::ordered_json writeReport(const Command& command, const report::PlanOpt
     for (const fs::path& file : report::filesUnder(root)) {
         manifest["files"].push_back(file.generic_string());
     }
-    host::writeDocument(root / report::kManifest, manifest);
+    output::writeDocument(root / report::kManifest, manifest);
     return manifest;
 }
 
@@ -111,7 +111,7 @@ nlohmann::ordered_json fillFolder(Command& command, const report::PlanOptions& o
     std::string root;
     if (folder != nullptr) {
         root = fs::absolute(folder->temporary()).string();
-        if (experiments::KeptRanks* kept = command.keptRanks(); kept != nullptr) {
+        if (runs::KeptRanks* kept = command.keptRanks(); kept != nullptr) {
             takeUpSections(*kept, root);
         }
         fs::create_directory(fs::path(root) / "data");
@@ -177,7 +177,7 @@ void runReport(Command& command, ReportArguments& arguments) {
     report::requirePage();
     report::makePlan(arguments.plan); // refuses an unknown section before all else
     const host::Bytes hasVideos =
-        command.ranks().share({host::isInstalled("ffmpeg") ? std::uint8_t{1} : std::uint8_t{0}});
+        command.ranks().share({program::isInstalled("ffmpeg") ? std::uint8_t{1} : std::uint8_t{0}});
     arguments.plan.videos = hasVideos.front() != 0;
     requireOutside(arguments.folder, command.output().json.value_or(""));
     requireOutside(arguments.folder, arguments.state);

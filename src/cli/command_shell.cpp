@@ -2,8 +2,9 @@
 #include "completions.h"
 #include "manual.h"
 
-#include <cdr/host/document.h>
 #include <cdr/host/standard_streams.h>
+
+#include <program/build_info.h>
 
 #include <memory>
 #include <string>
@@ -18,7 +19,7 @@ void addShellCommands(CLI::App& program) {
     completions->callback(
         [&program, shell] { host::printOutput(completionsOf(program, parseShell(*shell))); });
     CLI::App* manual = program.add_subcommand("manual", "Print the manual page, which man shows");
-    manual->callback([&program] { host::printOutput(manualOf(program, host::buildInfo().version)); });
+    manual->callback([&program] { host::printOutput(manualOf(program, program::buildInfo().version)); });
 }
 
 } // namespace cdr::cli

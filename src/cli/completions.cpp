@@ -1,10 +1,10 @@
 #include "completions.h"
 
 #include <cdr/base/enum_names.h>
-#include <experiments/help_format.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <options/help_format.h>
 
 #include <vector>
 
@@ -36,7 +36,7 @@ std::vector<std::string> dashedNames(const CLI::Option& option) {
 
 std::vector<std::string> dashedNames(const CLI::App& app) {
     std::vector<std::string> names;
-    for (const CLI::Option* option : experiments::shownOptions(app)) {
+    for (const CLI::Option* option : options::shownOptions(app)) {
         for (std::string& name : dashedNames(*option)) {
             names.push_back(std::move(name));
         }
@@ -80,11 +80,11 @@ complete -o default -F _cdr cdr
 
 std::string zshOptions(const CLI::App& app) {
     std::string specs;
-    for (const CLI::Option* option : experiments::shownOptions(app)) {
+    for (const CLI::Option* option : options::shownOptions(app)) {
         for (const std::string& name : dashedNames(*option)) {
             specs +=
                 fmt::format(" \\\n            '{}[{}]{}'", name, escaped(option->get_description(), "[]:\\"),
-                            experiments::takesValue(*option) ? ":value:_files" : "");
+                            options::takesValue(*option) ? ":value:_files" : "");
         }
     }
     return specs;
@@ -117,7 +117,7 @@ if [[ $funcstack[1] == _cdr ]]; then _cdr "$@"; else compdef _cdr cdr; fi
 
 std::string fishOptions(const CLI::App& app, const std::string& condition) {
     std::string lines;
-    for (const CLI::Option* option : experiments::shownOptions(app)) {
+    for (const CLI::Option* option : options::shownOptions(app)) {
         if (option->get_positional()) {
             continue;
         }
@@ -128,7 +128,7 @@ std::string fishOptions(const CLI::App& app, const std::string& condition) {
         for (const std::string& name : option->get_snames()) {
             lines += " -s " + name;
         }
-        lines += fmt::format("{} -d '{}'\n", experiments::takesValue(*option) ? " -r" : "",
+        lines += fmt::format("{} -d '{}'\n", options::takesValue(*option) ? " -r" : "",
                              escaped(option->get_description(), "\\"));
     }
     return lines;

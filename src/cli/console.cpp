@@ -44,7 +44,7 @@ void Console::warning(const std::string& text) const {
     }
 }
 
-void Console::table(const experiments::Table& table) const {
+void Console::table(const output::Table& table) const {
     std::vector<std::size_t> widths;
     for (const std::string& cell : table.header) {
         widths.push_back(cell.size());

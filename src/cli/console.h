@@ -3,9 +3,9 @@
 #include "shared_options.h"
 
 #include <cdr/host/stopwatch.h>
-#include <experiments/columns.h>
 
 #include <fmt/format.h>
+#include <output/columns.h>
 
 #include <cstddef>
 #include <string>
@@ -25,7 +25,7 @@ class Console {
     /// A line that is shown even when quiet, then on standard error.
     void warning(const std::string& text) const;
     /// Columns aligned: the first to the left, all others to the right.
-    void table(const experiments::Table& table) const;
+    void table(const output::Table& table) const;
 
     /// A counter with the time left, on standard error and only where that is a terminal.
     void progress(std::size_t done, std::size_t all, const std::string& what) const;

@@ -4,15 +4,15 @@
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
 #include <cdr/gpu/failure.h>
-#include <cdr/host/document.h>
-#include <cdr/host/kept_memory.h>
 #include <cdr/host/process_cpus.h>
 #include <cdr/host/standard_streams.h>
 #include <cdr/host/unfinished_file.h>
-#include <experiments/camera_options.h>
-#include <experiments/help_format.h>
 
 #include <fmt/format.h>
+#include <options/camera_options.h>
+#include <options/help_format.h>
+#include <program/build_info.h>
+#include <program/kept_memory.h>
 #include <ranks/join.h>
 
 #include <exception>
@@ -60,7 +60,7 @@ void printOnce(const cdr::ranks::Ranks& ranks, const std::string& text) {
 
 /// Ranks of another version, or on other arguments, would wait for each other forever.
 void requireSameProgram(cdr::ranks::Ranks& ranks, int argc, char** argv) {
-    const cdr::host::BuildInfo build = cdr::host::buildInfo();
+    const cdr::program::BuildInfo build = cdr::program::buildInfo();
     std::string text = fmt::format("cdr {} ({})", build.version, build.commit);
     for (int i = 1; i < argc; ++i) {
         text += fmt::format(" {}", argv[i]);
@@ -74,7 +74,7 @@ int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
     CLI::App program("Cascaded deferred rendering: see far without z-fighting.", "cdr");
     program.require_subcommand(1);
     program.fallthrough(); // global options are found behind the command too
-    const auto format = std::make_shared<cdr::experiments::HelpFormat>();
+    const auto format = std::make_shared<cdr::options::HelpFormat>();
     format->label("SUBCOMMAND", "COMMAND");
     program.formatter(format);
     cdr::cli::GlobalOptions global;
@@ -92,8 +92,8 @@ int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
             "--unit", [&global](const std::string& name) { global.unit = cdr::base::parseLengthUnit(name); },
             "Unit of printed lengths where scenes are in metres: none, auto, um, mm, m or km; JSON has none")
         ->default_str("none");
-    cdr::experiments::addTextureMemory(program, global.textureMiB);
-    cdr::experiments::addPointRadius(program, global.pointRadius);
+    cdr::options::addTextureMemory(program, global.textureMiB);
+    cdr::options::addPointRadius(program, global.pointRadius);
     program.add_flag("--quiet", global.quiet, "Print nothing but errors and what of a file is not drawn");
     program.add_flag("--share-machine", global.shareMachine,
                      "Under mpirun: measure time though several ranks share a machine");
@@ -101,7 +101,7 @@ int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
         "--bind", global.bind,
         "Under mpirun: each rank keeps to its part of the machine's processors, or to those that MPI "
         "bound it to");
-    const cdr::host::BuildInfo build = cdr::host::buildInfo();
+    const cdr::program::BuildInfo build = cdr::program::buildInfo();
     program.set_version_flag("--version", fmt::format("cdr {} ({})", build.version, build.commit));
     addCommands(program, global);
     program.footer("cdr COMMAND --help says what a command takes."); // its own, not the commands'
@@ -155,7 +155,7 @@ void printLine(const std::string& line) {
 } // namespace
 
 int main(int argc, char** argv) {
-    cdr::host::keepFreedMemory();
+    cdr::program::keepFreedMemory();
     cdr::host::removeUnfinishedFilesOnSignals();
     std::unique_ptr<cdr::ranks::Ranks> ranks;
     const cdr::ranks::Ending joining = outcomeOf([&] {

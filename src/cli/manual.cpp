@@ -1,8 +1,7 @@
 #include "manual.h"
 
-#include <experiments/help_format.h>
-
 #include <fmt/format.h>
+#include <options/help_format.h>
 
 namespace cdr::cli {
 
@@ -19,9 +18,9 @@ std::string plain(const std::string& text) {
 
 std::string optionsOf(const CLI::App& app) {
     std::string page;
-    for (const CLI::Option* option : experiments::shownOptions(app)) {
-        page += fmt::format(".TP\n.B {}\n{}\n", plain(experiments::optionTitle(*option)),
-                            plain(experiments::optionMeaning(*option)));
+    for (const CLI::Option* option : options::shownOptions(app)) {
+        page += fmt::format(".TP\n.B {}\n{}\n", plain(options::optionTitle(*option)),
+                            plain(options::optionMeaning(*option)));
     }
     return page;
 }

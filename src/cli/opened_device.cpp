@@ -33,7 +33,7 @@ OpenedDevice::OpenedDevice(const std::string& choice, Validation validation)
     gpu::keepPipelines(m_device);
 }
 
-host::DocumentDevice OpenedDevice::documentDevice() const {
+output::DocumentDevice OpenedDevice::documentDevice() const {
     const gpu::DeviceInfo& info = m_device.info();
     return {.name = info.name, .driver = info.driver, .api = info.api};
 }

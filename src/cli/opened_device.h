@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cdr/gpu/device.h>
-#include <cdr/host/document.h>
+
+#include <output/document.h>
 
 #include <cstdint>
 #include <string>
@@ -21,7 +22,7 @@ class OpenedDevice {
     OpenedDevice(const std::string& choice, Validation validation);
 
     const gpu::Device& device() const { return m_device; }
-    host::DocumentDevice documentDevice() const;
+    output::DocumentDevice documentDevice() const;
     /// "name, driver, Vulkan version": what a number was measured on.
     std::string text() const;
 

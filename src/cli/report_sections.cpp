@@ -5,14 +5,14 @@
 
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
-#include <cdr/host/sha256.h>
 #include <cdr/host/standard_streams.h>
 #include <cdr/host/stopwatch.h>
-#include <experiments/readable.h>
-#include <experiments/units.h>
 #include <report/folder.h>
 
 #include <fmt/format.h>
+#include <output/readable.h>
+#include <program/sha256.h>
+#include <runs/units.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -26,7 +26,7 @@ namespace cdr::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using experiments::Json;
+using output::Json;
 
 constexpr std::uintmax_t kMaxJsonBytes = 200'000'000;
 
@@ -59,7 +59,7 @@ SectionOutcome runSection(const GlobalOptions& global, const report::Section& se
 /// Of a file that can be read.
 std::optional<std::string> digestIn(const fs::path& root, const fs::path& file) {
     try {
-        return host::digestOfFile(root / file, std::numeric_limits<std::uintmax_t>::max()).sha256;
+        return program::digestOfFile(root / file, std::numeric_limits<std::uintmax_t>::max()).sha256;
     } catch (const base::InputError&) {
         return std::nullopt;
     }
@@ -139,8 +139,8 @@ void SectionRunner::runAll(const std::function<void()>& keep) {
     for (std::size_t i = 0; i < m_plan.size(); ++i) {
         (m_plan[i].isTimed ? timed : shared).push_back(i);
     }
-    experiments::forEachUnit(m_command.ranks(), shared.size(), runOf(shared), addOf(shared));
-    experiments::forEachUnitOnFirst(m_command.ranks(), timed.size(), runOf(timed), addOf(timed));
+    runs::forEachUnit(m_command.ranks(), shared.size(), runOf(shared), addOf(shared));
+    runs::forEachUnitOnFirst(m_command.ranks(), timed.size(), runOf(timed), addOf(timed));
 }
 
 SectionOutcome SectionRunner::run(std::size_t section) {
@@ -158,12 +158,12 @@ void SectionRunner::add(std::size_t section, SectionOutcome outcome) {
     console.endProgress();
     m_forecast.done(m_plan[section], outcome.seconds);
     sayNow(console, fmt::format("{}/{} {}: {} s{}", ++m_done, m_plan.size(), m_plan[section].name,
-                                experiments::Readable{outcome.seconds},
+                                output::Readable{outcome.seconds},
                                 outcome.failure ? ", failed: " + *outcome.failure : ""));
     m_outcomes[section] = std::move(outcome);
 }
 
-void takeUpSections(experiments::KeptRanks& kept, const fs::path& root) {
+void takeUpSections(runs::KeptRanks& kept, const fs::path& root) {
     std::set<std::string> own;
     kept.keepOnly([&](const host::Bytes& made) {
         const Json outcome = Json::from_cbor(made);

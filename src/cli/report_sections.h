@@ -53,6 +53,6 @@ class SectionRunner {
 
 /// Forgets kept sections that failed, and those whose files changed since. Then removes all files from the report's folder
 /// that belong to no kept section. On the first rank, before the sections.
-void takeUpSections(experiments::KeptRanks& kept, const std::filesystem::path& root);
+void takeUpSections(runs::KeptRanks& kept, const std::filesystem::path& root);
 
 } // namespace cdr::cli

@@ -19,13 +19,13 @@ std::vector<experiments::RivalNeeds> needsOfAll(const std::vector<rivals::NamedR
 void printNeeds(const Console& console, const std::vector<rivals::NamedRival>& rivals) {
     if (!rivals.empty()) {
         console.line("");
-        console.table(experiments::tableOf(experiments::rivalNeedsColumns(), needsOfAll(rivals)));
+        console.table(output::tableOf(experiments::rivalNeedsColumns(), needsOfAll(rivals)));
     }
 }
 
-void addNeeds(experiments::Json& document, const std::vector<rivals::NamedRival>& rivals) {
+void addNeeds(output::Json& document, const std::vector<rivals::NamedRival>& rivals) {
     if (!rivals.empty()) {
-        document["needs"] = experiments::jsonOf(experiments::rivalNeedsColumns(), needsOfAll(rivals));
+        document["needs"] = output::jsonOf(experiments::rivalNeedsColumns(), needsOfAll(rivals));
     }
 }
 

@@ -2,8 +2,7 @@
 
 #include "console.h"
 
-#include <experiments/columns.h>
-
+#include <output/columns.h>
 #include <rivals/rival.h>
 
 #include <vector>
@@ -16,6 +15,6 @@ namespace cdr::cli {
 void printNeeds(const Console& console, const std::vector<rivals::NamedRival>& rivals);
 
 /// As "needs" of the command's JSON.
-void addNeeds(experiments::Json& document, const std::vector<rivals::NamedRival>& rivals);
+void addNeeds(output::Json& document, const std::vector<rivals::NamedRival>& rivals);
 
 } // namespace cdr::cli

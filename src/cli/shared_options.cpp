@@ -3,10 +3,10 @@
 #include <cdr/base/error.h>
 #include <cdr/host/worker_pool.h>
 #include <cdr/render/render_options.h>
-#include <experiments/number_checks.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <options/number_checks.h>
 
 #include <algorithm>
 #include <array>
@@ -101,7 +101,7 @@ void addThreads(CLI::App& command, std::size_t& threads, const std::string& help
 }
 
 void addSeed(CLI::App& command, std::uint64_t& seed, const std::string& help) {
-    command.add_option("--seed", seed, help)->check(experiments::wholeNumber())->capture_default_str();
+    command.add_option("--seed", seed, help)->check(options::wholeNumber())->capture_default_str();
 }
 
 void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help, std::uint32_t most) {

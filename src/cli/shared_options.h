@@ -4,9 +4,9 @@
 #include <cdr/base/quantity_text.h>
 #include <cdr/depth/technique.h>
 #include <cdr/render/geometry/snapping.h>
-#include <experiments/camera_options.h>
-#include <experiments/effect_options.h>
 
+#include <options/camera_options.h>
+#include <options/effect_options.h>
 #include <ranks/ranks.h>
 #include <rivals/rival.h>
 
@@ -51,9 +51,9 @@ struct OutputOptions {
 };
 
 /// Most frames one call renders.
-using experiments::kMaxFrames;
+using options::kMaxFrames;
 
-using experiments::kMostTranslucencyMiB;
+using options::kMostTranslucencyMiB;
 
 // Each adds an option; what it refers to must live as long as the command.
 

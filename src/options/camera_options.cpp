@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace cdr::experiments {
+namespace cdr::options {
 
 namespace {
 
@@ -155,4 +155,4 @@ scene::Camera overridden(scene::Camera camera, const CameraOptions& options) {
     return placed(camera, options);
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::options

@@ -13,7 +13,7 @@ namespace CLI {
 class App;
 }
 
-namespace cdr::experiments {
+namespace cdr::options {
 
 /// Most frames one call renders.
 inline constexpr std::uint32_t kMaxFrames = 1'000'000;
@@ -70,4 +70,4 @@ class FrameCameras {
     std::optional<scene::CameraPath> m_recorded;
 };
 
-} // namespace cdr::experiments
+} // namespace cdr::options

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace cdr::experiments {
+namespace cdr::options {
 
 namespace {
 
@@ -134,4 +134,4 @@ render::TranslucencyOptions translucencyOf(const EffectArguments& arguments) {
             .mostBytes = arguments.translucencyMiB << 20u};
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::options

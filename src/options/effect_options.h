@@ -15,7 +15,7 @@ namespace CLI {
 class App;
 }
 
-namespace cdr::experiments {
+namespace cdr::options {
 
 /// Most MiB that --translucency-memory takes: 4 TiB.
 inline constexpr std::uint64_t kMostTranslucencyMiB = std::uint64_t{1} << 22u;
@@ -49,4 +49,4 @@ render::Shadows shadowsOf(const EffectArguments& arguments);
 /// The same.
 render::TranslucencyOptions translucencyOf(const EffectArguments& arguments);
 
-} // namespace cdr::experiments
+} // namespace cdr::options

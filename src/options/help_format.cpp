@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-namespace cdr::experiments {
+namespace cdr::options {
 
 namespace {
 
@@ -101,4 +101,4 @@ std::string HelpFormat::make_description(const CLI::App* app) const {
     return wrapped(app->get_description(), 0) + "\n";
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::options

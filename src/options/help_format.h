@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace cdr::experiments {
+namespace cdr::options {
 
 /// What a line of help is at most, in characters.
 inline constexpr std::size_t kHelpWidth = 100;
@@ -32,4 +32,4 @@ std::string optionMeaning(const CLI::Option& option);
 /// The options of an app that help shows, in its groups' order, positionals first.
 std::vector<const CLI::Option*> shownOptions(const CLI::App& app);
 
-} // namespace cdr::experiments
+} // namespace cdr::options

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace cdr::experiments {
+namespace cdr::options {
 
 CLI::Validator numberFrom(double least, double most) {
     return CLI::Validator(
@@ -41,4 +41,4 @@ CLI::Validator wholeNumber() {
         "");
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::options

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace cdr::experiments {
+namespace cdr::options {
 
 /// Of an option that takes a number from `least` to `most`. CLI11's own lets NaN through.
 CLI::Validator numberFrom(double least, double most);
@@ -11,4 +11,4 @@ CLI::Validator numberFrom(double least, double most);
 /// large.
 CLI::Validator wholeNumber();
 
-} // namespace cdr::experiments
+} // namespace cdr::options

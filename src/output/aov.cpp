@@ -2,9 +2,10 @@
 
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
-#include <cdr/host/sha256.h>
 #include <cdr/image/srgb.h>
 #include <cdr/measure/compare/wrong_pixels.h>
+
+#include <program/sha256.h>
 
 #include <algorithm>
 #include <array>
@@ -13,7 +14,7 @@
 #include <functional>
 #include <limits>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 namespace {
 
@@ -123,8 +124,8 @@ std::uint32_t coverageAt(const render::Frame& frame, std::uint32_t x, std::uint3
 
 std::string hashOfCoverage(const render::Frame& frame) {
     return frame.fragmentCounts.pixels.empty()
-               ? host::sha256Of(std::vector<std::uint32_t>(std::size_t{frame.width()} * frame.height()))
-               : host::sha256Of(frame.fragmentCounts.pixels);
+               ? program::sha256Of(std::vector<std::uint32_t>(std::size_t{frame.width()} * frame.height()))
+               : program::sha256Of(frame.fragmentCounts.pixels);
 }
 
 image::ImageRgba8 coveragePicture(const render::Frame& frame) {
@@ -149,7 +150,7 @@ std::vector<image::ExrChannel> colorChannels(const render::Frame& frame, const i
 std::string hashOfWords(const render::Frame& frame, std::uint32_t (*word)(const render::GBufferPixel&)) {
     std::vector<std::uint32_t> words(frame.gbuffer.pixels.size());
     std::transform(frame.gbuffer.pixels.begin(), frame.gbuffer.pixels.end(), words.begin(), word);
-    return host::sha256Of(words);
+    return program::sha256Of(words);
 }
 
 } // namespace
@@ -217,11 +218,11 @@ std::vector<image::ExrChannel> channelsOf(const render::Frame& frame, Aov aov,
 std::string hashOf(const render::Frame& frame, Aov aov, const measure::TruthImage* truth) {
     switch (aov) {
     case Aov::color:
-        return host::sha256Of(frame.color.pixels);
+        return program::sha256Of(frame.color.pixels);
     case Aov::wrong:
-        return host::sha256Of(wrongPicture(frame, truth).pixels);
+        return program::sha256Of(wrongPicture(frame, truth).pixels);
     case Aov::id:
-        return host::sha256Of(frame.ids().pixels);
+        return program::sha256Of(frame.ids().pixels);
     case Aov::distance:
         return hashOfWords(frame, [](const render::GBufferPixel& pixel) {
             return std::bit_cast<std::uint32_t>(pixel.ahead);
@@ -236,4 +237,4 @@ std::string hashOf(const render::Frame& frame, Aov aov, const measure::TruthImag
     throw base::RunError("output out of range");
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::output

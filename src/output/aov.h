@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 /// What a frame can be written as.
 enum class Aov : std::uint8_t {
@@ -44,4 +44,4 @@ std::vector<image::ExrChannel> channelsOf(const render::Frame& frame, Aov aov,
 /// them.
 std::string hashOf(const render::Frame& frame, Aov aov, const measure::TruthImage* truth);
 
-} // namespace cdr::experiments
+} // namespace cdr::output

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 namespace {
 
@@ -77,4 +77,4 @@ void putRight(render::Frame& frame, const measure::Certificate& certificate) {
     }
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::output

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 /// base::InputError for what a certificate cannot follow: effects, a focus and levels of detail.
 void requireCertifiable(const render::RenderOptions& options);
@@ -21,4 +21,4 @@ measure::DrawnFrame drawnFrame(const render::Frame& frame, const render::RenderO
 /// pixel's G-buffer does not say how it shines; its colour has it.
 void putRight(render::Frame& frame, const measure::Certificate& certificate);
 
-} // namespace cdr::experiments
+} // namespace cdr::output

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 namespace {
 
@@ -58,4 +58,4 @@ std::string csvOf(const std::vector<CsvField>& fields, const Json& rows) {
     return csv;
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::output

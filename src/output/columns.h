@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 using Json = nlohmann::ordered_json;
 
@@ -178,4 +178,4 @@ struct CsvField {
 /// Rows of jsonOf() as CSV with a header. Null is an empty field.
 std::string csvOf(const std::vector<CsvField>& fields, const Json& rows);
 
-} // namespace cdr::experiments
+} // namespace cdr::output

@@ -1,20 +1,18 @@
-#include "build_info.h"
-
-#include <cdr/host/document.h>
 #include <cdr/host/file.h>
+#include <cdr/host/json_text.h>
 #include <cdr/host/standard_streams.h>
 
+#include <output/document.h>
+#include <program/build_info.h>
+
 #include <thread>
+#include <utility>
 
-namespace cdr::host {
-
-BuildInfo buildInfo() {
-    return {.version = CDR_VERSION, .commit = CDR_COMMIT};
-}
+namespace cdr::output {
 
 nlohmann::ordered_json makeDocument(const std::string& command, const DocumentDevice& device,
                                     nlohmann::ordered_json options) {
-    const BuildInfo build = buildInfo();
+    const program::BuildInfo build = program::buildInfo();
     return {{"command", command},
             {"version", build.version},
             {"commit", build.commit},
@@ -24,18 +22,14 @@ nlohmann::ordered_json makeDocument(const std::string& command, const DocumentDe
             {"results", nlohmann::ordered_json::array()}};
 }
 
-std::string textOf(const nlohmann::ordered_json& json, int indent) {
-    return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
 void writeDocument(const std::filesystem::path& path, const nlohmann::ordered_json& document) {
-    const std::string text = textOf(document, 2);
+    const std::string text = host::textOf(document, 2);
     if (path == "-") {
-        printOutput(text);
-        flushStandardOutput();
+        host::printOutput(text);
+        host::flushStandardOutput();
         return;
     }
-    writeText(path, text);
+    host::writeText(path, text);
 }
 
-} // namespace cdr::host
+} // namespace cdr::output

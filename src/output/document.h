@@ -5,14 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace cdr::host {
-
-/// Version and commit the binary was built from; the commit is "unknown" outside a git checkout.
-struct BuildInfo {
-    std::string version;
-    std::string commit;
-};
-BuildInfo buildInfo();
+namespace cdr::output {
 
 /// The device that a command ran on, for its JSON. Empty texts for commands that need none.
 struct DocumentDevice {
@@ -26,13 +19,8 @@ struct DocumentDevice {
 nlohmann::ordered_json makeDocument(const std::string& command, const DocumentDevice& device,
                                     nlohmann::ordered_json options);
 
-/// JSON as text with a final line break. Bytes of texts that are not UTF-8, as file names may hold, become
-/// U+FFFD.
-/// @param indent spaces a level; -1 for one line.
-std::string textOf(const nlohmann::ordered_json& json, int indent);
-
 /// Writes a document whole or not at all, indented; "-" is standard output.
 /// InputError or RunError when that fails.
 void writeDocument(const std::filesystem::path& path, const nlohmann::ordered_json& document);
 
-} // namespace cdr::host
+} // namespace cdr::output

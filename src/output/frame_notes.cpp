@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 namespace {
 
@@ -52,4 +52,4 @@ std::string_view noteOnLostShine() {
     return "surfaces are matt, since ambient occlusion per layer takes the bits that say how they shine";
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::output

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 /// Why a frame's translucent surfaces were not sorted, in words.
 /// @param device that drew the frame, by name. @param width of the picture. @param height likewise.
@@ -19,4 +19,4 @@ std::string_view noteOnLostEmission();
 /// What FrameStats::lostShine means, in words.
 std::string_view noteOnLostShine();
 
-} // namespace cdr::experiments
+} // namespace cdr::output

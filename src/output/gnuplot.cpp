@@ -4,14 +4,15 @@
 
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
-#include <cdr/host/child_process.h>
 #include <cdr/host/file.h>
+
+#include <program/child_process.h>
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 namespace {
 
@@ -28,7 +29,7 @@ void requirePlottable(const std::filesystem::path& path) {
         throw base::InputError(base::unknownName("plot format", extension, kExtensions));
     }
     host::requireWritable(path);
-    if (!host::isInstalled("gnuplot")) {
+    if (!program::isInstalled("gnuplot")) {
         throw base::InputError("plots need gnuplot, which is not installed (Debian, Ubuntu: gnuplot-nox)");
     }
 }
@@ -40,7 +41,7 @@ void writePlot(const std::filesystem::path& path, const std::string& script) {
     const std::string input = terminal + script;
     host::writeBesideThenRename(path, [&](const std::filesystem::path& temporary) {
         // -d: start-up files of the user are not read.
-        host::ChildProcess gnuplot({"gnuplot", "-d", "-"}, {.file = temporary});
+        program::ChildProcess gnuplot({"gnuplot", "-d", "-"}, {.file = temporary});
         gnuplot.write({reinterpret_cast<const std::uint8_t*>(input.data()), input.size()});
         gnuplot.finish();
         requireWhole(temporary, path, "gnuplot");
@@ -59,4 +60,4 @@ std::string gnuplotQuote(const std::string& text) {
     return quoted + "'";
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::output

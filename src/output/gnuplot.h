@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 /// base::InputError unless `path` ends in .png or .svg, can be written, and gnuplot is installed. Call before
 /// long work.
@@ -17,4 +17,4 @@ void writePlot(const std::filesystem::path& path, const std::string& script);
 /// Text as a gnuplot string, quoted; control characters become spaces.
 std::string gnuplotQuote(const std::string& text);
 
-} // namespace cdr::experiments
+} // namespace cdr::output

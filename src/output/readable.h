@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 /// A number that fmt writes as base::quantityText() does on terminals; "{:+}" puts a sign before a positive one too.
 struct Readable {
@@ -17,10 +17,10 @@ constexpr Readable percent(double share) {
     return {100.0 * share};
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::output
 
 template <>
-struct fmt::formatter<cdr::experiments::Readable> {
+struct fmt::formatter<cdr::output::Readable> {
     bool hasPlus = false;
 
     constexpr auto parse(fmt::format_parse_context& context) {
@@ -33,7 +33,7 @@ struct fmt::formatter<cdr::experiments::Readable> {
     }
 
     template <typename Context>
-    auto format(const cdr::experiments::Readable& number, Context& context) const {
+    auto format(const cdr::output::Readable& number, Context& context) const {
         return fmt::format_to(
             context.out(), "{}{}", hasPlus && number.value > 0.0 ? "+" : "",
             cdr::base::quantityText(number.value, number.unit, cdr::base::NumberStyle::plain));

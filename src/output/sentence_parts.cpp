@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 namespace {
 
@@ -36,4 +36,4 @@ nlohmann::ordered_json sentenceParts(const std::vector<std::string>& lines) {
     return all;
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::output

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 /// A length that sentenceParts() finds again in a sentence.
 std::string markedLength(double view);
@@ -14,4 +14,4 @@ std::string markedLength(double view);
 /// @param lines with lengths by markedLength().
 nlohmann::ordered_json sentenceParts(const std::vector<std::string>& lines);
 
-} // namespace cdr::experiments
+} // namespace cdr::output

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 namespace {
 
@@ -56,7 +56,7 @@ void requireEncodable(std::uint32_t width, std::uint32_t height) {
         throw base::InputError(fmt::format("a video's sides must be even and 2 to {} pixels, not {}x{}",
                                            kMostSide, width, height));
     }
-    if (!host::isInstalled("ffmpeg")) {
+    if (!program::isInstalled("ffmpeg")) {
         throw base::InputError("videos need ffmpeg, which is not installed (Debian, Ubuntu: ffmpeg)");
     }
 }
@@ -83,4 +83,4 @@ void VideoWriter::finish() {
     m_file.commit();
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::output

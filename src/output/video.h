@@ -1,13 +1,14 @@
 #pragma once
 
-#include <cdr/host/child_process.h>
 #include <cdr/host/file.h>
 #include <cdr/image/image.h>
+
+#include <program/child_process.h>
 
 #include <cstdint>
 #include <filesystem>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 /// How a video plays: `frames` over `seconds`.
 struct VideoTiming {
@@ -40,7 +41,7 @@ class VideoWriter {
     std::uint32_t m_height;
     std::filesystem::path m_path;
     host::PendingFile m_file;
-    host::ChildProcess m_encoder;
+    program::ChildProcess m_encoder;
 };
 
-} // namespace cdr::experiments
+} // namespace cdr::output

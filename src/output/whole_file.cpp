@@ -10,7 +10,7 @@
 #include <fstream>
 #include <string_view>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 namespace {
 
@@ -86,4 +86,4 @@ void requireWhole(const fs::path& written, const fs::path& name, const std::stri
     }
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::output

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 /// Checks that another program has written all of a file. Some end with status 0 although the disk was full.
 /// @param written the file, a .png, .svg or .mp4.
@@ -12,4 +12,4 @@ namespace cdr::experiments {
 void requireWhole(const std::filesystem::path& written, const std::filesystem::path& name,
                   const std::string& program);
 
-} // namespace cdr::experiments
+} // namespace cdr::output

@@ -1,6 +1,6 @@
 #include "wrong_pixels_columns.h"
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 Columns<measure::WrongPixels> wrongPixelsColumns(const WrongPixelsHeadings& headings) {
     using Wrong = measure::WrongPixels;
@@ -17,4 +17,4 @@ Columns<measure::WrongPixels> wrongPixelsColumns(const WrongPixelsHeadings& head
             {.key = "edge_wrong", .value = &Wrong::edgeWrong}};
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::output

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <cdr/measure/compare/wrong_pixels.h>
-#include <experiments/columns.h>
+
+#include <output/columns.h>
 
 #include <string>
 
-namespace cdr::experiments {
+namespace cdr::output {
 
 /// What tables call the counts; they leave out those without a name.
 struct WrongPixelsHeadings {
@@ -20,4 +21,4 @@ struct WrongPixelsHeadings {
 /// "overlap_wrong_fraction" and "edge_wrong".
 Columns<measure::WrongPixels> wrongPixelsColumns(const WrongPixelsHeadings& headings = {});
 
-} // namespace cdr::experiments
+} // namespace cdr::output

@@ -1,7 +1,7 @@
 #include <cdr/base/error.h>
-#include <cdr/host/child_process.h>
 
 #include <fcntl.h>
+#include <program/child_process.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -12,7 +12,7 @@
 #include <csignal>
 #include <cstring>
 
-namespace cdr::host {
+namespace cdr::program {
 
 namespace {
 
@@ -153,4 +153,4 @@ bool isInstalled(const std::string& program) {
     return true;
 }
 
-} // namespace cdr::host
+} // namespace cdr::program

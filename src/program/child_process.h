@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace cdr::host {
+namespace cdr::program {
 
 /// Another program, started from an argument vector without a shell. It inherits only the three standard
 /// files. Its standard error is kept, to be quoted in messages.
@@ -55,4 +55,4 @@ class ChildProcess {
 /// Whether a program of that name can be started.
 bool isInstalled(const std::string& program);
 
-} // namespace cdr::host
+} // namespace cdr::program

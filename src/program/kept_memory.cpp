@@ -1,4 +1,4 @@
-#include <cdr/host/kept_memory.h>
+#include <program/kept_memory.h>
 
 #include <cstdlib> // defines __GLIBC__, where that is the C library
 
@@ -6,7 +6,7 @@
 #include <malloc.h>
 #endif
 
-namespace cdr::host {
+namespace cdr::program {
 
 bool keepFreedMemory() {
 #if defined(__GLIBC__)
@@ -19,4 +19,4 @@ bool keepFreedMemory() {
 #endif
 }
 
-} // namespace cdr::host
+} // namespace cdr::program

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace cdr::host {
+namespace cdr::program {
 
 /// Has the process keep freed memory for its next allocation, up to 256 MiB, instead of returning it to the system. A
 /// software driver allocates and frees several MiB in each frame, and memory that was returned costs a page fault per 4 KiB.
@@ -8,4 +8,4 @@ namespace cdr::host {
 /// @return whether the C library has such a setting; else nothing changes.
 bool keepFreedMemory();
 
-} // namespace cdr::host
+} // namespace cdr::program

@@ -1,11 +1,10 @@
-#include <cdr/host/machine_state.h>
-
+#include <program/machine_state.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 
-namespace cdr::host {
+namespace cdr::program {
 
 namespace {
 
@@ -24,4 +23,4 @@ MachineState machineState() {
             .cpus = static_cast<std::size_t>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)))};
 }
 
-} // namespace cdr::host
+} // namespace cdr::program

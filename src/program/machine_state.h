@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace cdr::host {
+namespace cdr::program {
 
 /// What else decides how long things take here.
 struct MachineState {
@@ -19,4 +19,4 @@ struct MachineState {
 
 MachineState machineState();
 
-} // namespace cdr::host
+} // namespace cdr::program

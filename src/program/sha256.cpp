@@ -1,8 +1,8 @@
 #include <cdr/base/error.h>
 #include <cdr/host/input_file.h>
-#include <cdr/host/sha256.h>
 
 #include <openssl/evp.h>
+#include <program/sha256.h>
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace cdr::host {
+namespace cdr::program {
 
 namespace {
 
@@ -59,7 +59,7 @@ std::string sha256(std::span<const std::uint8_t> bytes) {
 }
 
 FileDigest digestOfFile(const std::filesystem::path& path, std::uintmax_t maxBytes) {
-    const InputFile file(path, maxBytes);
+    const host::InputFile file(path, maxBytes);
     Sha256 sha;
     std::vector<std::uint8_t> part(static_cast<std::size_t>(std::min(file.size(), kPartBytes)));
     for (std::uintmax_t offset = 0; offset < file.size(); offset += part.size()) {
@@ -72,4 +72,4 @@ FileDigest digestOfFile(const std::filesystem::path& path, std::uintmax_t maxByt
     return {.sha256 = sha.finish(), .bytes = file.size()};
 }
 
-} // namespace cdr::host
+} // namespace cdr::program

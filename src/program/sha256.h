@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-namespace cdr::host {
+namespace cdr::program {
 
 /// SHA-256 of the bytes as 64 lower-case hexadecimal digits.
 std::string sha256(std::span<const std::uint8_t> bytes);
@@ -27,4 +27,4 @@ struct FileDigest {
 /// `maxBytes`, or cannot be read to its end.
 FileDigest digestOfFile(const std::filesystem::path& path, std::uintmax_t maxBytes);
 
-} // namespace cdr::host
+} // namespace cdr::program

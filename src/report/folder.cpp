@@ -6,9 +6,9 @@
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
 #include <cdr/host/process.h>
-#include <cdr/host/sha256.h>
 
 #include <fmt/format.h>
+#include <program/sha256.h>
 
 #include <algorithm>
 #include <set>
@@ -151,7 +151,7 @@ std::vector<fs::path> filesUnder(const fs::path& folder) {
 }
 
 PendingFolder::PendingFolder(const fs::path& path, const std::string& state) : m_path(resolved(path)) {
-    const std::string kept = state.empty() ? "" : host::sha256Of(state).substr(0, 12);
+    const std::string kept = state.empty() ? "" : program::sha256Of(state).substr(0, 12);
     requireReplaceable(m_path, state.empty() ? fs::path() : hiddenIn(m_path, m_path, kept, "new"));
     m_isInside = fs::exists(m_path) && (isCurrent(m_path) || isMountPoint(m_path));
     const fs::path folder = m_isInside ? m_path : m_path.parent_path();

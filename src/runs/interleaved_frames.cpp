@@ -2,12 +2,13 @@
 
 #include <cdr/host/stopwatch.h>
 #include <cdr/measure/statistics/statistics.h>
-#include <experiments/units.h>
+
+#include <runs/units.h>
 
 #include <algorithm>
 #include <utility>
 
-namespace cdr::experiments {
+namespace cdr::runs {
 
 FrameSample timed(const std::function<render::FrameStats()>& draw) {
     const host::Stopwatch watch;
@@ -47,7 +48,7 @@ void InterleavedFrames::divide(TimedRanks& ranks, std::size_t units,
     ranks.forEachUnit(
         units,
         [&](std::size_t unit) { return packed(row([&](std::size_t mode) { return draw(mode, unit); })); },
-        [&](std::size_t, const Json& timed) { add(unpacked<FrameSample>(timed)); });
+        [&](std::size_t, const output::Json& timed) { add(unpacked<FrameSample>(timed)); });
 }
 
 void InterleavedFrames::run(TimedRanks& ranks, std::uint32_t frames, const std::function<void()>& step,
@@ -72,15 +73,15 @@ void InterleavedFrames::forget() {
     }
 }
 
-Json InterleavedFrames::packedSamples() const {
-    Json all = Json::array();
+output::Json InterleavedFrames::packedSamples() const {
+    output::Json all = output::Json::array();
     for (const std::vector<FrameSample>& samples : m_samples) {
         all.push_back(packed(samples));
     }
     return all;
 }
 
-void InterleavedFrames::takeSamples(const Json& packed, std::size_t frames) {
+void InterleavedFrames::takeSamples(const output::Json& packed, std::size_t frames) {
     for (std::size_t mode = 0; mode < m_samples.size(); ++mode) {
         m_samples[mode] = unpacked<FrameSample>(packed.at(mode), frames);
     }
@@ -106,4 +107,4 @@ std::vector<double> InterleavedFrames::ratios(std::size_t mode, std::size_t over
     return ratios;
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::runs

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cdr/render/frame.h>
-#include <experiments/shuffled_order.h>
-#include <experiments/timed_ranks.h>
+
+#include <runs/shuffled_order.h>
+#include <runs/timed_ranks.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-namespace cdr::experiments {
+namespace cdr::runs {
 
 /// What drawing one frame took.
 struct FrameSample {
@@ -49,9 +50,9 @@ class InterleavedFrames {
     void forget();
 
     /// What was drawn so far.
-    Json packedSamples() const;
+    output::Json packedSamples() const;
     /// In its place, so many frames of the same modes that another object has packed. std::out_of_range where it has not.
-    void takeSamples(const Json& packed, std::size_t frames);
+    void takeSamples(const output::Json& packed, std::size_t frames);
 
     /// A part of each frame of a mode, in the order of the frames.
     std::vector<double> samples(std::size_t mode, double FrameSample::*part) const;
@@ -71,4 +72,4 @@ class InterleavedFrames {
     std::vector<std::vector<FrameSample>> m_samples; ///< by mode, then frame
 };
 
-} // namespace cdr::experiments
+} // namespace cdr::runs

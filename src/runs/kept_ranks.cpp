@@ -10,7 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace cdr::experiments {
+namespace cdr::runs {
 
 namespace {
 
@@ -24,7 +24,7 @@ template <typename Action>
 auto KeptRanks::reading(const Action& action) const {
     try {
         return action();
-    } catch (const Json::exception&) {
+    } catch (const output::Json::exception&) {
     } catch (const std::out_of_range&) {
     }
     throw base::InputError(fmt::format(
@@ -128,4 +128,4 @@ ranks::Ending KeptRanks::end(const ranks::Ending& mine) {
     return m_ranks.end(mine);
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::runs

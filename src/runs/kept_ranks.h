@@ -1,8 +1,7 @@
 #pragma once
 
-#include <experiments/unit_state.h>
-
 #include <ranks/ranks.h>
+#include <runs/unit_state.h>
 
 #include <cstddef>
 #include <filesystem>
@@ -13,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace cdr::experiments {
+namespace cdr::runs {
 
 /// Ranks of a run whose results a file keeps: those of an earlier run are taken from there, and ranks make what is missing.
 /// The first rank reads and writes the file. All ranks make the object, and share units through it alone.
@@ -55,4 +54,4 @@ class KeptRanks final : public ranks::Ranks {
     std::size_t m_begin = 0;                     ///< unit of the run that the next call begins with
 };
 
-} // namespace cdr::experiments
+} // namespace cdr::runs

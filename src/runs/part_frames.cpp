@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace cdr::experiments {
+namespace cdr::runs {
 
 namespace {
 
@@ -104,4 +104,4 @@ void mergeParts(ranks::Ranks& ranks, render::Frame& frame, std::size_t& bytesSen
         [&](const host::Bytes& later) { layUnder(frame, later); });
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::runs

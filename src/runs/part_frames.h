@@ -5,7 +5,7 @@
 
 #include <ranks/ranks.h>
 
-namespace cdr::experiments {
+namespace cdr::runs {
 
 /// Pixels of a frame that show a surface, with their colours, as bytes that another rank of the same program reads. What
 /// shows the background takes next to none.
@@ -19,4 +19,4 @@ void layUnder(render::Frame& frame, const host::Bytes& farther);
 /// @param bytesSent grows by what this rank sends.
 void mergeParts(ranks::Ranks& ranks, render::Frame& frame, std::size_t& bytesSent);
 
-} // namespace cdr::experiments
+} // namespace cdr::runs

@@ -2,13 +2,13 @@
 
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
-#include <cdr/host/sha256.h>
 #include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/gltf/open_gltf.h>
 #include <scenes/orbit/data.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <program/sha256.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace cdr::experiments {
+namespace cdr::runs {
 
 namespace {
 
@@ -29,8 +29,8 @@ std::vector<std::string> digestsOf(const std::vector<scene::GltfReference>& file
     std::vector<std::string> digests;
     for (const scene::GltfReference& file : files) {
         try {
-            const host::FileDigest digest =
-                host::digestOfFile(file.path, std::min(left, scene::GltfLimits{}.maxFileBytes));
+            const program::FileDigest digest =
+                program::digestOfFile(file.path, std::min(left, scene::GltfLimits{}.maxFileBytes));
             left -= digest.bytes;
             digests.push_back(digest.sha256);
         } catch (const base::InputError&) {
@@ -81,7 +81,7 @@ void requireSameFiles(ranks::Ranks& ranks, const std::filesystem::path& path) {
     if (ranks.isAlone()) {
         return;
     }
-    const std::string digest = host::digestOfFile(path, scene::GltfLimits{}.maxFileBytes).sha256;
+    const std::string digest = program::digestOfFile(path, scene::GltfLimits{}.maxFileBytes).sha256;
     ranks.requireSame(digest, fmt::format("{}: is another file than the first rank's", path.string()));
     if (scene::isGltfPath(path)) {
         requireAlike(ranks, path.string(), scene::gltfReferences(path));
@@ -101,11 +101,11 @@ std::string digestOfFiles(const std::filesystem::path& path) {
         const std::vector<scene::GltfReference> others = scene::gltfReferences(path);
         files.insert(files.end(), others.begin(), others.end());
     }
-    return host::sha256Of(nlohmann::json(digestsOf(files)).dump());
+    return program::sha256Of(nlohmann::json(digestsOf(files)).dump());
 }
 
 std::string digestOfEarth(const std::filesystem::path& folder) {
-    return host::sha256Of(nlohmann::json(digestsOf(earthFiles(folder))).dump());
+    return program::sha256Of(nlohmann::json(digestsOf(earthFiles(folder))).dump());
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::runs

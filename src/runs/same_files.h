@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace cdr::experiments {
+namespace cdr::runs {
 
 // Each: base::InputError on the first rank, naming rank and file, unless all ranks read the same bytes. A rank with another
 // scene would make wrong pictures, or wait for a frame that no rank draws. A process that is alone reads nothing.
@@ -21,4 +21,4 @@ void requireSameEarth(ranks::Ranks& ranks, const std::filesystem::path& folder);
 std::string digestOfFiles(const std::filesystem::path& path);
 std::string digestOfEarth(const std::filesystem::path& folder);
 
-} // namespace cdr::experiments
+} // namespace cdr::runs

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace cdr::experiments {
+namespace cdr::runs {
 
 /// A fresh order of what is compared for each frame, so that what one leaves in the caches burdens all others
 /// alike.
@@ -30,4 +30,4 @@ class ShuffledOrder {
     std::vector<std::size_t> m_order;
 };
 
-} // namespace cdr::experiments
+} // namespace cdr::runs

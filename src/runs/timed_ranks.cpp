@@ -1,24 +1,25 @@
 #include "timed_ranks.h"
 
 #include <cdr/host/thread_placement.h>
-#include <experiments/units.h>
 
-namespace cdr::experiments {
+#include <runs/units.h>
 
-void TimedRanks::forEachUnit(std::size_t count, const std::function<Json(std::size_t unit)>& time,
-                             const std::function<void(std::size_t unit, const Json& timed)>& take) {
+namespace cdr::runs {
+
+void TimedRanks::forEachUnit(std::size_t count, const std::function<output::Json(std::size_t unit)>& time,
+                             const std::function<void(std::size_t unit, const output::Json& timed)>& take) {
     m_timers.clear();
     const ranks::Place& place = m_ranks.place();
-    experiments::forEachUnit(
+    runs::forEachUnit(
         m_ranks, count,
         [&](std::size_t unit) {
-            return Json{{"rank", place.index},
-                        {"node", place.node.value_or("")},
-                        {"ranks_on_node", place.countOnNode},
-                        {"cpus", host::allowedCpus()},
-                        {"timed", time(unit)}};
+            return output::Json{{"rank", place.index},
+                                {"node", place.node.value_or("")},
+                                {"ranks_on_node", place.countOnNode},
+                                {"cpus", host::allowedCpus()},
+                                {"timed", time(unit)}};
         },
-        [&](std::size_t unit, const Json& made) {
+        [&](std::size_t unit, const output::Json& made) {
             Timer& timer = m_timers[made.at("rank").get<std::size_t>()];
             timer.node = made.at("node").get<std::string>();
             timer.ranksOnNode = made.at("ranks_on_node").get<std::size_t>();
@@ -28,8 +29,8 @@ void TimedRanks::forEachUnit(std::size_t count, const std::function<Json(std::si
         });
 }
 
-Json TimedRanks::measuredBy(const std::string& units) const {
-    Json rows = Json::array();
+output::Json TimedRanks::measuredBy(const std::string& units) const {
+    output::Json rows = output::Json::array();
     for (const auto& [rank, timer] : m_timers) {
         rows.push_back({{"rank", rank},
                         {"node", timer.node},
@@ -40,11 +41,11 @@ Json TimedRanks::measuredBy(const std::string& units) const {
     return rows;
 }
 
-void addMeasuredBy(Json& document, const ranks::Ranks& ranks, const Json& measuredBy) {
+void addMeasuredBy(output::Json& document, const ranks::Ranks& ranks, const output::Json& measuredBy) {
     if (!ranks.isAlone()) {
         document["measured_by"] = measuredBy;
         document["cpu_choice"] = ranks::nameOf(ranks.place().cpus.choice);
     }
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::runs

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <experiments/columns.h>
-
+#include <output/columns.h>
 #include <ranks/ranks.h>
 
 #include <cstddef>
@@ -10,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace cdr::experiments {
+namespace cdr::runs {
 
 /// The ranks that share what is timed, and which of them timed what.
 class TimedRanks {
@@ -21,18 +20,18 @@ class TimedRanks {
 
     /// Forgets who timed what before, and lets each unit be timed on some rank. The first one takes what came of it, in the
     /// order of the units.
-    void forEachUnit(std::size_t count, const std::function<Json(std::size_t unit)>& time,
-                     const std::function<void(std::size_t unit, const Json& timed)>& take);
+    void forEachUnit(std::size_t count, const std::function<output::Json(std::size_t unit)>& time,
+                     const std::function<void(std::size_t unit, const output::Json& timed)>& take);
 
     /// A row for each rank that timed: its number, its node, how many ranks that node has, and its units.
     /// @param units their name in the row.
-    Json measuredBy(const std::string& units) const;
+    output::Json measuredBy(const std::string& units) const;
 
   private:
     struct Timer {
         std::string node;
         std::size_t ranksOnNode = 1;
-        Json cpus;
+        output::Json cpus;
         std::vector<std::size_t> units;
     };
 
@@ -42,6 +41,6 @@ class TimedRanks {
 
 /// Adds "measured_by" to a command's document where several ranks timed, and "cpu_choice", how those of the first one's
 /// machine came to their processors.
-void addMeasuredBy(Json& document, const ranks::Ranks& ranks, const Json& measuredBy);
+void addMeasuredBy(output::Json& document, const ranks::Ranks& ranks, const output::Json& measuredBy);
 
-} // namespace cdr::experiments
+} // namespace cdr::runs

@@ -2,16 +2,16 @@
 
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
-#include <cdr/host/sha256.h>
 
 #include <fmt/format.h>
+#include <program/sha256.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <system_error>
 #include <utility>
 
-namespace cdr::experiments {
+namespace cdr::runs {
 
 namespace {
 
@@ -27,8 +27,8 @@ bool isThere(const std::filesystem::path& path) {
 }
 
 /// nlohmann::json::exception for what is no JSON.
-Json parseShallow(std::string_view text) {
-    return Json::parse(text, [](int depth, Json::parse_event_t, const Json&) {
+output::Json parseShallow(std::string_view text) {
+    return output::Json::parse(text, [](int depth, output::Json::parse_event_t, const output::Json&) {
         if (depth > kDeepest) {
             throw base::InputError("is damaged");
         }
@@ -39,11 +39,11 @@ Json parseShallow(std::string_view text) {
 /// A line of stateLineOf(), without its end.
 void readLine(std::string_view line, const UnitRun& run, UnitState& state) {
     const std::string_view json = line.substr(std::min(line.size(), kDigits + 1));
-    if (json.empty() || line.substr(0, kDigits + 1) != host::sha256Of(json) + " ") {
+    if (json.empty() || line.substr(0, kDigits + 1) != program::sha256Of(json) + " ") {
         throw base::InputError("is damaged");
     }
-    Json record = parseShallow(json);
-    const Json& unit = record.at("unit");
+    output::Json record = parseShallow(json);
+    const output::Json& unit = record.at("unit");
     if (!unit.is_number_unsigned() || unit.get<std::uint64_t>() >= run.units) {
         throw base::InputError("holds what the run does not have");
     }
@@ -77,14 +77,14 @@ std::string stateHeadOf(const UnitRun& run) {
     return fmt::format("{}{}\n", kStateName, run.digest);
 }
 
-std::string stateLineOf(std::size_t unit, const Json& made) {
-    const std::string json =
-        Json{{"unit", unit}, {"made", made}}.dump(-1, ' ', false, Json::error_handler_t::replace);
+std::string stateLineOf(std::size_t unit, const output::Json& made) {
+    const std::string json = output::Json{{"unit", unit}, {"made", made}}.dump(
+        -1, ' ', false, output::Json::error_handler_t::replace);
     return summed(json);
 }
 
 std::string summed(std::string_view text) {
-    return fmt::format("{} {}\n", host::sha256Of(text), text);
+    return fmt::format("{} {}\n", program::sha256Of(text), text);
 }
 
 UnitState readUnitState(std::string_view text, const UnitRun& run, const std::string& name) {
@@ -115,7 +115,7 @@ UnitStateFile::UnitStateFile(std::filesystem::path path, UnitRun run)
     }
 }
 
-void UnitStateFile::keep(std::size_t unit, const Json& result) {
+void UnitStateFile::keep(std::size_t unit, const output::Json& result) {
     if (!std::exchange(m_hasBegun, true)) {
         begin();
     }
@@ -141,4 +141,4 @@ void UnitStateFile::begin() {
     }
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::runs

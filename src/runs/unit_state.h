@@ -1,6 +1,6 @@
 #pragma once
 
-#include <experiments/columns.h>
+#include <output/columns.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace cdr::experiments {
+namespace cdr::runs {
 
 /// The run that a state belongs to.
 struct UnitRun {
@@ -20,13 +20,13 @@ struct UnitRun {
 
 /// What a state holds.
 struct UnitState {
-    std::map<std::size_t, Json> made{}; ///< results by unit
-    std::uintmax_t bytes = 0;           ///< of the text; behind them lies what was cut off as it was written
+    std::map<std::size_t, output::Json> made{}; ///< results by unit
+    std::uintmax_t bytes = 0; ///< of the text; behind them lies what was cut off as it was written
 };
 
 // A state is lines of text. One says of which run it is. There is one for each result, which begins with its SHA-256.
 std::string stateHeadOf(const UnitRun& run);
-std::string stateLineOf(std::size_t unit, const Json& made);
+std::string stateLineOf(std::size_t unit, const output::Json& made);
 /// A line of that text.
 std::string summed(std::string_view text);
 
@@ -42,9 +42,9 @@ class UnitStateFile {
     UnitStateFile(std::filesystem::path path, UnitRun run);
 
     /// Those of earlier runs.
-    std::map<std::size_t, Json>& made() { return m_state.made; }
+    std::map<std::size_t, output::Json>& made() { return m_state.made; }
     /// base::RunError where it cannot be written.
-    void keep(std::size_t unit, const Json& result);
+    void keep(std::size_t unit, const output::Json& result);
 
   private:
     void begin();
@@ -56,4 +56,4 @@ class UnitStateFile {
     bool m_hasBegun = false; ///< to write
 };
 
-} // namespace cdr::experiments
+} // namespace cdr::runs

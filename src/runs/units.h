@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cdr/image/image.h>
-#include <experiments/columns.h>
 
+#include <output/columns.h>
 #include <ranks/ranks.h>
 
 #include <cstddef>
@@ -12,29 +12,30 @@
 #include <type_traits>
 #include <vector>
 
-namespace cdr::experiments {
+namespace cdr::runs {
 
 /// ranks::Ranks::forEachUnit() of results that are JSON, which may hold binary values.
-void forEachUnit(ranks::Ranks& ranks, std::size_t count, const std::function<Json(std::size_t unit)>& make,
-                 const std::function<void(std::size_t unit, Json made)>& take);
+void forEachUnit(ranks::Ranks& ranks, std::size_t count,
+                 const std::function<output::Json(std::size_t unit)>& make,
+                 const std::function<void(std::size_t unit, output::Json made)>& take);
 
 /// The same of ranks::Ranks::forEachUnitOnFirst().
 void forEachUnitOnFirst(ranks::Ranks& ranks, std::size_t count,
-                        const std::function<Json(std::size_t unit)>& make,
-                        const std::function<void(std::size_t unit, Json made)>& take);
+                        const std::function<output::Json(std::size_t unit)>& make,
+                        const std::function<void(std::size_t unit, output::Json made)>& take);
 
 /// Values without pointers as one binary value, which another rank of the same program unpacks.
 template <typename Value>
-Json packed(const std::vector<Value>& values) {
+output::Json packed(const std::vector<Value>& values) {
     static_assert(std::is_trivially_copyable_v<Value>);
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(values.data());
-    return Json::binary({bytes, bytes + values.size() * sizeof(Value)});
+    return output::Json::binary({bytes, bytes + values.size() * sizeof(Value)});
 }
 
 template <typename Value>
-std::vector<Value> unpacked(const Json& json) {
+std::vector<Value> unpacked(const output::Json& json) {
     static_assert(std::is_trivially_copyable_v<Value>);
-    const Json::binary_t& bytes = json.get_binary();
+    const output::Json::binary_t& bytes = json.get_binary();
     std::vector<Value> values(bytes.size() / sizeof(Value));
     if (!values.empty()) {
         std::memcpy(values.data(), bytes.data(), values.size() * sizeof(Value));
@@ -44,7 +45,7 @@ std::vector<Value> unpacked(const Json& json) {
 
 /// The same of so many values. std::out_of_range where there are others.
 template <typename Value>
-std::vector<Value> unpacked(const Json& json, std::size_t count) {
+std::vector<Value> unpacked(const output::Json& json, std::size_t count) {
     std::vector<Value> values = unpacked<Value>(json);
     if (values.size() != count) {
         throw std::out_of_range("other values than were packed");
@@ -55,11 +56,11 @@ std::vector<Value> unpacked(const Json& json, std::size_t count) {
 /// The values of the first rank, on every rank.
 template <typename Value>
 std::vector<Value> sharedOf(ranks::Ranks& ranks, const std::vector<Value>& ofFirst) {
-    return unpacked<Value>(Json::binary(ranks.share(packed(ofFirst).get_binary())));
+    return unpacked<Value>(output::Json::binary(ranks.share(packed(ofFirst).get_binary())));
 }
 
-Json packedPicture(const image::ImageRgba8& picture);
+output::Json packedPicture(const image::ImageRgba8& picture);
 /// std::out_of_range where it has not as many pixels as it says.
-image::ImageRgba8 unpackedPicture(const Json& json);
+image::ImageRgba8 unpackedPicture(const output::Json& json);
 
-} // namespace cdr::experiments
+} // namespace cdr::runs

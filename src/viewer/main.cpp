@@ -1,8 +1,9 @@
-#include <cdr/host/kept_memory.h>
 #include <viewer/session/program.h>
 
+#include <program/kept_memory.h>
+
 int main(int argc, char** argv) {
-    cdr::host::keepFreedMemory();
+    cdr::program::keepFreedMemory();
     return cdr::viewer::exitStatusOf("cdr-viewer", [&] {
         cdr::viewer::Arguments arguments;
         if (const auto status = cdr::viewer::parseViewer(argc, argv, arguments)) {

@@ -2,10 +2,10 @@
 
 #include <cdr/host/base64.h>
 #include <cdr/host/file.h>
-#include <cdr/host/sha256.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <program/sha256.h>
 
 #include <algorithm>
 #include <map>
@@ -96,7 +96,7 @@ nlohmann::ordered_json recordIn(const std::string& line) {
 
 std::string lineOf(std::size_t unit, const nlohmann::ordered_json& made) {
     const std::string json = nlohmann::ordered_json{{"unit", unit}, {"made", made}}.dump();
-    return host::sha256Of(json) + " " + json;
+    return program::sha256Of(json) + " " + json;
 }
 
 /// Unit by unit, each once.
@@ -214,7 +214,7 @@ class RankReportState : public testing::Test {
     fs::path at(const std::string& name) const { return m_folder.path() / name; }
     /// Where a report of this state lies until it is whole.
     fs::path unfinished() const {
-        return at(".r." + host::sha256Of(fs::canonical(at(".")).string() + "/s").substr(0, 12) + ".new");
+        return at(".r." + program::sha256Of(fs::canonical(at(".")).string() + "/s").substr(0, 12) + ".new");
     }
     Lines stateLines() const { return linesIn(at("s")); }
     /// With times.

@@ -2,10 +2,10 @@
 #include "program.h"
 
 #include <cdr/host/file.h>
-#include <cdr/host/sha256.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <program/sha256.h>
 
 #include <cstdint>
 #include <map>
@@ -184,7 +184,7 @@ TEST_F(RenderState, RefusesWhatIsNoCertificate) {
     for (const auto& [place, value] : strangeCertificates()) {
         auto record = nlohmann::ordered_json::parse(lines[1].substr(lines[1].find(' ')));
         record["made"]["certificate"][nlohmann::ordered_json::json_pointer(place)] = value;
-        writeLines(at("s"), {lines[0], host::sha256Of(record.dump()) + " " + record.dump()});
+        writeLines(at("s"), {lines[0], program::sha256Of(record.dump()) + " " + record.dump()});
         expectRefused(render, std::string("s: holds no results of render") + kElsewhere);
     }
 }
@@ -203,7 +203,7 @@ TEST_F(RenderState, RefusesWhatIsNoStateOfItsOwn) {
     const auto withRecord = [&](const nlohmann::ordered_json& made) {
         const std::string json = nlohmann::ordered_json{{"unit", 1}, {"made", made}}.dump();
         auto changed = lines;
-        changed.push_back(host::sha256Of(json) + " " + json);
+        changed.push_back(program::sha256Of(json) + " " + json);
         writeLines(at("s"), changed);
     };
     const nlohmann::ordered_json good =

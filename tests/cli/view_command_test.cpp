@@ -3,7 +3,6 @@
 #include <cdr/host/file.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/camera_recording.h>
-#include <experiments/aov.h>
 #include <scenes/cubes.h>
 #include <scenes/mixed.h>
 #include <scenes/moving_scene.h>
@@ -16,6 +15,7 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <output/aov.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -84,12 +84,11 @@ TEST_F(ViewCommand, DrawsTheViewersPictureToTheBit) {
                                        [](const image::Rgba8& p) { return p[0] > 60; });
         EXPECT_GT(lit, 1000) << technique;
         const TemporaryFolder folder;
-        EXPECT_EQ(run(view, folder)["hash"], experiments::hashOf(frame, experiments::Aov::color, nullptr))
-            << technique;
+        EXPECT_EQ(run(view, folder)["hash"], output::hashOf(frame, output::Aov::color, nullptr)) << technique;
         // Moved by a ten-millionth of a degree, it is another picture: the bits do matter.
         view.camera =
             viewer::lookingAlong(view.camera, viewer::turned(viewer::headingOf(view.camera), 2e-9, 0.0));
-        EXPECT_NE(run(view, folder)["hash"], experiments::hashOf(frame, experiments::Aov::color, nullptr));
+        EXPECT_NE(run(view, folder)["hash"], output::hashOf(frame, output::Aov::color, nullptr));
     }
 }
 
@@ -105,7 +104,7 @@ TEST_F(ViewCommand, DrawsTheFrameOfASceneThatMoves) {
                                 .extent = kExtent,
                                 .frame = 5};
     const render::Frame frame = show(moving.world().scene(), view); // of a scene built from scratch
-    const std::string hash = experiments::hashOf(frame, experiments::Aov::color, nullptr);
+    const std::string hash = output::hashOf(frame, output::Aov::color, nullptr);
     const TemporaryFolder folder;
     EXPECT_EQ(run(view, folder)["hash"], hash);
     view.frame = 6;
@@ -129,7 +128,7 @@ TEST_F(ViewCommand, DrawsARolledViewOfTheRightSideOfASplitScreen) {
     const render::Frame frame = show(setup.scene, view);
     const TemporaryFolder folder;
     const json result = run(view, folder);
-    EXPECT_EQ(result["hash"], experiments::hashOf(frame, experiments::Aov::id, nullptr));
+    EXPECT_EQ(result["hash"], output::hashOf(frame, output::Aov::id, nullptr));
     EXPECT_EQ(result["targets"], "layers");
 }
 

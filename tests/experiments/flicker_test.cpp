@@ -3,12 +3,12 @@
 
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
-#include <cdr/host/sha256.h>
 #include <experiments/flicker/flicker.h>
 #include <experiments/flicker/pairs.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <program/sha256.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -73,7 +73,7 @@ struct Watcher {
                 .pictures =
                     [this](std::uint32_t frame, const std::vector<image::ImageRgba8>& shown) {
                         for (const image::ImageRgba8& picture : shown) {
-                            pictures[frame].push_back(host::sha256Of(picture.pixels));
+                            pictures[frame].push_back(program::sha256Of(picture.pixels));
                         }
                     }};
     }

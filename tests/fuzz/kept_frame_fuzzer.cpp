@@ -1,6 +1,7 @@
 #include <cdr/base/error.h>
 #include <cli/render/kept_frame.h>
-#include <experiments/unit_state.h>
+
+#include <runs/unit_state.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +12,7 @@
 
 namespace {
 
-using cdr::experiments::Json;
+using cdr::output::Json;
 
 constexpr std::uint32_t kNumber = 3;
 
@@ -58,12 +59,11 @@ void take(const Json& made, bool isCertified) {
 /// Any value of a state is a frame that `render` can take, or is called none.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     namespace experiments = cdr::experiments;
-    const experiments::UnitRun run{.digest = "run", .units = 1};
+    const runs::UnitRun run{.digest = "run", .units = 1};
     const std::string text(reinterpret_cast<const char*>(data), size);
     try {
         const std::string line = R"({"unit":0,"made":)" + text + "}";
-        const auto state =
-            experiments::readUnitState(stateHeadOf(run) + experiments::summed(line), run, "state");
+        const auto state = runs::readUnitState(stateHeadOf(run) + runs::summed(line), run, "state");
         for (const auto& [unit, made] : state.made) {
             for (const bool isCertified : {false, true}) {
                 if (isKeptFrame(made, shapeOf(isCertified))) {

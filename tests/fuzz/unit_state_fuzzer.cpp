@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
-#include <experiments/unit_state.h>
+
+#include <runs/unit_state.h>
 
 #include <cstddef>
 #include <cstdint>

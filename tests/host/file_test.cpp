@@ -1,9 +1,8 @@
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
-#include <cdr/host/document.h>
 #include <cdr/host/file.h>
 #include <cdr/host/input_file.h>
-#include <cdr/host/sha256.h>
+#include <cdr/host/json_text.h>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -195,29 +194,6 @@ TEST_F(FileTest, RefusesNamesThatAreTooLong) {
 TEST(Document, KeepsTextThatIsNotUtf8) {
     const auto json = nlohmann::ordered_json::parse(cdr::host::textOf({{"scene", "a\xff.glb"}}, 2));
     EXPECT_EQ(json.at("scene"), "a\xEF\xBF\xBD.glb");
-}
-
-TEST(Sha256, MatchesPublishedVectors) {
-    // FIPS 180-4 example and the empty message.
-    const std::string abc = "abc";
-    EXPECT_EQ(cdr::host::sha256Of(abc), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-    EXPECT_EQ(cdr::host::sha256({}), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-}
-
-TEST_F(FileTest, HasOneDigestWhetherReadInPartsOrWhole) {
-    for (const std::size_t bytes :
-         {std::size_t{0}, std::size_t{5}, std::size_t{1} << 20u, (std::size_t{5} << 19u) + 3}) {
-        std::string text(bytes, '\0');
-        for (std::size_t i = 0; i < bytes; ++i) {
-            text[i] = static_cast<char>(i % 251); // no two parts are alike
-        }
-        cdr::host::writeText(path("digest"), text);
-        const cdr::host::FileDigest digest = cdr::host::digestOfFile(path("digest"), bytes);
-        EXPECT_EQ(digest.sha256, cdr::host::sha256Of(text)) << bytes;
-        EXPECT_EQ(digest.bytes, bytes);
-    }
-    EXPECT_THROW(cdr::host::digestOfFile(path("digest"), 1u << 20u), InputError) << "it is larger";
-    EXPECT_THROW(cdr::host::digestOfFile(path("missing"), 1u), InputError);
 }
 
 TEST(EnumNames, ReadInBothDirections) {

@@ -1,6 +1,5 @@
-#include <experiments/aov.h>
-
 #include <gtest/gtest.h>
+#include <output/aov.h>
 
 #include <cmath>
 #include <map>
@@ -26,7 +25,7 @@ render::Frame makeFrame() {
 TEST(DistanceAov, TheExactPairKeepsMicrometresAMillionUnitsAway) {
     const render::Frame frame = makeFrame();
     std::map<std::string, image::ImageFloat> channels;
-    for (const image::ExrChannel& channel : channelsOf(frame, experiments::Aov::distance, nullptr)) {
+    for (const image::ExrChannel& channel : channelsOf(frame, output::Aov::distance, nullptr)) {
         channels[channel.name] = channel.values;
     }
     ASSERT_EQ(channels.size(), 3u);

@@ -3,13 +3,13 @@
 #include <cdr/base/error.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/renderer.h>
-#include <experiments/certified_frame.h>
 #include <scenes/boulders.h>
 #include <scenes/cubes.h>
 #include <scenes/ladder.h>
 #include <scenes/mixed.h>
 
 #include <gtest/gtest.h>
+#include <output/certified_frame.h>
 
 #include <algorithm>
 #include <map>
@@ -19,7 +19,7 @@
 namespace {
 
 using namespace cdr;
-using namespace cdr::experiments;
+using namespace cdr::output;
 
 render::RenderOptions smallPicture(const char* technique) {
     render::RenderOptions options;

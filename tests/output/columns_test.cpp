@@ -1,14 +1,13 @@
-#include <experiments/columns.h>
-#include <experiments/wrong_pixels_columns.h>
-
 #include <gtest/gtest.h>
+#include <output/columns.h>
+#include <output/wrong_pixels_columns.h>
 
 #include <cmath>
 
 namespace {
 
 using namespace cdr;
-using namespace cdr::experiments;
+using namespace cdr::output;
 
 struct Row {
     std::string name;

@@ -1,10 +1,9 @@
-#include <experiments/frame_notes.h>
-
 #include <gtest/gtest.h>
+#include <output/frame_notes.h>
 
 namespace {
 
-using cdr::experiments::noteOn;
+using cdr::output::noteOn;
 using cdr::render::ListRefusal;
 using Cause = ListRefusal::Cause;
 

@@ -1,9 +1,9 @@
 #include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
-#include <experiments/gnuplot.h>
 
 #include <gtest/gtest.h>
+#include <output/gnuplot.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -13,7 +13,7 @@
 namespace {
 
 namespace fs = std::filesystem;
-using namespace cdr::experiments;
+using namespace cdr::output;
 using cdr::base::InputError;
 using cdr::base::RunError;
 

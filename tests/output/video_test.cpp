@@ -1,9 +1,9 @@
 #include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
-#include <experiments/video.h>
 
 #include <gtest/gtest.h>
+#include <output/video.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -14,12 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace cdr;
-using namespace cdr::experiments;
+using namespace cdr::output;
 
 class VideoTest : public testing::Test {
   protected:
     void SetUp() override {
-        if (!host::isInstalled("ffmpeg")) {
+        if (!program::isInstalled("ffmpeg")) {
             GTEST_SKIP() << "ffmpeg is not installed";
         }
     }
@@ -37,9 +37,9 @@ image::ImageRgba8 frameOf(std::uint8_t grey) {
 /// Asks ffmpeg itself for the frames back, as grey bytes.
 std::string decoded(const fs::path& video, const fs::path& folder) {
     const fs::path raw = folder / "raw";
-    host::ChildProcess({"ffmpeg", "-loglevel", "error", "-i", video.string(), "-pix_fmt", "gray", "-f",
-                        "rawvideo", raw.string()},
-                       {})
+    program::ChildProcess({"ffmpeg", "-loglevel", "error", "-i", video.string(), "-pix_fmt", "gray", "-f",
+                           "rawvideo", raw.string()},
+                          {})
         .finish();
     std::ifstream stream(raw, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};

@@ -16,7 +16,7 @@ done
 # In them each header of another package that cdr includes anywhere is an error, except those of C and POSIX.
 poison=$work/poison
 mapfile -t poisoned < <(grep -rhoE '^#include <[^>]+[.]hp*>' "$source_dir/src" | sed -E 's/^#include <(.*)>$/\1/' | sort -u |
-    grep -vE '^(cdr|cli|experiments|ranks|report|scenes|viewer|sys)/|^(fcntl|malloc|pthread|sched|spawn|stdbool|stddef|stdint|string|unistd)[.]h$')
+    grep -vE '^(cdr|cli|experiments|options|output|program|ranks|report|rivals|runs|scenes|viewer|sys)/|^(fcntl|malloc|pthread|sched|spawn|stdbool|stddef|stdint|string|unistd)[.]h$')
 for header in "${poisoned[@]}"; do
     mkdir -p "$poison/$(dirname "$header")"
     echo "#error \"cdr::depth includes <$header>\"" >"$poison/$header"

@@ -1,6 +1,5 @@
-#include <cdr/host/kept_memory.h>
-
 #include <gtest/gtest.h>
+#include <program/kept_memory.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -8,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-namespace cdr::host {
+namespace cdr::program {
 namespace {
 
 long pageFaults() {
@@ -43,4 +42,4 @@ TEST(KeptMemory, IsUsedAgainWithoutPageFaults) {
 }
 
 } // namespace
-} // namespace cdr::host
+} // namespace cdr::program

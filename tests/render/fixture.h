@@ -3,12 +3,12 @@
 #include "../support/shared_device.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/sha256.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
 
 #include <gtest/gtest.h>
+#include <program/sha256.h>
 
 #include <string>
 #include <vector>
@@ -102,7 +102,7 @@ inline std::vector<depth::Technique> presetTechniques() {
 
 /// One hash over everything a frame holds, pixel by pixel.
 inline std::string hashOf(const render::Frame& frame) {
-    return host::sha256Of(frame.color.pixels) + host::sha256Of(frame.gbuffer.pixels);
+    return program::sha256Of(frame.color.pixels) + program::sha256Of(frame.gbuffer.pixels);
 }
 
 /// A scene of boxes with one white material, ambient light and the unit box as mesh 0.

@@ -99,7 +99,7 @@ TEST_F(FocusTest, ALensWithNextToNoApertureShowsTheOrdinaryPicture) {
         const Frame blended = draw(scene, kFocusCamera, options);
         options.focus = {};
         const Frame ordinary = draw(scene, kFocusCamera, options);
-        EXPECT_EQ(host::sha256Of(sharp.gbuffer.pixels), host::sha256Of(ordinary.gbuffer.pixels))
+        EXPECT_EQ(program::sha256Of(sharp.gbuffer.pixels), program::sha256Of(ordinary.gbuffer.pixels))
             << nameOf(mapping);
         for (const Frame* frame : {&sharp, &blended}) {
             const image::Comparison difference =

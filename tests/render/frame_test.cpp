@@ -6,9 +6,10 @@
 #include <cdr/gpu/device_clock.h>
 #include <cdr/gpu/features.h>
 #include <cdr/gpu/memory.h>
-#include <cdr/host/sha256.h>
 #include <cdr/render/readback.h>
 #include <scenes/cubes.h>
+
+#include <program/sha256.h>
 
 #include <algorithm>
 #include <cmath>

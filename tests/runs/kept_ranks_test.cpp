@@ -3,17 +3,17 @@
 #include <cdr/base/error.h>
 #include <cdr/host/base64.h>
 #include <cdr/host/file.h>
-#include <experiments/kept_ranks.h>
-#include <experiments/units.h>
 
 #include <gtest/gtest.h>
 #include <ranks/one_process.h>
+#include <runs/kept_ranks.h>
+#include <runs/units.h>
 
 #include <limits>
 #include <string>
 #include <vector>
 
-namespace cdr::experiments {
+namespace cdr::runs {
 namespace {
 
 /// A run of two kinds of units, of which the first rank makes the second kind. A start may end early.
@@ -42,9 +42,9 @@ class KeptRun : public testing::Test {
                     throw base::RunError("stopped");
                 }
                 start.made.push_back(name);
-                return Json{{"name", name}, {"infinite", std::numeric_limits<double>::infinity()}};
+                return output::Json{{"name", name}, {"infinite", std::numeric_limits<double>::infinity()}};
             };
-            const auto take = [&](std::size_t, const Json& made) {
+            const auto take = [&](std::size_t, const output::Json& made) {
                 EXPECT_EQ(made.at("infinite"), std::numeric_limits<double>::infinity());
                 start.taken.push_back(made.at("name").get<std::string>());
             };
@@ -78,7 +78,7 @@ TEST_F(KeptRun, MakesOnlyWhatIsMissingAndTakesAllInOrder) {
 TEST_F(KeptRun, MakesAgainWhatDoesNotStand) {
     EXPECT_EQ(start().made, kAll);
     const Start again = start(100, [](const host::Bytes& made) {
-        const Json name = Json::from_cbor(made).at("name");
+        const output::Json name = output::Json::from_cbor(made).at("name");
         return name != "a1" && name != "b0";
     });
     EXPECT_EQ(again.made, (std::vector<std::string>{"a1", "b0"}));
@@ -90,15 +90,18 @@ TEST_F(KeptRun, RefusesResultsOfAnotherShapeInOneLine) {
     const UnitRun run{.digest = std::string(64, 'a'), .units = 5};
     const std::string line =
         state().string() + ": holds other results than the run has; remove it or name another file";
-    const auto encoded = [](const Json& json) { return Json(host::toBase64(Json::to_cbor(json))); };
-    for (const Json& made :
-         {Json(7), Json("?"), Json(host::toBase64({})), encoded(7), encoded({{"other", 1}})}) {
+    const auto encoded = [](const output::Json& json) {
+        return output::Json(host::toBase64(output::Json::to_cbor(json)));
+    };
+    for (const output::Json& made : {output::Json(7), output::Json("?"), output::Json(host::toBase64({})),
+                                     encoded(7), encoded({{"other", 1}})}) {
         host::writeText(state(), stateHeadOf(run) + stateLineOf(1, made));
         EXPECT_EQ(start().error, line) << made;
     }
-    host::writeText(state(), stateHeadOf(run) + stateLineOf(1, encoded(Json::object())));
+    host::writeText(state(), stateHeadOf(run) + stateLineOf(1, encoded(output::Json::object())));
     EXPECT_EQ(
-        start(100, [](const host::Bytes& made) { return Json::from_cbor(made).at("name") == ""; }).error,
+        start(100, [](const host::Bytes& made) { return output::Json::from_cbor(made).at("name") == ""; })
+            .error,
         line);
 }
 
@@ -111,4 +114,4 @@ TEST_F(KeptRun, IsOfOneRun) {
 }
 
 } // namespace
-} // namespace cdr::experiments
+} // namespace cdr::runs

@@ -1,21 +1,21 @@
 #include "../support/shared_device.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/sha256.h>
 #include <cdr/render/part_scene.h>
 #include <cdr/render/renderer.h>
-#include <experiments/part_frames.h>
 #include <scenes/cubes.h>
 #include <scenes/mixed.h>
 
 #include <gtest/gtest.h>
+#include <program/sha256.h>
+#include <runs/part_frames.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
-namespace cdr::experiments {
+namespace cdr::runs {
 namespace {
 
 class PartFrames : public test::DeviceTest {
@@ -54,7 +54,7 @@ class PartFrames : public test::DeviceTest {
 };
 
 std::string pixelsOf(const render::Frame& frame) {
-    return host::sha256Of(frame.color.pixels) + host::sha256Of(frame.gbuffer.pixels);
+    return program::sha256Of(frame.color.pixels) + program::sha256Of(frame.gbuffer.pixels);
 }
 
 render::RenderOptions optionsFor(const std::string& split, depth::Mapping mapping) {
@@ -190,4 +190,4 @@ TEST_F(PartFrames, RefuseBytesOfAnotherSize) {
 }
 
 } // namespace
-} // namespace cdr::experiments
+} // namespace cdr::runs

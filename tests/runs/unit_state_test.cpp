@@ -2,15 +2,15 @@
 
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
-#include <experiments/unit_state.h>
 
 #include <gtest/gtest.h>
+#include <runs/unit_state.h>
 
 #include <fstream>
 #include <sstream>
 #include <string>
 
-namespace cdr::experiments {
+namespace cdr::runs {
 namespace {
 
 const UnitRun kRun{.digest = std::string(64, 'a'), .units = 3};
@@ -120,4 +120,4 @@ TEST(UnitStateFile, RefusesWhatCannotBeWritten) {
 }
 
 } // namespace
-} // namespace cdr::experiments
+} // namespace cdr::runs

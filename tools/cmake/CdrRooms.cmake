@@ -1,9 +1,9 @@
 # A room is a folder of src: one library target whose headers are reachable only by the rooms that link it.
 
-add_library(cdr_options INTERFACE)
-target_compile_features(cdr_options INTERFACE cxx_std_20)
+add_library(cdr_compile_options INTERFACE)
+target_compile_features(cdr_compile_options INTERFACE cxx_std_20)
 # -ffp-contract=off: the same bits from every compiler, so hashes and truth do not depend on fused multiply-adds.
-target_compile_options(cdr_options INTERFACE
+target_compile_options(cdr_compile_options INTERFACE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off
     # GCC 12 warns of overlapping copies inside std::string's own operator+ (GCC bug 105651).
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
@@ -12,8 +12,8 @@ target_compile_options(cdr_options INTERFACE
     $<$<AND:$<COMPILE_LANG_AND_ID:CXX,GNU>,$<BOOL:${CDR_UNITY_BUILD}>>:-Wno-subobject-linkage>
     $<$<BOOL:${CDR_WARNINGS_AS_ERRORS}>:-Werror>)
 if(CDR_SANITIZE)
-    target_compile_options(cdr_options INTERFACE -fsanitize=${CDR_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
-    target_link_options(cdr_options INTERFACE -fsanitize=${CDR_SANITIZE})
+    target_compile_options(cdr_compile_options INTERFACE -fsanitize=${CDR_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(cdr_compile_options INTERFACE -fsanitize=${CDR_SANITIZE})
 endif()
 
 # For what takes no part in a frame, such as the own files of programs. In a whole build they are compiled a third faster.
@@ -78,7 +78,7 @@ function(cdr_room name)
     list(TRANSFORM headers PREPEND "${include_root}/${folder}/")
     target_sources(cdr_${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${include_root}" FILES ${headers})
     target_compile_features(cdr_${name} PUBLIC cxx_std_20)
-    target_link_libraries(cdr_${name} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE} $<BUILD_INTERFACE:cdr_options>)
+    target_link_libraries(cdr_${name} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE} $<BUILD_INTERFACE:cdr_compile_options>)
     # For shared libraries, which give out what is marked CDR_EXPORT.
     set_target_properties(cdr_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${name}
         CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON VERIFY_INTERFACE_HEADER_SETS ON)
@@ -104,7 +104,7 @@ function(cdr_test name)
     else()
         cdr_batches(${name} ${sources})
     endif()
-    target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main cdr_options cdr_test_compile)
+    target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main cdr_compile_options cdr_test_compile)
     target_compile_definitions(${name} PRIVATE
         CDR_ASSETS_DIR="${CDR_ASSETS_DIR}" CDR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     if(NOT TEST_OWN_HEADERS)

@@ -17,7 +17,7 @@ function(cdr_shared_library name)
     endforeach()
     target_compile_features(${target} PUBLIC cxx_std_20)
     target_compile_definitions(${target} INTERFACE $<$<PLATFORM_ID:Windows>:CDR_SHARED>)
-    target_link_libraries(${target} PUBLIC ${LIBRARY_PUBLIC} PRIVATE ${LIBRARY_PRIVATE} $<BUILD_INTERFACE:cdr_options>)
+    target_link_libraries(${target} PUBLIC ${LIBRARY_PUBLIC} PRIVATE ${LIBRARY_PRIVATE} $<BUILD_INTERFACE:cdr_compile_options>)
     set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX EXPORT_NAME ${name} OUTPUT_NAME cdr_${name}
         VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH "$ORIGIN")
     if(NOT WIN32)

@@ -1,5 +1,5 @@
-#include <cdr/host/document.h>
 #include <cdr/host/file.h>
+#include <cdr/host/json_text.h>
 #include <cdr/host/trace.h>
 
 #include <nlohmann/json.hpp>

@@ -2,9 +2,8 @@
 
 #include "../exit_status.h"
 
-#include <cdr/host/document.h>
-
 #include <fmt/format.h>
+#include <output/document.h>
 
 #include <utility>
 
@@ -76,7 +75,7 @@ void CertificateFile::add(nlohmann::ordered_json certificate) {
 }
 
 void CertificateFile::finish() {
-    host::writeDocument(m_path, m_document);
+    output::writeDocument(m_path, m_document);
     if (hasRefused()) {
         throw ExitStatus(ExitStatus::kFound);
     }

@@ -10,13 +10,13 @@
 #include <cdr/base/suggest.h>
 #include <cdr/host/file.h>
 #include <cdr/render/part_scene.h>
-#include <experiments/certified_frame.h>
 #include <scenes/colours.h>
 #include <scenes/layer_choice.h>
 #include <scenes/moving_scene.h>
 #include <scenes/open_scene.h>
 
 #include <fmt/format.h>
+#include <output/certified_frame.h>
 
 #include <algorithm>
 #include <array>
@@ -31,14 +31,14 @@ namespace {
 
 /// What the arguments mean. Nothing is loaded or made yet.
 struct RenderPlan {
-    experiments::Aov aov;
+    output::Aov aov;
     scenes::Colours colours;
     std::vector<scenes::LayerChoice> layers;
     SequenceName name;
-    experiments::FrameCameras cameras;
+    options::FrameCameras cameras;
     FrameDivision division;
     render::RenderOptions options;
-    experiments::ViewsPlan views;
+    options::ViewsPlan views;
 };
 
 /// Of the files that are read and written.
@@ -70,10 +70,10 @@ void checkFiles(const RenderArguments& arguments, const RenderPlan& plan, Comman
 
 /// base::InputError for several views with options that take one view.
 void requireOneView(const RenderArguments& arguments, const RenderPlan& plan) {
-    if (plan.views.kind() == experiments::ViewsKind::one) {
+    if (plan.views.kind() == options::ViewsKind::one) {
         return;
     }
-    if (plan.views.kind() == experiments::ViewsKind::six && arguments.camera.fovDegrees) {
+    if (plan.views.kind() == options::ViewsKind::six && arguments.camera.fovDegrees) {
         throw base::InputError("--views six has views of 90 degrees: leave out --fov");
     }
     if (!arguments.certify.empty()) {
@@ -82,14 +82,14 @@ void requireOneView(const RenderArguments& arguments, const RenderPlan& plan) {
     if (plan.division == FrameDivision::cascades) {
         throw base::InputError("--ranks cascades works with one view: leave out --stereo and --views");
     }
-    if (plan.views.isAnaglyph() && plan.aov != experiments::Aov::color) {
+    if (plan.views.isAnaglyph() && plan.aov != output::Aov::color) {
         throw base::InputError(
             "--stereo-picture anaglyph shows colors: leave out --aov, or take side-by-side");
     }
 }
 
 RenderPlan planOf(Command& command, const RenderArguments& arguments) {
-    const experiments::Aov aov = experiments::parseAov(arguments.aov);
+    const output::Aov aov = output::parseAov(arguments.aov);
     const scenes::Colours colours = scenes::parseColours(arguments.colours);
     const SequenceName name(arguments.file);
     render::RenderOptions options = optionsOf(arguments, aov);
@@ -100,10 +100,10 @@ RenderPlan planOf(Command& command, const RenderArguments& arguments) {
                     .colours = colours,
                     .layers = scenes::parseLayers(arguments.layers),
                     .name = name,
-                    .cameras = experiments::FrameCameras(arguments.camera),
+                    .cameras = options::FrameCameras(arguments.camera),
                     .division = parseFrameDivision(arguments.ranks),
                     .options = options,
-                    .views = experiments::ViewsPlan(arguments.views, arguments.width, arguments.height)};
+                    .views = options::ViewsPlan(arguments.views, arguments.width, arguments.height)};
     requireOneView(arguments, plan);
     checkFiles(arguments, plan, command.files());
     const ranks::Place& place = command.ranks().place();
@@ -118,7 +118,7 @@ RenderPlan planOf(Command& command, const RenderArguments& arguments) {
             "--trace is of all frames, and --state leaves out those that are kept: give one");
     }
     if (!arguments.certify.empty()) {
-        experiments::requireCertifiable(plan.options);
+        output::requireCertifiable(plan.options);
     }
     return plan;
 }
@@ -129,8 +129,7 @@ bool hasBlended(const scene::Scene& scene) {
     });
 }
 
-std::vector<scene::Camera> camerasOf(const scene::CameraPath& path,
-                                     const experiments::FrameCameras& cameras) {
+std::vector<scene::Camera> camerasOf(const scene::CameraPath& path, const options::FrameCameras& cameras) {
     std::vector<scene::Camera> all;
     for (std::uint32_t frame = 0; frame < cameras.frames; ++frame) {
         all.push_back(cameras.at(path, cameras.first + frame));
@@ -141,7 +140,7 @@ std::vector<scene::Camera> camerasOf(const scene::CameraPath& path,
 /// The scene as it is drawn: in its colours, with levels of detail, and without what other ranks draw.
 scene::SceneSetup openDrawn(Command& command, RenderArguments& arguments, const RenderPlan& plan,
                             const WantedOfFrames& wanted, host::WorkerPool& workers) {
-    arguments.choice.light = experiments::lightOf(arguments.effects);
+    arguments.choice.light = options::lightOf(arguments.effects);
     scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed,
                                                 scenes::shownChoice(arguments.scene, arguments.choice));
     scenes::paint(setup.scene, arguments.scene, plan.colours);
@@ -192,9 +191,7 @@ void drawFrames(Command& command, const RenderPlan& plan, const scene::CameraPat
     const auto describe = [&](std::size_t frame, render::Frame drawn) {
         return results.describe(frame, maker.finish(numberOf(frame), std::move(drawn)));
     };
-    const auto take = [&](std::size_t frame, experiments::Json made) {
-        results.take(frame, std::move(made));
-    };
+    const auto take = [&](std::size_t frame, output::Json made) { results.take(frame, std::move(made)); };
     makeFrames(command.ranks(), plan.division, results.missing(),
                {.draw = draw, .describe = describe, .take = take});
     command.endProgress();
@@ -207,7 +204,7 @@ void runRender(Command& command, RenderArguments& arguments) {
         plan.options.trace = &trace.emplace(plan.options.threads);
     }
     const bool finishes = plan.division == FrameDivision::frames || command.ranks().isFirst();
-    const WantedOfFrames wanted{.truth = plan.aov == experiments::Aov::wrong && finishes,
+    const WantedOfFrames wanted{.truth = plan.aov == output::Aov::wrong && finishes,
                                 .certificate = !arguments.certify.empty() && finishes};
     host::WorkerPool workers(arguments.threads);
     scene::SceneSetup setup = openDrawn(command, arguments, plan, wanted, workers);

@@ -1,8 +1,9 @@
 #include "frame_division.h"
 
 #include <cdr/base/enum_names.h>
-#include <experiments/part_frames.h>
-#include <experiments/units.h>
+
+#include <runs/part_frames.h>
+#include <runs/units.h>
 
 #include <utility>
 
@@ -21,16 +22,16 @@ FrameDivision parseFrameDivision(std::string_view name) {
 void makeFrames(ranks::Ranks& ranks, FrameDivision division, const std::vector<std::size_t>& frames,
                 const FrameSteps& steps) {
     if (division == FrameDivision::frames) {
-        experiments::forEachUnit(
+        runs::forEachUnit(
             ranks, frames.size(),
             [&](std::size_t unit) { return steps.describe(frames[unit], steps.draw(frames[unit])); },
-            [&](std::size_t unit, experiments::Json made) { steps.take(frames[unit], std::move(made)); });
+            [&](std::size_t unit, output::Json made) { steps.take(frames[unit], std::move(made)); });
         return;
     }
     for (const std::size_t frame : frames) {
         render::Frame drawn = steps.draw(frame);
         std::size_t bytesSent = 0;
-        experiments::mergeParts(ranks, drawn, bytesSent);
+        runs::mergeParts(ranks, drawn, bytesSent);
         if (ranks.isFirst()) {
             steps.take(frame, steps.describe(frame, std::move(drawn)));
         }

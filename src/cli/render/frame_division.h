@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cdr/render/frame.h>
-#include <experiments/columns.h>
 
+#include <output/columns.h>
 #include <ranks/ranks.h>
 
 #include <cstddef>
@@ -26,8 +26,8 @@ FrameDivision parseFrameDivision(std::string_view name);
 struct FrameSteps {
     std::function<render::Frame(std::size_t frame)> draw;
     /// Of a whole frame: what take() is given.
-    std::function<experiments::Json(std::size_t frame, render::Frame drawn)> describe;
-    std::function<void(std::size_t frame, experiments::Json made)> take; ///< on the first rank, in order
+    std::function<output::Json(std::size_t frame, render::Frame drawn)> describe;
+    std::function<void(std::size_t frame, output::Json made)> take; ///< on the first rank, in order
 };
 
 /// Draws those frames, which ascend. A rank is given frames in ascending order.

@@ -2,9 +2,9 @@
 
 #include <cdr/host/stopwatch.h>
 #include <cdr/image/beside.h>
-#include <experiments/certified_frame.h>
 
 #include <fmt/format.h>
+#include <output/certified_frame.h>
 
 #include <utility>
 #include <vector>
@@ -12,7 +12,7 @@
 namespace cdr::cli {
 
 FrameMaker::FrameMaker(const gpu::Device& device, const scene::Scene& scene, scenes::MovingScene* moving,
-                       const render::RenderOptions& options, const experiments::ViewsPlan& views,
+                       const render::RenderOptions& options, const options::ViewsPlan& views,
                        const WantedOfFrames& wanted, host::WorkerPool& workers)
     : m_options(options),
       m_plan(views),
@@ -69,10 +69,10 @@ measure::TruthImage FrameMaker::castAll(const scene::Camera& camera) const {
 
 CertifiedOutput FrameMaker::certify(render::Frame& frame) {
     const host::Stopwatch watch;
-    const measure::DrawnFrame drawn = experiments::drawnFrame(frame, m_options, m_subPixelBits);
+    const measure::DrawnFrame drawn = output::drawnFrame(frame, m_options, m_subPixelBits);
     CertifiedOutput made{.certificate = m_certifier->certify(drawn, m_workers),
                          .snapPixels = drawn.snapPixels};
-    experiments::putRight(frame, made.certificate);
+    output::putRight(frame, made.certificate);
     made.milliseconds = watch.milliseconds();
     return made;
 }

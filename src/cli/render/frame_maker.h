@@ -7,9 +7,10 @@
 #include <cdr/measure/certify/certifier.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
-#include <experiments/views/views_drawer.h>
-#include <experiments/views/views_plan.h>
 #include <scenes/moving_scene.h>
+
+#include <options/views/views_drawer.h>
+#include <options/views/views_plan.h>
 
 #include <cstdint>
 #include <optional>
@@ -28,7 +29,7 @@ class FrameMaker {
   public:
     /// @param moving the scene, where it moves; else null. What is given by reference must outlive the maker.
     FrameMaker(const gpu::Device& device, const scene::Scene& scene, scenes::MovingScene* moving,
-               const render::RenderOptions& options, const experiments::ViewsPlan& views,
+               const render::RenderOptions& options, const options::ViewsPlan& views,
                const WantedOfFrames& wanted, host::WorkerPool& workers);
 
     /// Goes past a frame that another rank makes.
@@ -43,12 +44,12 @@ class FrameMaker {
     void show(std::uint32_t number);
 
     const render::RenderOptions& m_options;
-    const experiments::ViewsPlan& m_plan;
+    const options::ViewsPlan& m_plan;
     std::uint32_t m_subPixelBits;
     host::WorkerPool& m_workers;
     scenes::MovingScene* m_moving;
     render::GpuScene m_onDevice;
-    experiments::ViewsDrawer m_drawer;
+    options::ViewsDrawer m_drawer;
     std::optional<measure::TruthCaster> m_caster;
     std::optional<measure::Certifier> m_certifier;
 };

@@ -1,9 +1,9 @@
 #include "frame_output.h"
 
 #include <cdr/host/file.h>
-#include <experiments/wrong_pixels_columns.h>
 
 #include <fmt/format.h>
+#include <output/wrong_pixels_columns.h>
 
 #include <utility>
 
@@ -12,11 +12,11 @@ namespace cdr::cli {
 namespace {
 
 /// Of a certificate, absent where none was asked for.
-experiments::Columns<RenderRow> certificateColumns(bool isShown) {
+output::Columns<RenderRow> certificateColumns(bool isShown) {
     const auto of = [](auto valueOf) {
         return [valueOf](const RenderRow& row) {
             const auto& certified = row.made.certified();
-            return certified ? experiments::Json(valueOf(*certified)) : experiments::absent();
+            return certified ? output::Json(valueOf(*certified)) : output::absent();
         };
     };
     return {
@@ -55,24 +55,24 @@ FrameOutput::FrameOutput(std::uint32_t number, render::Frame frame, std::optiona
     }
 }
 
-host::Bytes FrameOutput::encoded(const std::filesystem::path& path, experiments::Aov aov) const {
+host::Bytes FrameOutput::encoded(const std::filesystem::path& path, output::Aov aov) const {
     return host::lowerExtension(path) == ".exr"
-               ? image::encodeExr(path, experiments::channelsOf(m_frame, aov, truth()))
-               : image::encodeImage(path, experiments::pictureOf(m_frame, aov, truth()));
+               ? image::encodeExr(path, output::channelsOf(m_frame, aov, truth()))
+               : image::encodeImage(path, output::pictureOf(m_frame, aov, truth()));
 }
 
 std::string labelOf(const std::string& scene, std::uint32_t number) {
     return fmt::format("{} frame {}", scene, number);
 }
 
-experiments::Columns<RenderRow> renderColumns(const RenderHeadings& shown) {
+output::Columns<RenderRow> renderColumns(const RenderHeadings& shown) {
     const auto ofStats = [](auto member) {
         return [member](const RenderRow& row) { return row.made.frame().stats.*member; };
     };
     const auto ofTimes = [](auto member) {
         return [member](const RenderRow& row) { return row.made.frame().stats.times.*member; };
     };
-    experiments::Columns<RenderRow> columns{
+    output::Columns<RenderRow> columns{
         {.heading = "scene",
          .text = [](const RenderRow& row) { return labelOf(row.scene, row.made.number()); }},
         {.key = "technique", .value = &RenderRow::technique, .heading = "technique"},
@@ -94,7 +94,7 @@ experiments::Columns<RenderRow> renderColumns(const RenderHeadings& shown) {
         {.key = "seconds",
          .value =
              [](const RenderRow& row) {
-                 return row.seconds ? experiments::Json(*row.seconds) : experiments::absent();
+                 return row.seconds ? output::Json(*row.seconds) : output::absent();
              }},
         {.key = "visible", .value = ofStats(&render::FrameStats::visible)},
         {.key = "duplication", .value = ofStats(&render::FrameStats::duplication)},
@@ -119,11 +119,11 @@ experiments::Columns<RenderRow> renderColumns(const RenderHeadings& shown) {
          .value = [](const RenderRow& row) { return row.made.frame().stats.translucency.bytes; }},
         {.key = "record_ms", .value = ofTimes(&render::FrameTimes::recordMs), .heading = "record ms"},
         {.key = "execute_ms", .value = ofTimes(&render::FrameTimes::executeMs), .heading = "execute ms"}};
-    for (const auto& wrong : experiments::wrongPixelsColumns({.share = "wrong"})) {
+    for (const auto& wrong : output::wrongPixelsColumns({.share = "wrong"})) {
         columns.push_back({.key = wrong.key,
                            .value =
                                [value = wrong.value](const RenderRow& row) {
-                                   return row.made.wrong() ? value(*row.made.wrong()) : experiments::absent();
+                                   return row.made.wrong() ? value(*row.made.wrong()) : output::absent();
                                },
                            .heading = wrong.heading,
                            .format = wrong.format});

@@ -6,9 +6,10 @@
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
-#include <experiments/aov.h>
-#include <experiments/columns.h>
-#include <experiments/views/views_plan.h>
+
+#include <options/views/views_plan.h>
+#include <output/aov.h>
+#include <output/columns.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -29,8 +30,8 @@ class FrameOutput {
     const render::Frame& frame() const { return m_frame; }
 
     /// The file that it is written as: .png, .tga or .exr.
-    host::Bytes encoded(const std::filesystem::path& path, experiments::Aov aov) const;
-    std::string hash(experiments::Aov aov) const { return hashOf(m_frame, aov, truth()); }
+    host::Bytes encoded(const std::filesystem::path& path, output::Aov aov) const;
+    std::string hash(output::Aov aov) const { return hashOf(m_frame, aov, truth()); }
     /// Where there is a truth.
     const std::optional<measure::WrongPixels>& wrong() const { return m_wrong; }
     /// Where a certificate was asked for.
@@ -50,7 +51,7 @@ class FrameOutput {
 struct RenderRow {
     const FrameOutput& made;
     const render::RenderOptions& options;
-    const experiments::ViewsPlan& views;
+    const options::ViewsPlan& views;
     std::string scene;
     std::string technique;
     std::string hash;
@@ -66,6 +67,6 @@ struct RenderHeadings {
 /// The first cell of a frame's row: "cubes frame 3".
 std::string labelOf(const std::string& scene, std::uint32_t number);
 
-experiments::Columns<RenderRow> renderColumns(const RenderHeadings& shown);
+output::Columns<RenderRow> renderColumns(const RenderHeadings& shown);
 
 } // namespace cdr::cli

@@ -8,7 +8,7 @@ namespace cdr::cli {
 
 namespace {
 
-using experiments::Json;
+using output::Json;
 
 /// A value of an object; null where there is none.
 const Json& valueAt(const Json& object, std::string_view key) {
@@ -27,7 +27,7 @@ bool isPrintable(const Json& json) {
            });
 }
 
-/// As host::sha256() gives it.
+/// As program::sha256() gives it.
 bool isDigest(const Json& json) {
     constexpr std::size_t kDigits = 64;
     return isPrintable(json) && json.get_ref<const std::string&>().size() == kDigits &&

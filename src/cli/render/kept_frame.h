@@ -1,6 +1,6 @@
 #pragma once
 
-#include <experiments/columns.h>
+#include <output/columns.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -24,6 +24,6 @@ inline constexpr std::size_t kMostText = 4096; ///< bytes of a text
 
 /// Whether RenderResults can take what a state holds. Each value has its type and range. No text but the label has a
 /// control character, since all are printed. Throws nothing, whatever `made` is.
-bool isKeptFrame(const experiments::Json& made, const FrameShape& frame);
+bool isKeptFrame(const output::Json& made, const FrameShape& frame);
 
 } // namespace cdr::cli

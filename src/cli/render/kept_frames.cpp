@@ -2,9 +2,9 @@
 
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
-#include <cdr/host/sha256.h>
 
 #include <fmt/format.h>
+#include <program/sha256.h>
 
 #include <limits>
 #include <map>
@@ -15,7 +15,7 @@ namespace cdr::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using experiments::Json;
+using output::Json;
 
 /// Whether the picture of a frame is there as it was written, if it has one.
 bool hasPicture(const Json& made, const fs::path& path) {
@@ -24,7 +24,7 @@ bool hasPicture(const Json& made, const fs::path& path) {
     }
     try {
         const host::Bytes bytes = host::readFile(path, std::numeric_limits<std::uintmax_t>::max());
-        return host::sha256(bytes) == made.at("picture").get<std::string>();
+        return program::sha256(bytes) == made.at("picture").get<std::string>();
     } catch (const base::InputError&) {
         return false;
     }
@@ -32,7 +32,7 @@ bool hasPicture(const Json& made, const fs::path& path) {
 
 } // namespace
 
-KeptFrames::KeptFrames(const fs::path& path, experiments::UnitRun run, const Shape& shape)
+KeptFrames::KeptFrames(const fs::path& path, runs::UnitRun run, const Shape& shape)
     : m_file(path, std::move(run)),
       m_made(m_file.made()) {
     for (const auto& [frame, made] : m_made) {
@@ -47,7 +47,7 @@ KeptFrames::KeptFrames(const fs::path& path, experiments::UnitRun run, const Sha
 
 void KeptFrames::keep(std::size_t frame, Json made) {
     const Json& file = made.at("file");
-    made["picture"] = file.is_null() ? Json() : Json(host::sha256(file.get_binary()));
+    made["picture"] = file.is_null() ? Json() : Json(program::sha256(file.get_binary()));
     made.erase("file");
     m_file.keep(frame, made);
 }

@@ -2,8 +2,8 @@
 
 #include "kept_frame.h"
 
-#include <experiments/columns.h>
-#include <experiments/unit_state.h>
+#include <output/columns.h>
+#include <runs/unit_state.h>
 
 #include <cstddef>
 #include <filesystem>
@@ -23,19 +23,19 @@ class KeptFrames {
     };
 
     /// base::InputError where the file is the state of another run, damaged, or cannot be read or written.
-    KeptFrames(const std::filesystem::path& path, experiments::UnitRun run, const Shape& shape);
+    KeptFrames(const std::filesystem::path& path, runs::UnitRun run, const Shape& shape);
 
     std::size_t count() const { return m_made.size(); }
     bool has(std::size_t frame) const { return m_made.contains(frame); }
     /// A frame that it has.
-    const experiments::Json& at(std::size_t frame) const { return m_made.at(frame); }
+    const output::Json& at(std::size_t frame) const { return m_made.at(frame); }
     /// Keeps a frame whose picture is written.
     /// @param made as RenderResults::describe() gave it.
-    void keep(std::size_t frame, experiments::Json made);
+    void keep(std::size_t frame, output::Json made);
 
   private:
-    experiments::UnitStateFile m_file;
-    std::map<std::size_t, experiments::Json>& m_made;
+    runs::UnitStateFile m_file;
+    std::map<std::size_t, output::Json>& m_made;
 };
 
 } // namespace cdr::cli

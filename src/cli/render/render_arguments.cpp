@@ -34,7 +34,7 @@ depth::NamedTechnique techniqueOf(const RenderArguments& arguments) {
     return named;
 }
 
-render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::Aov aov) {
+render::RenderOptions optionsOf(const RenderArguments& arguments, output::Aov aov) {
     render::RenderOptions options{.width = arguments.width,
                                   .height = arguments.height,
                                   .technique = techniqueOf(arguments).technique,
@@ -44,14 +44,14 @@ render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::A
                                   .batching = render::parseBatching(arguments.batching),
                                   .surface = render::parseSurfacePath(arguments.surface),
                                   .detail = visibility::parseDetail(arguments.detail),
-                                  .effects = experiments::effectsOf(arguments.effects),
-                                  .focus = experiments::focusOf(arguments.effects),
-                                  .translucency = experiments::translucencyOf(arguments.effects)};
+                                  .effects = options::effectsOf(arguments.effects),
+                                  .focus = options::focusOf(arguments.effects),
+                                  .translucency = options::translucencyOf(arguments.effects)};
     options.snapBits = arguments.snapBits;
     options.snapping = arguments.snapping;
     options.occlusionCulling = arguments.occlusionCulling;
-    options.shadows = experiments::shadowsOf(arguments.effects);
-    options.translucency.countsFragments = aov == experiments::Aov::coverage;
+    options.shadows = options::shadowsOf(arguments.effects);
+    options.translucency.countsFragments = aov == output::Aov::coverage;
     return options;
 }
 
@@ -73,7 +73,7 @@ nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth
     if (!arguments.layers.empty()) {
         options["layers"] = arguments.layers;
     }
-    experiments::addViewsJson(options, arguments.views);
+    options::addViewsJson(options, arguments.views);
     return options;
 }
 
@@ -127,19 +127,19 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     command.option_defaults()->group("Technique");
     addTechniqueOptions(command, arguments);
     command.option_defaults()->group("Effects");
-    experiments::addEffectOptions(command, arguments.effects);
+    options::addEffectOptions(command, arguments.effects);
     command.option_defaults()->group("Camera");
-    experiments::addFrameOptions(command, arguments.camera);
-    experiments::addCameraOptions(command, arguments.camera);
+    options::addFrameOptions(command, arguments.camera);
+    options::addCameraOptions(command, arguments.camera);
     command.option_defaults()->group("Views");
-    experiments::addStereoOptions(command, arguments.views);
-    experiments::addViewsOption(command, arguments.views);
+    options::addStereoOptions(command, arguments.views);
+    options::addViewsOption(command, arguments.views);
     command.option_defaults()->group("Scene");
-    experiments::addSceneChoice(command, arguments.choice);
-    experiments::addAnimationChoice(command, arguments.choice);
+    options::addSceneChoice(command, arguments.choice);
+    options::addAnimationChoice(command, arguments.choice);
     addSeed(command, arguments.seed, "Seed of a random scene");
-    experiments::addColours(command, arguments.colours);
-    experiments::addLayers(command, arguments.layers);
+    options::addColours(command, arguments.colours);
+    options::addLayers(command, arguments.layers);
     command.option_defaults()->group("Ranks");
     command
         .add_option(

@@ -4,13 +4,13 @@
 #include <cdr/depth/technique.h>
 #include <cdr/render/render_options.h>
 #include <cdr/scene/gltf/open_gltf.h>
-#include <experiments/aov.h>
-#include <experiments/camera_options.h>
-#include <experiments/effect_options.h>
-#include <experiments/views/views_plan.h>
 #include <scenes/open_scene.h>
 
 #include <nlohmann/json.hpp>
+#include <options/camera_options.h>
+#include <options/effect_options.h>
+#include <options/views/views_plan.h>
+#include <output/aov.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -32,7 +32,7 @@ struct RenderArguments {
     std::string batching = "instanced";
     std::string surface = "gbuffer";
     bool occlusionCulling = false;
-    experiments::EffectArguments effects;
+    options::EffectArguments effects;
     std::string detail = "none";
     std::uint32_t snapBits = 0;
     render::Snapping snapping = render::Snapping::byDevice;
@@ -46,8 +46,8 @@ struct RenderArguments {
     std::filesystem::path trace;
     std::filesystem::path certify;
     std::filesystem::path state;
-    experiments::CameraOptions camera;
-    experiments::ViewsArguments views;
+    options::CameraOptions camera;
+    options::ViewsArguments views;
     std::string colours = "thesis";
     std::vector<std::string> layers; ///< for scenes::parseLayer()
     std::uint64_t seed = scenes::kDefaultSeed;
@@ -58,7 +58,7 @@ struct RenderArguments {
 depth::NamedTechnique techniqueOf(const RenderArguments& arguments);
 
 /// base::InputError where a name is unknown.
-render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::Aov aov);
+render::RenderOptions optionsOf(const RenderArguments& arguments, output::Aov aov);
 
 /// "options" of the command's JSON.
 nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth::Technique& technique);

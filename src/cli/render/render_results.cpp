@@ -1,13 +1,12 @@
 #include "render_results.h"
 
-#include <cdr/host/document.h>
 #include <cdr/host/file.h>
-#include <cdr/host/sha256.h>
-#include <experiments/frame_notes.h>
-#include <experiments/units.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <output/frame_notes.h>
+#include <program/sha256.h>
+#include <runs/units.h>
 
 #include <utility>
 #include <vector>
@@ -24,14 +23,14 @@ std::vector<std::string> notesOn(Command& command, std::size_t index, const Fram
     std::vector<std::string> notes;
     if (const auto& refusal = frame.stats.translucency.refusal) {
         const std::string why =
-            experiments::noteOn(*refusal, command.device().info().name, frame.width(), frame.height());
+            output::noteOn(*refusal, command.device().info().name, frame.width(), frame.height());
         notes.push_back(fmt::format("frame {} drawn with --translucency weighted: {}", made.number(), why));
     }
     if (isFirst && frame.stats.lostEmission) {
-        notes.push_back(fmt::format("not drawn as requested: {}", experiments::noteOnLostEmission()));
+        notes.push_back(fmt::format("not drawn as requested: {}", output::noteOnLostEmission()));
     }
     if (isFirst && frame.stats.lostShine) {
-        notes.push_back(fmt::format("not drawn as requested: {}", experiments::noteOnLostShine()));
+        notes.push_back(fmt::format("not drawn as requested: {}", output::noteOnLostShine()));
     }
     return notes;
 }
@@ -39,9 +38,8 @@ std::vector<std::string> notesOn(Command& command, std::size_t index, const Fram
 } // namespace
 
 RenderResults::RenderResults(Command& command, const RenderArguments& arguments,
-                             const render::RenderOptions& options, const experiments::ViewsPlan& views,
-                             const SequenceName& name, experiments::Aov aov,
-                             const experiments::FrameCameras& cameras)
+                             const render::RenderOptions& options, const options::ViewsPlan& views,
+                             const SequenceName& name, output::Aov aov, const options::FrameCameras& cameras)
     : m_command(command),
       m_arguments(arguments),
       m_options(options),
@@ -51,7 +49,7 @@ RenderResults::RenderResults(Command& command, const RenderArguments& arguments,
       m_cameras(cameras),
       m_technique(techniqueOf(arguments).name),
       m_columns(renderColumns({.hash = arguments.hash, .certificate = !arguments.certify.empty()})),
-      m_table(experiments::tableOf(m_columns, std::vector<RenderRow>())),
+      m_table(output::tableOf(m_columns, std::vector<RenderRow>())),
       m_document(command.makeDocument(optionsJson(arguments, options.technique))) {
     if (!arguments.certify.empty()) {
         m_certificates.emplace(arguments.certify, command, optionsJson(arguments, options.technique));
@@ -62,7 +60,7 @@ RenderResults::RenderResults(Command& command, const RenderArguments& arguments,
     command.sayKept(arguments.state);
     if (command.ranks().isFirst()) {
         m_kept.emplace(
-            arguments.state, experiments::UnitRun{.digest = command.digestOfRun(), .units = cameras.frames},
+            arguments.state, runs::UnitRun{.digest = command.digestOfRun(), .units = cameras.frames},
             KeptFrames::Shape{.frame = [this](std::size_t frame) { return shapeOf(frame); },
                               .picture = [this](std::size_t frame) { return m_name.at(numberOf(frame)); }});
         if (m_kept->count() > 0) {
@@ -80,12 +78,12 @@ std::vector<std::size_t> RenderResults::missing() {
         }
     }
     if (!m_arguments.state.empty()) { // which the first rank alone has read
-        frames = experiments::sharedOf(m_command.ranks(), frames);
+        frames = runs::sharedOf(m_command.ranks(), frames);
     }
     return {frames.begin(), frames.end()};
 }
 
-experiments::Json RenderResults::describe(std::size_t frame, const FrameOutput& made) {
+output::Json RenderResults::describe(std::size_t frame, const FrameOutput& made) {
     const std::string hash =
         m_arguments.hash || m_command.output().json || !m_arguments.state.empty() ? made.hash(m_aov) : "";
     const RenderRow row{made,
@@ -97,18 +95,18 @@ experiments::Json RenderResults::describe(std::size_t frame, const FrameOutput& 
                         scene::secondsAt(m_arguments.choice, made.number())};
     const auto& certified = made.certified();
     const bool isWritten = !m_arguments.file.empty() && !(certified && certified->certificate.isRefused());
-    return experiments::Json{
+    return output::Json{
         {"notes", notesOn(m_command, frame, made)},
-        {"row", experiments::jsonOf(m_columns, row)},
-        {"cells", experiments::cellsOf(m_columns, row)},
+        {"row", output::jsonOf(m_columns, row)},
+        {"cells", output::cellsOf(m_columns, row)},
         {"certificate", certified
                             ? certificateOf(made.number(), made.frame().camera, *certified, made.hash(m_aov))
-                            : experiments::Json()},
-        {"file", isWritten ? experiments::Json::binary(made.encoded(m_name.at(made.number()), m_aov))
-                           : experiments::Json()}};
+                            : output::Json()},
+        {"file",
+         isWritten ? output::Json::binary(made.encoded(m_name.at(made.number()), m_aov)) : output::Json()}};
 }
 
-void RenderResults::take(std::size_t frame, experiments::Json made) {
+void RenderResults::take(std::size_t frame, output::Json made) {
     addKept(frame);
     if (!made.at("file").is_null()) {
         host::writeFile(m_name.at(numberOf(frame)), made.at("file").get_binary());
@@ -145,8 +143,8 @@ void RenderResults::addKept(std::size_t before) {
     }
 }
 
-void RenderResults::add(const experiments::Json& made) {
-    for (const experiments::Json& note : made.at("notes")) {
+void RenderResults::add(const output::Json& made) {
+    for (const output::Json& note : made.at("notes")) {
         m_command.console().line(note.get<std::string>());
     }
     if (m_certificates) {

@@ -7,9 +7,9 @@
 #include "render_arguments.h"
 #include "sequence_name.h"
 
-#include <experiments/camera_options.h>
-#include <experiments/columns.h>
-#include <experiments/views/views_plan.h>
+#include <options/camera_options.h>
+#include <options/views/views_plan.h>
+#include <output/columns.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -25,18 +25,18 @@ class RenderResults {
   public:
     /// @param options as the frames are drawn. What is given by reference must outlive the results.
     RenderResults(Command& command, const RenderArguments& arguments, const render::RenderOptions& options,
-                  const experiments::ViewsPlan& views, const SequenceName& name, experiments::Aov aov,
-                  const experiments::FrameCameras& cameras);
+                  const options::ViewsPlan& views, const SequenceName& name, output::Aov aov,
+                  const options::FrameCameras& cameras);
 
     /// The frames of the run, counted from its first, that are still to make; the same on all ranks, which all ask.
     std::vector<std::size_t> missing();
 
     /// All of a frame that take() needs.
     /// @param frame counted from the run's first, which says what is not drawn as requested.
-    experiments::Json describe(std::size_t frame, const FrameOutput& made);
+    output::Json describe(std::size_t frame, const FrameOutput& made);
     /// Writes the picture and keeps the rows.
     /// @param frame counted from the run's first.
-    void take(std::size_t frame, experiments::Json made);
+    void take(std::size_t frame, output::Json made);
     /// Prints the table and writes JSON and the certificate. ExitStatus::kFound where a frame was refused.
     /// @param written what became of the pictures, in words.
     void finish(const std::string& written);
@@ -46,19 +46,19 @@ class RenderResults {
     FrameShape shapeOf(std::size_t frame) const; ///< as a state must hold it
     /// Those before a frame that no take() has brought yet.
     void addKept(std::size_t before);
-    void add(const experiments::Json& made);
+    void add(const output::Json& made);
 
     Command& m_command;
     const RenderArguments& m_arguments;
     const render::RenderOptions& m_options;
-    const experiments::ViewsPlan& m_views;
+    const options::ViewsPlan& m_views;
     const SequenceName& m_name;
-    experiments::Aov m_aov;
-    const experiments::FrameCameras& m_cameras;
+    output::Aov m_aov;
+    const options::FrameCameras& m_cameras;
     std::string m_technique;
     std::optional<CertificateFile> m_certificates;
-    experiments::Columns<RenderRow> m_columns;
-    experiments::Table m_table;
+    output::Columns<RenderRow> m_columns;
+    output::Table m_table;
     nlohmann::ordered_json m_document;
     std::optional<KeptFrames> m_kept; ///< on the first rank
     std::size_t m_added = 0;          ///< frames

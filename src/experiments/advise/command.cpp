@@ -4,12 +4,12 @@
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <experiments/advise/measured_advice.h>
-#include <experiments/columns.h>
-#include <experiments/readable.h>
-#include <experiments/sentence_parts.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <output/columns.h>
+#include <output/readable.h>
+#include <output/sentence_parts.h>
 
 #include <cmath>
 #include <numbers>
@@ -18,7 +18,7 @@ namespace cdr::cli {
 
 namespace {
 
-using experiments::Json;
+using output::Json;
 
 struct AdviseArguments {
     scene::Camera camera{.fovY = 0.0, .nearView = 0.1, .farView = 1e5};
@@ -66,7 +66,7 @@ std::string measuredText(const depth::Measurement& measured, base::LengthUnit un
 }
 
 std::string timeText(const depth::Measurement& measured) {
-    const auto percent = [](double ratio) { return experiments::Readable{100.0 * (ratio - 1.0)}; };
+    const auto percent = [](double ratio) { return output::Readable{100.0 * (ratio - 1.0)}; };
     return fmt::format("{:+} % ({:+} to {:+})", percent(measured.timeRatio), percent(measured.timeRatioLow),
                        percent(measured.timeRatioHigh));
 }
@@ -82,39 +82,38 @@ auto textOf(Text text) {
 /// What was measured as JSON; absent where nothing was.
 template <typename Value>
 auto measuredValue(Value value) {
-    return [value](const Row& row) -> experiments::Json {
-        return row.measured ? experiments::Json(value(*row.measured)) : experiments::absent();
+    return [value](const Row& row) -> output::Json {
+        return row.measured ? output::Json(value(*row.measured)) : output::absent();
     };
 }
 
-experiments::Columns<Row> measuredColumns(base::LengthUnit unit) {
+output::Columns<Row> measuredColumns(base::LengthUnit unit) {
     using Measured = depth::Measurement;
-    return {
-        {.key = "resolved",
-         .value = measuredValue([](const Measured& m) { return experiments::finiteOrNull(m.resolvedView); }),
-         .heading = "measured",
-         .text = textOf([unit](const Measured& m) { return measuredText(m, unit); }),
-         .before = "enough"},
-        {.key = "largest", .value = measuredValue([](const Measured& m) { return m.largestView; })},
-        {.key = "time_ratio",
-         .value = measuredValue([](const Measured& m) { return m.timeRatio; }),
-         .heading = "time over standard",
-         .text = textOf(timeText),
-         .before = "enough"},
-        {.key = "time_ratio_ci95",
-         .value = measuredValue([](const Measured& m) {
-             return experiments::jsonOf(measure::Interval{m.timeRatioLow, m.timeRatioHigh});
-         })}};
+    return {{.key = "resolved",
+             .value = measuredValue([](const Measured& m) { return output::finiteOrNull(m.resolvedView); }),
+             .heading = "measured",
+             .text = textOf([unit](const Measured& m) { return measuredText(m, unit); }),
+             .before = "enough"},
+            {.key = "largest", .value = measuredValue([](const Measured& m) { return m.largestView; })},
+            {.key = "time_ratio",
+             .value = measuredValue([](const Measured& m) { return m.timeRatio; }),
+             .heading = "time over standard",
+             .text = textOf(timeText),
+             .before = "enough"},
+            {.key = "time_ratio_ci95",
+             .value = measuredValue([](const Measured& m) {
+                 return output::jsonOf(measure::Interval{m.timeRatioLow, m.timeRatioHigh});
+             })}};
 }
 
 /// @param measured whether the table shows measurements, else costs in words.
-experiments::Columns<Row> adviceColumns(bool measured, base::LengthUnit unit) {
+output::Columns<Row> adviceColumns(bool measured, base::LengthUnit unit) {
     const auto step = [](auto value) {
-        return [value](const Row& row) { return experiments::finiteOrNull(value(row.forecast)); };
+        return [value](const Row& row) { return output::finiteOrNull(value(row.forecast)); };
     };
     using Forecast = depth::Forecast;
-    const experiments::CellFormat stepFormat{.missing = "none", .unit = unit};
-    const experiments::Columns<Row> predicted{
+    const output::CellFormat stepFormat{.missing = "none", .unit = unit};
+    const output::Columns<Row> predicted{
         {.key = "technique",
          .value = [](const Row& row) { return nameOf(row.technique); },
          .heading = "technique"},
@@ -150,7 +149,7 @@ experiments::Columns<Row> adviceColumns(bool measured, base::LengthUnit unit) {
          .value = [](const Row& row) { return costOf(row); },
          .heading = measured ? "" : "cost over standard",
          .before = "enough"}};
-    return measured ? experiments::joined<Row>({predicted, measuredColumns(unit)}) : predicted;
+    return measured ? output::joined<Row>({predicted, measuredColumns(unit)}) : predicted;
 }
 
 /// The answer, and what it was measured on.
@@ -186,7 +185,7 @@ void run(Command& command, AdviseArguments& arguments) {
         arguments.measured ? measure(command, arguments, asked) : predict(asked);
     const auto lines = depth::explain(question, advice, lengthTextIn(command.global().unit));
     const auto columns = adviceColumns(arguments.measured, command.global().unit);
-    console.table(experiments::tableOf(columns, advice.rows));
+    console.table(output::tableOf(columns, advice.rows));
     console.line("");
     for (const std::string& line : lines) {
         console.line(line);
@@ -211,13 +210,12 @@ void run(Command& command, AdviseArguments& arguments) {
         document["options"]["frames"] = arguments.measuring.frames;
         document["options"]["seed"] = arguments.measuring.seed;
     }
-    document["results"] = experiments::jsonOf(columns, advice.rows);
-    document["simplest"] = advice.simplest ? experiments::jsonOf(columns, advice.rows[*advice.simplest])
+    document["results"] = output::jsonOf(columns, advice.rows);
+    document["simplest"] = advice.simplest ? output::jsonOf(columns, advice.rows[*advice.simplest])
                                            : nlohmann::ordered_json(nullptr);
     document["widest_span"] = advice.widestSpanView;
     document["advice"] = depth::explain(question, advice);
-    document["advice_parts"] =
-        experiments::sentenceParts(depth::explain(question, advice, experiments::markedLength));
+    document["advice_parts"] = output::sentenceParts(depth::explain(question, advice, output::markedLength));
     command.writeDocument(document);
 }
 

@@ -59,7 +59,7 @@ std::vector<TimingResult> time(const gpu::Device& device,
         timing.modes.push_back({.name = name, .preset = name, .technique = technique, .thesisPercent = {}});
     }
     ranks::OneProcess alone;
-    TimedRanks here(alone);
+    runs::TimedRanks here(alone);
     return runTiming(
         device, timing, [&](std::size_t done, std::size_t all) { progress(done, all, "what they cost"); },
         here);

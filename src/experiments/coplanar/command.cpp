@@ -1,10 +1,11 @@
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <cli/picture_folder.h>
-#include <experiments/columns.h>
 #include <experiments/coplanar/coplanar.h>
 
 #include <fmt/format.h>
+#include <output/columns.h>
+#include <program/build_info.h>
 
 #include <algorithm>
 
@@ -18,13 +19,13 @@ struct CoplanarArguments {
     std::filesystem::path state;
 };
 
-experiments::Columns<experiments::CoplanarResult> coplanarColumns() {
+output::Columns<experiments::CoplanarResult> coplanarColumns() {
     using Result = experiments::CoplanarResult;
     const auto ofOffset = [](float render::LayerOptions::*factor) {
         return [factor](const Result& result) {
             return result.method == experiments::CoplanarMethod::polygonOffset
-                       ? experiments::Json(result.layers.*factor)
-                       : experiments::Json(nullptr);
+                       ? output::Json(result.layers.*factor)
+                       : output::Json(nullptr);
         };
     };
     return {{.key = "technique", .value = &Result::technique, .heading = "technique"},
@@ -42,8 +43,8 @@ experiments::Columns<experiments::CoplanarResult> coplanarColumns() {
             {.key = "wrong_share",
              .value =
                  [](const Result& result) {
-                     return experiments::Json(static_cast<double>(result.wrong) /
-                                              static_cast<double>(std::max<std::uint64_t>(result.pixels, 1)));
+                     return output::Json(static_cast<double>(result.wrong) /
+                                         static_cast<double>(std::max<std::uint64_t>(result.pixels, 1)));
                  },
              .heading = "of all",
              .format = {.pattern = "{} %", .scale = 100.0}},
@@ -66,12 +67,12 @@ void run(Command& command, CoplanarArguments& arguments) {
     }
 
     const auto columns = coplanarColumns();
-    command.console().table(experiments::tableOf(columns, results));
+    command.console().table(output::tableOf(columns, results));
     command.console().line(fmt::format(
         "\n{}; {} pairs of views of the scene coplanar, {}x{}; polygon offset is the best of 40 settings over {} "
         "other views; commit {}",
         command.opened().text(), options.views, options.width, options.height, options.searchViews,
-        host::buildInfo().commit));
+        program::buildInfo().commit));
     auto document = command.makeDocument({{"width", options.width},
                                           {"height", options.height},
                                           {"views", options.views},
@@ -80,7 +81,7 @@ void run(Command& command, CoplanarArguments& arguments) {
                                           {"seed", options.seed},
                                           {"snap_bits", options.snapBits}});
     for (const experiments::CoplanarResult& result : results) {
-        auto& row = document["results"].emplace_back(experiments::jsonOf(columns, result));
+        auto& row = document["results"].emplace_back(output::jsonOf(columns, result));
         if (!result.picture.pixels.empty()) {
             std::string name = fmt::format("{}_{}.png", result.technique, nameOf(result.method));
             std::replace(name.begin(), name.end(), ' ', '_');

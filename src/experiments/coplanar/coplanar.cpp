@@ -6,8 +6,9 @@
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/truth/object_ray.h>
 #include <cdr/render/renderer.h>
-#include <experiments/units.h>
 #include <scenes/coplanar.h>
+
+#include <runs/units.h>
 
 #include <algorithm>
 #include <array>
@@ -89,7 +90,7 @@ class CoplanarComparison {
 
     /// All techniques and methods in a pair of views, and heat maps that may be the worst one's. Views come in ascending
     /// order, and fitted splits remember those that other ranks look from.
-    Json compare(std::uint32_t view) {
+    output::Json compare(std::uint32_t view) {
         for (; m_next < view; ++m_next) {
             for (const scene::Camera& camera : viewPair(m_options.seed + 1, m_next)) {
                 for (const auto& renderer : m_renderers) {
@@ -103,7 +104,7 @@ class CoplanarComparison {
         const std::array inner{measure::innerMask(truths[0]), measure::innerMask(truths[1])};
         const auto steady = measure::steadyMask(truths[0], inner[0], truths[1], inner[1]);
         std::vector<PairCount> counts(m_results.size());
-        Json pictures = Json::array();
+        output::Json pictures = output::Json::array();
         for (std::size_t i = 0; i < m_results.size(); ++i) {
             std::array<image::ImageU32, 2> ids;
             image::Raster<std::uint8_t> steadyCovered = steady;
@@ -113,22 +114,22 @@ class CoplanarComparison {
                 count(frame, ids[eye], truths[eye], inner[eye], eye, counts[i], steadyCovered);
                 if (counts[i].wrong[eye] > m_worst[i]) {
                     m_worst[i] = counts[i].wrong[eye];
-                    pictures.push_back(
-                        {{"result", i},
-                         {"wrong", m_worst[i]},
-                         {"picture", packedPicture(measure::heatMap(ids[eye], truths[eye], frame.color))}});
+                    pictures.push_back({{"result", i},
+                                        {"wrong", m_worst[i]},
+                                        {"picture", runs::packedPicture(measure::heatMap(
+                                                        ids[eye], truths[eye], frame.color))}});
                 }
             }
             counts[i].flips = measure::countFlips(ids[0], ids[1], steady).flips;
             counts[i].coverageFlips =
                 counts[i].flips - measure::countFlips(ids[0], ids[1], steadyCovered).flips;
         }
-        return {{"counts", packed(counts)}, {"pictures", std::move(pictures)}};
+        return {{"counts", runs::packed(counts)}, {"pictures", std::move(pictures)}};
     }
 
     /// Adds what compare() made on some rank.
-    void take(const Json& made) {
-        const std::vector<PairCount> counts = unpacked<PairCount>(made.at("counts"), m_results.size());
+    void take(const output::Json& made) {
+        const std::vector<PairCount> counts = runs::unpacked<PairCount>(made.at("counts"), m_results.size());
         for (std::size_t i = 0; i < counts.size(); ++i) {
             CoplanarResult& result = m_results[i];
             for (std::size_t eye = 0; eye < 2; ++eye) {
@@ -141,11 +142,11 @@ class CoplanarComparison {
             result.flips += counts[i].flips;
             result.coverageFlips += counts[i].coverageFlips;
         }
-        for (const Json& picture : made.at("pictures")) {
+        for (const output::Json& picture : made.at("pictures")) {
             const auto i = picture.at("result").get<std::size_t>();
             if (const auto wrong = picture.at("wrong").get<std::uint64_t>(); wrong > m_shownWrong.at(i)) {
                 m_shownWrong[i] = wrong;
-                m_results[i].picture = unpackedPicture(picture.at("picture"));
+                m_results[i].picture = runs::unpackedPicture(picture.at("picture"));
             }
         }
     }
@@ -249,28 +250,28 @@ std::vector<CoplanarResult> runCoplanar(const gpu::Device& device, const Coplana
     const std::size_t all = techniques.size() + options.views;
     CoplanarComparison comparison(device, options);
     std::vector<render::LayerOptions> offsets;
-    forEachUnit(
+    runs::forEachUnit(
         ranks, techniques.size(),
         [&](std::size_t unit) {
             progress(unit, all);
-            return packed(std::vector{comparison.bestOffset(techniques[unit].technique)});
+            return runs::packed(std::vector{comparison.bestOffset(techniques[unit].technique)});
         },
-        [&](std::size_t, const Json& best) {
-            offsets.push_back(unpacked<render::LayerOptions>(best, 1)[0]);
+        [&](std::size_t, const output::Json& best) {
+            offsets.push_back(runs::unpacked<render::LayerOptions>(best, 1)[0]);
         });
-    offsets = sharedOf(ranks, offsets);
+    offsets = runs::sharedOf(ranks, offsets);
     for (std::size_t i = 0; i < techniques.size(); ++i) {
         comparison.add(techniques[i], CoplanarMethod::none, kNoOffset);
         comparison.add(techniques[i], CoplanarMethod::polygonOffset, offsets[i]);
         comparison.add(techniques[i], CoplanarMethod::layers, {});
     }
-    forEachUnit(
+    runs::forEachUnit(
         ranks, options.views,
         [&](std::size_t unit) {
             progress(techniques.size() + unit, all);
             return comparison.compare(static_cast<std::uint32_t>(unit));
         },
-        [&](std::size_t, const Json& made) { comparison.take(made); });
+        [&](std::size_t, const output::Json& made) { comparison.take(made); });
     return std::move(comparison).results();
 }
 

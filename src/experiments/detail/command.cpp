@@ -1,10 +1,11 @@
 #include <cli/commands.h>
 #include <cli/comparison.h>
-#include <experiments/columns.h>
 #include <experiments/detail/detail.h>
-#include <experiments/readable.h>
 
 #include <fmt/format.h>
+#include <output/columns.h>
+#include <output/readable.h>
+#include <program/build_info.h>
 
 namespace cdr::cli {
 
@@ -18,18 +19,18 @@ struct DetailArguments {
     std::filesystem::path state;
 };
 
-experiments::Columns<experiments::DetailResult> detailColumns() {
+output::Columns<experiments::DetailResult> detailColumns() {
     using Result = experiments::DetailResult;
     const auto othersShare = [](const Result& result) {
         const double share = static_cast<double>(result.otherIds) / static_cast<double>(result.pixels);
-        return fmt::format("{} %", experiments::percent(share));
+        return fmt::format("{} %", output::percent(share));
     };
     return {{.key = "mode", .value = &Result::mode, .heading = "detail"},
             {.key = "frame_ms", .value = &Result::frameMs, .heading = "frame ms"},
             {.key = "record_ms", .value = &Result::recordMs},
             {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms"},
             {.key = "execute_speedup", .value = &Result::speedup, .heading = "speed-up"},
-            experiments::intervalColumn(&Result::speedup95),
+            output::intervalColumn(&Result::speedup95),
             {.key = "triangles",
              .value = &Result::triangles,
              .heading = "triangles",
@@ -61,20 +62,20 @@ void run(Command& command, DetailArguments& arguments) {
     }
 
     const auto columns = detailColumns();
-    command.console().table(experiments::tableOf(columns, report.results));
+    command.console().table(output::tableOf(columns, report.results));
     command.console().line(fmt::format(
         "\n{}; {} of {} triangles, {} levels and {} clusters made in {} ms; {} frames, {}x{}, {} "
         "pixels of error, {} {}, {} threads; commit {}",
         command.opened().text(), options.scene, report.sceneTriangles, report.meshLevels, report.clusters,
-        experiments::Readable{report.makeMs}, options.frames, options.width, options.height, options.pixels,
-        arguments.depth, arguments.split, options.threads, host::buildInfo().commit));
+        output::Readable{report.makeMs}, options.frames, options.width, options.height, options.pixels,
+        arguments.depth, arguments.split, options.threads, program::buildInfo().commit));
     nlohmann::ordered_json settings = settingsOf(options);
     settings.update({{"mapping", nameOf(options.technique.mapping)},
                      {"split", nameOf(options.technique.split)},
                      {"error_pixels", options.pixels}});
     auto document = command.makeDocument(std::move(settings));
     for (const auto& result : report.results) {
-        auto& row = document["results"].emplace_back(experiments::jsonOf(columns, result));
+        auto& row = document["results"].emplace_back(output::jsonOf(columns, result));
         folder.write("picture", result.mode + ".png", result.picture, row);
         folder.write("cracks_picture", result.mode + "_cracks.png", result.cracked, row);
     }

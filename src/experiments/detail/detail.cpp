@@ -9,10 +9,10 @@
 #include <cdr/scene/lod/levels.h>
 #include <cdr/visibility/bin_cells.h>
 #include <cdr/visibility/cluster_choice.h>
-#include <experiments/interleaved_frames.h>
-#include <experiments/units.h>
 
 #include <ranks/one_process.h>
+#include <runs/interleaved_frames.h>
+#include <runs/units.h>
 
 #include <algorithm>
 #include <array>
@@ -105,25 +105,25 @@ class DetailComparison {
         }
         ranks.share({});
         bool isTimed = false;
-        forEachUnitOnFirst(
+        runs::forEachUnitOnFirst(
             ranks, 1,
             [&](std::size_t) {
                 isTimed = true;
                 ranks::OneProcess alone;
-                TimedRanks timed(alone);
+                runs::TimedRanks timed(alone);
                 m_frames.run(timed, m_options.frames, step, [&](std::size_t mode, std::uint32_t frame) {
                     return m_renderers[mode]->draw(cameraOf(frame));
                 });
                 return m_frames.packedSamples();
             },
-            [&](std::size_t, const Json& made) { m_frames.takeSamples(made, m_options.frames); });
+            [&](std::size_t, const output::Json& made) { m_frames.takeSamples(made, m_options.frames); });
         if (ranks.isFirst() && !isTimed) {
             skipTimed();
         }
     }
 
     /// What all modes show of a frame; of the first one pictures too. Frames come in ascending order.
-    Json compare(std::uint32_t frame) {
+    output::Json compare(std::uint32_t frame) {
         for (; m_next < frame; ++m_next) {
             for (const auto& renderer : m_renderers) {
                 renderer->skip(cameraOf(m_next));
@@ -134,7 +134,7 @@ class DetailComparison {
         const render::Frame whole = m_renderers.front()->render(camera);
         const measure::SeenImage wholeSeen = seenIn(whole);
         std::vector<Shown> all;
-        Json made{{"pictures", Json::array()}};
+        output::Json made{{"pictures", output::Json::array()}};
         for (std::size_t mode = 0; mode < kDetailModes.size(); ++mode) {
             const render::Frame shown = mode == 0 ? whole : m_renderers[mode]->render(camera);
             const measure::SeenImage seen = seenIn(shown);
@@ -146,16 +146,16 @@ class DetailComparison {
                            .triangles = trianglesOf(shown, kDetailModes[mode].mode)});
             if (frame == 0) {
                 made["pictures"].push_back(
-                    {packedPicture(shown.color), packedPicture(markCracks(shown.color, cracks))});
+                    {runs::packedPicture(shown.color), runs::packedPicture(markCracks(shown.color, cracks))});
             }
         }
-        made["shown"] = packed(all);
+        made["shown"] = runs::packed(all);
         return made;
     }
 
     /// Adds what compare() made.
-    void add(const Json& made) {
-        const std::vector<Shown> all = unpacked<Shown>(made.at("shown"), kDetailModes.size());
+    void add(const output::Json& made) {
+        const std::vector<Shown> all = runs::unpacked<Shown>(made.at("shown"), kDetailModes.size());
         for (std::size_t mode = 0; mode < kDetailModes.size(); ++mode) {
             DetailResult& result = m_results[mode];
             const Shown& shown = all[mode];
@@ -167,8 +167,8 @@ class DetailComparison {
             result.triangles += static_cast<double>(shown.triangles) / m_options.frames;
         }
         for (std::size_t mode = 0; mode < made.at("pictures").size(); ++mode) {
-            m_results.at(mode).picture = unpackedPicture(made["pictures"][mode].at(0));
-            m_results[mode].cracked = unpackedPicture(made["pictures"][mode].at(1));
+            m_results.at(mode).picture = runs::unpackedPicture(made["pictures"][mode].at(0));
+            m_results[mode].cracked = runs::unpackedPicture(made["pictures"][mode].at(1));
         }
     }
 
@@ -192,9 +192,9 @@ class DetailComparison {
     /// A fitted split keeps to the frames before, those that were timed elsewhere among them.
     void skipTimed() {
         for (const auto& renderer : m_renderers) {
-            for (std::uint32_t i = 0; i < InterleavedFrames::kWarmUp + m_options.frames; ++i) {
+            for (std::uint32_t i = 0; i < runs::InterleavedFrames::kWarmUp + m_options.frames; ++i) {
                 const std::uint32_t frame =
-                    i < InterleavedFrames::kWarmUp ? i : i - InterleavedFrames::kWarmUp;
+                    i < runs::InterleavedFrames::kWarmUp ? i : i - runs::InterleavedFrames::kWarmUp;
                 renderer->skip(cameraOf(frame % m_options.frames));
             }
         }
@@ -234,11 +234,11 @@ class DetailComparison {
     }
 
     void summarise(std::size_t mode, DetailResult& result) const {
-        const std::vector<double> ratios = m_frames.ratios(0, mode, &FrameSample::executeMs);
+        const std::vector<double> ratios = m_frames.ratios(0, mode, &runs::FrameSample::executeMs);
         result.mode = kDetailModes[mode].name;
-        result.frameMs = m_frames.median(mode, &FrameSample::frameMs);
-        result.recordMs = m_frames.median(mode, &FrameSample::recordMs);
-        result.executeMs = m_frames.median(mode, &FrameSample::executeMs);
+        result.frameMs = m_frames.median(mode, &runs::FrameSample::frameMs);
+        result.recordMs = m_frames.median(mode, &runs::FrameSample::recordMs);
+        result.executeMs = m_frames.median(mode, &runs::FrameSample::executeMs);
         result.speedup = measure::median(ratios);
         result.speedup95 = measure::bootstrapMedian(ratios, m_options.seed + mode);
     }
@@ -249,7 +249,7 @@ class DetailComparison {
     double m_makeMs;
     render::GpuScene m_gpuScene;
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
-    InterleavedFrames m_frames;
+    runs::InterleavedFrames m_frames;
     std::vector<DetailResult> m_results;
     std::uint32_t m_next = 0; ///< frame that comes after those compared or skipped
     measure::FlipDifference m_flip;
@@ -265,18 +265,18 @@ DetailReport runDetail(const gpu::Device& device, scene::SceneSetup setup, const
     if (options.frames < 1) {
         throw base::InputError("detail needs a frame");
     }
-    const std::size_t timed = std::size_t{InterleavedFrames::kWarmUp} + options.frames;
+    const std::size_t timed = std::size_t{runs::InterleavedFrames::kWarmUp} + options.frames;
     const std::size_t all = timed + options.frames;
     std::size_t done = 0;
     DetailComparison comparison(device, std::move(setup), options);
     comparison.time(ranks, [&] { progress(done++, all); });
-    forEachUnit(
+    runs::forEachUnit(
         ranks, options.frames,
         [&](std::size_t unit) {
             progress(timed + unit, all);
             return comparison.compare(static_cast<std::uint32_t>(unit));
         },
-        [&](std::size_t, const Json& made) { comparison.add(made); });
+        [&](std::size_t, const output::Json& made) { comparison.add(made); });
     return ranks.isFirst() ? comparison.report() : DetailReport();
 }
 

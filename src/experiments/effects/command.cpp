@@ -1,11 +1,11 @@
 #include <cdr/render/effects.h>
 #include <cli/commands.h>
 #include <cli/comparison.h>
-#include <experiments/columns.h>
 #include <experiments/effects/effects.h>
-#include <experiments/readable.h>
 
 #include <fmt/format.h>
+#include <output/columns.h>
+#include <output/readable.h>
 
 namespace cdr::cli {
 
@@ -16,14 +16,14 @@ struct EffectsArguments {
     std::filesystem::path folder;
 };
 
-experiments::Columns<experiments::EffectsResult> effectsColumns() {
+output::Columns<experiments::EffectsResult> effectsColumns() {
     using Result = experiments::EffectsResult;
     return {{.key = "mode",
              .value = [](const Result& result) { return nameOf(result.mode); },
              .heading = "effect"},
             {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms"},
             {.key = "execute_ratio", .value = &Result::ratio, .heading = "over plain"},
-            experiments::intervalColumn(&Result::ratio95),
+            output::intervalColumn(&Result::ratio95),
             {.key = "least_alike", .value = &Result::leastAlike, .heading = "under"},
             {.key = "differing",
              .value = &Result::differing,
@@ -38,7 +38,7 @@ void run(Command& command, EffectsArguments& arguments) {
                                   .fog = {.visibility = options.visibility}});
     const PictureFolder folder(arguments.folder, command.files());
     const scene::SceneSetup setup = command.openScene(options.scene, options.seed);
-    experiments::TimedRanks ranks(command.ranks());
+    runs::TimedRanks ranks(command.ranks());
     const experiments::EffectsReport report = experiments::runEffects(
         command.device(), setup, options, command.progressOf("frames with effects"), ranks);
     command.endProgress();
@@ -47,9 +47,9 @@ void run(Command& command, EffectsArguments& arguments) {
     }
 
     const auto columns = effectsColumns();
-    command.console().table(experiments::tableOf(columns, report.results));
+    command.console().table(output::tableOf(columns, report.results));
     command.console().line(fmt::format("\nocclusion per layer leaves {} % of the pixels too bright",
-                                       experiments::percent(report.lostPerLayer)));
+                                       output::percent(report.lostPerLayer)));
     command.console().line(fmt::format(
         "{}; {}, {} frames, {}x{}, radius {}, visibility {}, {} threads; differing: by "
         "more than {} of 255 from anchored, which preset most",
@@ -59,11 +59,11 @@ void run(Command& command, EffectsArguments& arguments) {
     settings.update({{"occlusion_radius", options.occlusionRadius}, {"visibility", options.visibility}});
     auto document = command.makeDocument(std::move(settings));
     for (const auto& result : report.results) {
-        auto& row = document["results"].emplace_back(experiments::jsonOf(columns, result));
+        auto& row = document["results"].emplace_back(output::jsonOf(columns, result));
         folder.write("picture", fmt::format("{}.png", nameOf(result.mode)), result.picture, row);
     }
     document["lost_per_layer"] = report.lostPerLayer;
-    experiments::addMeasuredBy(document, command.ranks(), ranks.measuredBy("frames"));
+    runs::addMeasuredBy(document, command.ranks(), ranks.measuredBy("frames"));
     command.writeDocument(document);
 }
 

@@ -3,7 +3,8 @@
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
 #include <cdr/render/renderer.h>
-#include <experiments/interleaved_frames.h>
+
+#include <runs/interleaved_frames.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -80,16 +81,16 @@ class EffectsComparison {
         }
     }
 
-    void time(TimedRanks& ranks, const std::function<void()>& step) {
+    void time(runs::TimedRanks& ranks, const std::function<void()>& step) {
         m_frames.run(ranks, m_options.frames, step,
                      [&](std::size_t mode, std::uint32_t) { return m_renderers[mode]->draw(m_camera); });
     }
 
     EffectsResult summarise(EffectMode effect) {
         const std::size_t mode = indexOf(effect);
-        const std::vector<double> ratios = m_frames.ratios(mode, 0, &FrameSample::executeMs);
+        const std::vector<double> ratios = m_frames.ratios(mode, 0, &runs::FrameSample::executeMs);
         EffectsResult result{.mode = effect,
-                             .executeMs = m_frames.median(mode, &FrameSample::executeMs),
+                             .executeMs = m_frames.median(mode, &runs::FrameSample::executeMs),
                              .ratio = measure::median(ratios),
                              .ratio95 = measure::bootstrapMedian(ratios, m_options.seed + mode),
                              .leastAlike = {},
@@ -126,7 +127,7 @@ class EffectsComparison {
     scene::Camera m_camera;
     render::GpuScene m_gpuScene;
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
-    InterleavedFrames m_frames;
+    runs::InterleavedFrames m_frames;
 };
 
 } // namespace
@@ -136,11 +137,13 @@ std::string_view nameOf(EffectMode mode) {
 }
 
 EffectsReport runEffects(const gpu::Device& device, const scene::SceneSetup& setup,
-                         const EffectsOptions& options, const EffectsProgress& progress, TimedRanks& ranks) {
+                         const EffectsOptions& options, const EffectsProgress& progress,
+                         runs::TimedRanks& ranks) {
     if (options.frames < 1) {
         throw base::InputError("effects needs a frame");
     }
-    const std::size_t all = std::size_t{InterleavedFrames::kWarmUp} + options.frames + kEffectModes.size();
+    const std::size_t all =
+        std::size_t{runs::InterleavedFrames::kWarmUp} + options.frames + kEffectModes.size();
     std::size_t done = 0;
     EffectsComparison comparison(device, setup, options);
     comparison.time(ranks, [&] { progress(done++, all); });

@@ -3,8 +3,9 @@
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/statistics/statistics.h>
-#include <experiments/timed_ranks.h>
 #include <scenes/open_scene.h>
+
+#include <runs/timed_ranks.h>
 
 #include <array>
 #include <cstdint>
@@ -69,6 +70,7 @@ using EffectsProgress = std::function<void(std::size_t done, std::size_t all)>;
 /// @param setup what options.scene names.
 /// @param ranks that share the timed frames; the first one does the rest, and alone has results.
 EffectsReport runEffects(const gpu::Device& device, const scene::SceneSetup& setup,
-                         const EffectsOptions& options, const EffectsProgress& progress, TimedRanks& ranks);
+                         const EffectsOptions& options, const EffectsProgress& progress,
+                         runs::TimedRanks& ranks);
 
 } // namespace cdr::experiments

@@ -7,10 +7,10 @@
 #include <experiments/flicker/output.h>
 #include <experiments/flicker/pairs.h>
 #include <experiments/rivals/row_columns.h>
-#include <experiments/wrong_pixels_columns.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <output/wrong_pixels_columns.h>
 
 #include <filesystem>
 #include <optional>
@@ -28,17 +28,17 @@ struct FlickerArguments {
     std::optional<std::filesystem::path> tga;
 };
 
-experiments::Columns<experiments::FlickerResult> flickerColumns() {
+output::Columns<experiments::FlickerResult> flickerColumns() {
     using Result = experiments::FlickerResult;
-    return experiments::joined<Result>(
+    return output::joined<Result>(
         {{{.key = "scene", .value = &Result::scene},
           {.key = "technique", .value = &Result::technique, .heading = "technique"},
           experiments::rivalColumn(&Result::isRival),
           experiments::formatColumn(&Result::format),
           {.key = "frames", .value = &Result::frames}},
-         experiments::columnsOf(&Result::wrong,
-                                experiments::wrongPixelsColumns(
-                                    {.pixels = "inner pixels", .wrong = "wrong", .share = "wrong share"})),
+         output::columnsOf(&Result::wrong,
+                           output::wrongPixelsColumns(
+                               {.pixels = "inner pixels", .wrong = "wrong", .share = "wrong share"})),
          {{.key = "flips",
            .value = [](const Result& result) { return result.flips.flips; },
            .heading = "flips"},
@@ -49,8 +49,7 @@ experiments::Columns<experiments::FlickerResult> flickerColumns() {
           {.key = "mean_flip",
            .value =
                [](const Result& result) {
-                   return result.isRival() ? experiments::Json(nullptr)
-                                           : experiments::Json(result.meanFlip());
+                   return result.isRival() ? output::Json(nullptr) : output::Json(result.meanFlip());
                },
            .heading = "mean FLIP",
            .format = {.missing = "-"}},
@@ -59,7 +58,7 @@ experiments::Columns<experiments::FlickerResult> flickerColumns() {
           {.key = "cascades", .value = &Result::cascades, .heading = "cascades"}}});
 }
 
-experiments::Columns<experiments::FlickerPair> pairColumns() {
+output::Columns<experiments::FlickerPair> pairColumns() {
     using Pair = experiments::FlickerPair;
     const auto sideName = [](const Pair& pair, experiments::Side side) {
         return side == experiments::Side::left ? pair.left : pair.right;
@@ -76,8 +75,7 @@ experiments::Columns<experiments::FlickerPair> pairColumns() {
         {.key = "observer",
          .value =
              [sideName](const Pair& pair) {
-                 return pair.observer ? experiments::Json(sideName(pair, *pair.observer))
-                                      : experiments::Json(nullptr);
+                 return pair.observer ? output::Json(sideName(pair, *pair.observer)) : output::Json(nullptr);
              },
          .heading = "observer takes",
          .format = {.missing = "neither"}},
@@ -167,10 +165,10 @@ void run(Command& command, FlickerArguments& arguments) {
     const auto pairs = experiments::comparePairs(results);
     const Console& console = command.console();
     const auto columns = flickerColumns();
-    console.table(experiments::tableOf(columns, results));
+    console.table(output::tableOf(columns, results));
     if (!pairs.empty()) {
         console.line("");
-        console.table(experiments::tableOf(pairColumns(), pairs));
+        console.table(output::tableOf(pairColumns(), pairs));
     }
     printNeeds(console, options.rivalsBeside);
     console.line(fmt::format("\n{}; {} frames of {}x{}, FLIP of every {}., seed {}", command.opened().text(),
@@ -183,8 +181,8 @@ void run(Command& command, FlickerArguments& arguments) {
                                           {"snap_bits", options.snapBits},
                                           {"near_object", options.nearObject},
                                           {"flip_every", options.flipEvery}});
-    document["results"] = experiments::jsonOf(columns, results);
-    document["pairs"] = experiments::jsonOf(pairColumns(), pairs);
+    document["results"] = output::jsonOf(columns, results);
+    document["pairs"] = output::jsonOf(pairColumns(), pairs);
     addNeeds(document, options.rivalsBeside);
     command.writeDocument(document);
 }

@@ -7,11 +7,11 @@
 #include <cdr/measure/truth/truth_shading.h>
 #include <cdr/render/renderer.h>
 #include <experiments/rivals/drawer.h>
-#include <experiments/units.h>
 #include <scenes/open_scene.h>
 
 #include <fmt/format.h>
 #include <ranks/one_process.h>
+#include <runs/units.h>
 
 #include <algorithm>
 #include <memory>
@@ -89,24 +89,24 @@ class Flicker {
         if (file != nullptr) {
             file->load(m_state);
         }
-        const std::uint32_t done = sharedOf(ranks, std::vector{m_state.framesDone})[0];
+        const std::uint32_t done = runs::sharedOf(ranks, std::vector{m_state.framesDone})[0];
         const std::uint32_t begin = m_hooks.pictures ? 0 : done;
         // A range begins with the frame before it, which flips need, so the ranges of several ranks have some length.
         const auto rangesOfEach = 4 * static_cast<std::uint32_t>(ranks.place().count);
         const std::uint32_t length =
             ranks.isAlone() ? 1 : std::clamp((m_options.frames - begin) / rangesOfEach, 1u, 8u);
         const auto makeRange = [&](std::size_t unit) {
-            Json range = Json::array();
+            output::Json range = output::Json::array();
             const std::uint32_t first = begin + static_cast<std::uint32_t>(unit) * length;
             for (std::uint32_t frame = first; frame < std::min(first + length, m_options.frames); ++frame) {
                 range.push_back(frame < done ? showFrame(frame) : measureFrame(frame));
             }
             return range;
         };
-        forEachUnit(ranks, (m_options.frames - begin + length - 1) / length, makeRange,
-                    [&](std::size_t unit, const Json& range) {
-                        takeRange(begin + static_cast<std::uint32_t>(unit) * length, range, file);
-                    });
+        runs::forEachUnit(ranks, (m_options.frames - begin + length - 1) / length, makeRange,
+                          [&](std::size_t unit, const output::Json& range) {
+                              takeRange(begin + static_cast<std::uint32_t>(unit) * length, range, file);
+                          });
         return m_state.results;
     }
 
@@ -143,7 +143,7 @@ class Flicker {
     }
 
     /// A frame that an earlier run has measured.
-    Json showFrame(std::uint32_t frame) {
+    output::Json showFrame(std::uint32_t frame) {
         std::vector<image::ImageRgba8> pictures;
         for (std::size_t i = 0; i < m_lanes.size(); ++i) {
             DrawnFrame drawn = render(frame, i);
@@ -186,7 +186,7 @@ class Flicker {
 
     bool takesFlip(std::uint32_t frame) const { return frame % m_options.flipEvery == 0; }
 
-    Json measureFrame(std::uint32_t frame) {
+    output::Json measureFrame(std::uint32_t frame) {
         bringBefore(frame);
         TruthFrame truth = truthAt(frame);
         image::Raster<std::uint8_t> steady;
@@ -224,26 +224,27 @@ class Flicker {
         return figures;
     }
 
-    Json wireOf(const std::vector<Figures>& figures, const std::vector<image::ImageRgba8>& pictures) const {
-        Json wire{{"figures", packed(figures)}, {"pictures", Json::array()}};
+    output::Json wireOf(const std::vector<Figures>& figures,
+                        const std::vector<image::ImageRgba8>& pictures) const {
+        output::Json wire{{"figures", runs::packed(figures)}, {"pictures", output::Json::array()}};
         if (m_hooks.pictures) {
             for (const image::ImageRgba8& picture : pictures) {
-                wire["pictures"].push_back(packedPicture(picture));
+                wire["pictures"].push_back(runs::packedPicture(picture));
             }
         }
         return wire;
     }
 
-    void takeRange(std::uint32_t frame, const Json& range, const FlickerStateFile* file) {
-        for (const Json& wire : range) {
+    void takeRange(std::uint32_t frame, const output::Json& range, const FlickerStateFile* file) {
+        for (const output::Json& wire : range) {
             if (m_hooks.pictures) {
                 std::vector<image::ImageRgba8> pictures;
-                for (const Json& picture : wire.at("pictures")) {
-                    pictures.push_back(unpackedPicture(picture));
+                for (const output::Json& picture : wire.at("pictures")) {
+                    pictures.push_back(runs::unpackedPicture(picture));
                 }
                 m_hooks.pictures(frame, pictures);
             }
-            const std::vector<Figures> figures = unpacked<Figures>(wire.at("figures"));
+            const std::vector<Figures> figures = runs::unpacked<Figures>(wire.at("figures"));
             for (std::size_t i = 0; i < figures.size(); ++i) {
                 add(figures[i], m_state.results[i]);
             }

@@ -42,11 +42,11 @@ PairVideos::PairVideos(const std::filesystem::path& folder, std::span<const std:
         throw base::InputError(
             "videos show pairs of standard, cdr, log and logcdr; name at least two of them");
     }
-    requireEncodable(2 * width, height);
+    output::requireEncodable(2 * width, height);
     host::makeFolder(folder);
     for (Pair& pair : m_pairs) {
-        pair.video = std::make_unique<VideoWriter>(pair.path, 2 * width, height,
-                                                   VideoTiming{.frames = frames, .seconds = kVideoSeconds});
+        pair.video = std::make_unique<output::VideoWriter>(
+            pair.path, 2 * width, height, output::VideoTiming{.frames = frames, .seconds = kVideoSeconds});
     }
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cdr/image/image.h>
-#include <experiments/video.h>
+
+#include <output/video.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -31,7 +32,7 @@ class PairVideos {
         std::size_t left;
         std::size_t right;
         std::filesystem::path path;
-        std::unique_ptr<VideoWriter> video;
+        std::unique_ptr<output::VideoWriter> video;
         image::ImageRgba8 poster{}; ///< the first frame
     };
     std::vector<Pair> m_pairs;

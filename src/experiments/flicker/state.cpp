@@ -1,12 +1,12 @@
 #include "state.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/document.h>
 #include <cdr/host/file.h>
-#include <cdr/host/sha256.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <program/build_info.h>
+#include <program/sha256.h>
 
 #include <cmath>
 #include <limits>
@@ -20,7 +20,7 @@ constexpr int kFormatVersion = 1;
 
 /// Everything the results depend on.
 std::string digestOf(const FlickerOptions& options, const gpu::DeviceInfo& device) {
-    const host::BuildInfo build = host::buildInfo();
+    const program::BuildInfo build = program::buildInfo();
     nlohmann::ordered_json parts{{"state", kFormatVersion},
                                  {"version", build.version},
                                  {"commit", build.commit},
@@ -38,7 +38,7 @@ std::string digestOf(const FlickerOptions& options, const gpu::DeviceInfo& devic
     for (const rivals::NamedRival& named : options.rivalsBeside) {
         parts["rivals"].push_back(named.name);
     }
-    return host::sha256Of(parts.dump());
+    return program::sha256Of(parts.dump());
 }
 
 nlohmann::ordered_json toJson(const FlickerResult& result) {

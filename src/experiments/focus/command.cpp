@@ -1,10 +1,11 @@
 #include <cli/commands.h>
 #include <cli/comparison.h>
-#include <experiments/columns.h>
 #include <experiments/focus/focus.h>
-#include <experiments/readable.h>
 
 #include <fmt/format.h>
+#include <output/columns.h>
+#include <output/readable.h>
+#include <program/build_info.h>
 
 namespace cdr::cli {
 
@@ -17,16 +18,16 @@ struct FocusArguments {
     std::filesystem::path folder;
 };
 
-experiments::Columns<experiments::FocusResult> focusColumns() {
+output::Columns<experiments::FocusResult> focusColumns() {
     using Result = experiments::FocusResult;
     const auto megapixels = [](const Result& result) {
-        return fmt::format("{}", experiments::Readable{static_cast<double>(result.pixels) / 1e6});
+        return fmt::format("{}", output::Readable{static_cast<double>(result.pixels) / 1e6});
     };
     return {{.key = "mode", .value = &Result::mode, .heading = "lens"},
             {.key = "frame_ms", .value = &Result::frameMs, .heading = "frame ms"},
             {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms"},
             {.key = "execute_speedup", .value = &Result::speedup, .heading = "speed-up"},
-            experiments::intervalColumn(&Result::speedup95),
+            output::intervalColumn(&Result::speedup95),
             {.key = "pixels",
              .value = &Result::pixels,
              .heading = "megapixels",
@@ -36,7 +37,7 @@ experiments::Columns<experiments::FocusResult> focusColumns() {
             {.key = "rmse", .value = &Result::rmse, .heading = "RMSE"}};
 }
 
-experiments::Columns<experiments::FocusCascade> cascadeColumns() {
+output::Columns<experiments::FocusCascade> cascadeColumns() {
     using Cascade = experiments::FocusCascade;
     return {{.key = "near", .value = &Cascade::nearView},
             {.key = "far", .value = &Cascade::farView},
@@ -52,7 +53,7 @@ void run(Command& command, FocusArguments& arguments) {
     requireUsable(options.lens);
     const PictureFolder folder(arguments.folder, command.files());
     const scene::SceneSetup setup = command.openScene(options.scene, options.seed);
-    experiments::TimedRanks ranks(command.ranks());
+    runs::TimedRanks ranks(command.ranks());
     const experiments::FocusReport report = experiments::runFocus(
         command.device(), setup, options, command.progressOf("frames through the lens"), ranks);
     command.endProgress();
@@ -61,18 +62,18 @@ void run(Command& command, FocusArguments& arguments) {
     }
 
     const auto columns = focusColumns();
-    command.console().table(experiments::tableOf(columns, report.results));
+    command.console().table(output::tableOf(columns, report.results));
     for (const auto& cascade : report.cascades) {
         command.console().line(fmt::format("cascade from {} to {}: {} pixels a pixel",
-                                           experiments::Readable{cascade.nearView},
-                                           experiments::Readable{cascade.farView}, cascade.scale));
+                                           output::Readable{cascade.nearView},
+                                           output::Readable{cascade.farView}, cascade.scale));
     }
     command.console().line(
         fmt::format("\n{}; {}, {} frames, {}x{}, sharp at {} through {}, {} cameras, {}, {} threads; "
                     "commit {}",
                     command.opened().text(), options.scene, options.frames, options.width, options.height,
                     options.lens.distance, options.lens.aperture, options.cameras, arguments.depth,
-                    options.threads, host::buildInfo().commit));
+                    options.threads, program::buildInfo().commit));
     nlohmann::ordered_json settings = settingsOf(options);
     settings.update({{"mapping", nameOf(options.mapping)},
                      {"split", arguments.split.empty() ? "circles" : nameOf(options.split)},
@@ -81,11 +82,11 @@ void run(Command& command, FocusArguments& arguments) {
                      {"cameras", options.cameras}});
     auto document = command.makeDocument(std::move(settings));
     for (const auto& result : report.results) {
-        auto& row = document["results"].emplace_back(experiments::jsonOf(columns, result));
+        auto& row = document["results"].emplace_back(output::jsonOf(columns, result));
         folder.write("picture", result.mode + ".png", result.picture, row);
     }
-    document["cascades"] = experiments::jsonOf(cascadeColumns(), report.cascades);
-    experiments::addMeasuredBy(document, command.ranks(), ranks.measuredBy("frames"));
+    document["cascades"] = output::jsonOf(cascadeColumns(), report.cascades);
+    runs::addMeasuredBy(document, command.ranks(), ranks.measuredBy("frames"));
     command.writeDocument(document);
 }
 

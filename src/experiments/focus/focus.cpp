@@ -8,7 +8,8 @@
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/frustum.h>
-#include <experiments/interleaved_frames.h>
+
+#include <runs/interleaved_frames.h>
 
 #include <algorithm>
 #include <array>
@@ -64,7 +65,7 @@ class FocusComparison {
         }
     }
 
-    void time(TimedRanks& ranks, const std::function<void()>& step) {
+    void time(runs::TimedRanks& ranks, const std::function<void()>& step) {
         m_frames.run(ranks, m_options.frames, step,
                      [&](std::size_t mode, std::uint32_t) { return m_renderers[mode]->draw(m_camera); });
     }
@@ -145,10 +146,10 @@ class FocusComparison {
     }
 
     FocusResult summarise(std::size_t mode) const {
-        const std::vector<double> ratios = m_frames.ratios(kBase, mode, &FrameSample::executeMs);
+        const std::vector<double> ratios = m_frames.ratios(kBase, mode, &runs::FrameSample::executeMs);
         return {.mode = kFocusModes[mode].name,
-                .frameMs = m_frames.median(mode, &FrameSample::frameMs),
-                .executeMs = m_frames.median(mode, &FrameSample::executeMs),
+                .frameMs = m_frames.median(mode, &runs::FrameSample::frameMs),
+                .executeMs = m_frames.median(mode, &runs::FrameSample::executeMs),
                 .speedup = measure::median(ratios),
                 .speedup95 = measure::bootstrapMedian(ratios, m_options.seed + mode),
                 .picture = {}};
@@ -161,7 +162,7 @@ class FocusComparison {
     render::FocusLens m_lens;
     render::GpuScene m_gpuScene;
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
-    InterleavedFrames m_frames;
+    runs::InterleavedFrames m_frames;
     LensReference m_reference;
     double m_referenceMs = 0.0;
     double m_referenceExecuteMs = 0.0;
@@ -171,7 +172,7 @@ class FocusComparison {
 } // namespace
 
 FocusReport runFocus(const gpu::Device& device, const scene::SceneSetup& setup, const FocusOptions& options,
-                     const FocusProgress& progress, TimedRanks& ranks) {
+                     const FocusProgress& progress, runs::TimedRanks& ranks) {
     if (options.frames < 1 || options.cameras < 1) {
         throw base::InputError("focus needs a frame and a camera");
     }
@@ -180,7 +181,7 @@ FocusReport runFocus(const gpu::Device& device, const scene::SceneSetup& setup, 
         throw base::InputError("focus needs a distance and an aperture above 0");
     }
     const std::size_t all =
-        std::size_t{InterleavedFrames::kWarmUp} + options.frames + std::size_t{options.cameras};
+        std::size_t{runs::InterleavedFrames::kWarmUp} + options.frames + std::size_t{options.cameras};
     std::size_t done = 0;
     FocusComparison comparison(device, setup, options);
     comparison.time(ranks, [&] { progress(done++, all); });

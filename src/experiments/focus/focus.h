@@ -5,8 +5,9 @@
 #include <cdr/image/image.h>
 #include <cdr/measure/statistics/statistics.h>
 #include <cdr/render/focus.h>
-#include <experiments/timed_ranks.h>
 #include <scenes/open_scene.h>
+
+#include <runs/timed_ranks.h>
 
 #include <cstdint>
 #include <functional>
@@ -67,6 +68,6 @@ using FocusProgress = std::function<void(std::size_t done, std::size_t all)>;
 /// @param setup what options.scene names.
 /// @param ranks that share the timed frames; the first one does the rest, and alone has results.
 FocusReport runFocus(const gpu::Device& device, const scene::SceneSetup& setup, const FocusOptions& options,
-                     const FocusProgress& progress, TimedRanks& ranks);
+                     const FocusProgress& progress, runs::TimedRanks& ranks);
 
 } // namespace cdr::experiments

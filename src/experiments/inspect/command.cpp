@@ -4,19 +4,19 @@
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <cli/exit_status.h>
-#include <experiments/columns.h>
 #include <experiments/inspect/inspect.h>
 #include <experiments/inspect/verdict.h>
 #include <experiments/inspect/views.h>
-#include <experiments/number_checks.h>
 #include <experiments/orbit/orbit.h>
-#include <experiments/readable.h>
-#include <experiments/sentence_parts.h>
-#include <experiments/wrong_pixels_columns.h>
 #include <scenes/open_scene.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <options/number_checks.h>
+#include <output/columns.h>
+#include <output/readable.h>
+#include <output/sentence_parts.h>
+#include <output/wrong_pixels_columns.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -37,7 +37,7 @@ struct InspectArguments {
     experiments::InspectOptions options;
     std::string technique = "reversed";
     std::string format = "d32f";
-    experiments::CameraOptions camera;
+    options::CameraOptions camera;
     std::uint32_t views = 8;
     scene::GltfChoice choice;
     std::uint64_t seed = scenes::kDefaultSeed;
@@ -48,11 +48,11 @@ struct InspectArguments {
 /// Spread over the recorded path, over the scene's own, or around a scene that has none.
 std::vector<scene::Camera> camerasOf(const scene::SceneSetup& setup, const InspectArguments& arguments) {
     const scene::CameraPath& own = setup.path;
-    experiments::CameraOptions options = arguments.camera;
+    options::CameraOptions options = arguments.camera;
     options.frames = arguments.views;
     std::vector<scene::Camera> cameras;
     if (!options.path.empty()) {
-        const experiments::FrameCameras recorded(options);
+        const options::FrameCameras recorded(options);
         for (std::uint32_t frame = 0; frame < recorded.frames; ++frame) {
             cameras.push_back(recorded.at(own, frame));
         }
@@ -61,19 +61,19 @@ std::vector<scene::Camera> camerasOf(const scene::SceneSetup& setup, const Inspe
     const bool isStill = !options.eye.empty() || !options.target.empty() || !options.direction.empty() ||
                          arguments.choice.camera.has_value();
     if (!isStill && own.frames == 1) {
-        return experiments::viewsAround(setup.scene, experiments::overridden(own.at(0), options),
+        return experiments::viewsAround(setup.scene, options::overridden(own.at(0), options),
                                         arguments.views);
     }
     for (const std::uint32_t frame : experiments::zoomFrames(own.frames, isStill ? 1 : arguments.views)) {
-        cameras.push_back(experiments::overridden(own.at(isStill ? 0 : frame), options));
+        cameras.push_back(options::overridden(own.at(isStill ? 0 : frame), options));
     }
     return cameras;
 }
 
-experiments::Columns<experiments::InspectedTechnique> techniqueColumns() {
+output::Columns<experiments::InspectedTechnique> techniqueColumns() {
     using Row = experiments::InspectedTechnique;
-    const experiments::CellFormat percent{.pattern = "{} %", .scale = 100.0};
-    return experiments::joined<Row>(
+    const output::CellFormat percent{.pattern = "{} %", .scale = 100.0};
+    return output::joined<Row>(
         {{{.key = "technique", .value = &Row::name, .heading = "technique"},
           {.key = "format",
            .value = [](const Row& row) { return nameOf(row.technique.format); },
@@ -88,11 +88,11 @@ experiments::Columns<experiments::InspectedTechnique> techniqueColumns() {
            .heading = "undecided",
            .format = percent,
            .before = "measured wrong"}},
-         experiments::columnsOf(&Row::wrong, experiments::wrongPixelsColumns({.share = "measured wrong"})),
+         output::columnsOf(&Row::wrong, output::wrongPixelsColumns({.share = "measured wrong"})),
          {{.key = "judged", .value = &Row::isJudged}}});
 }
 
-experiments::Columns<experiments::ObjectPair> pairColumns(const scene::Scene& scene, base::LengthUnit unit) {
+output::Columns<experiments::ObjectPair> pairColumns(const scene::Scene& scene, base::LengthUnit unit) {
     using Pair = experiments::ObjectPair;
     const auto name = [&scene](std::uint32_t Pair::*object) {
         return [&scene, object](const Pair& pair) { return experiments::nameOfObject(scene, pair.*object); };
@@ -121,10 +121,10 @@ void print(const Command& command, const InspectArguments& arguments, const Insp
     if (!shown.empty()) {
         console.line(fmt::format("{} of {} pairs of objects, nearest to each other first:", shown.size(),
                                  inspection.pairs.size()));
-        console.table(experiments::tableOf(pairColumns(scene, unit), shown));
+        console.table(output::tableOf(pairColumns(scene, unit), shown));
         console.line("");
     }
-    console.table(experiments::tableOf(techniqueColumns(), inspection.techniques));
+    console.table(output::tableOf(techniqueColumns(), inspection.techniques));
     console.line("");
     for (const std::string& line : experiments::explain(inspection, scene, view, [unit](double view) {
              return base::quantityText(view, unit, base::NumberStyle::plain);
@@ -135,8 +135,8 @@ void print(const Command& command, const InspectArguments& arguments, const Insp
         console.line(fmt::format(
             "{}: {} % of the pixels are wrong and {} % coplanar; at most {} % are allowed.",
             nameOf(inspection.techniques[inspection.judged]),
-            experiments::percent(inspection.techniques[inspection.judged].wrong.fraction()),
-            experiments::percent(inspection.coplanarFraction()), experiments::percent(*arguments.failAbove)));
+            output::percent(inspection.techniques[inspection.judged].wrong.fraction()),
+            output::percent(inspection.coplanarFraction()), output::percent(*arguments.failAbove)));
     }
 }
 
@@ -175,19 +175,18 @@ void run(Command& command, InspectArguments& arguments) {
                                           {"snapping", nameOf(options.snapping)},
                                           {"technique", options.judged.name},
                                           {"format", nameOf(options.judged.technique.format)}});
-    document["results"] = experiments::jsonOf(techniqueColumns(), inspection.techniques);
+    document["results"] = output::jsonOf(techniqueColumns(), inspection.techniques);
     std::vector<experiments::ObjectPair> written = inspection.pairs;
     written.resize(std::min(written.size(), kPairsWritten));
     document["pairs_found"] = inspection.pairs.size();
-    document["pairs"] = experiments::jsonOf(pairColumns(setup.scene, base::LengthUnit::none), written);
+    document["pairs"] = output::jsonOf(pairColumns(setup.scene, base::LengthUnit::none), written);
     document["coplanar_fraction"] = inspection.coplanarFraction();
     document["simplest"] =
-        inspection.simplest
-            ? experiments::jsonOf(techniqueColumns(), inspection.techniques[*inspection.simplest])
-            : nlohmann::ordered_json(nullptr);
+        inspection.simplest ? output::jsonOf(techniqueColumns(), inspection.techniques[*inspection.simplest])
+                            : nlohmann::ordered_json(nullptr);
     document["advice"] = experiments::explain(inspection, setup.scene, view);
-    document["advice_parts"] = experiments::sentenceParts(
-        experiments::explain(inspection, setup.scene, view, experiments::markedLength));
+    document["advice_parts"] = output::sentenceParts(
+        experiments::explain(inspection, setup.scene, view, output::markedLength));
     document["fail_above"] = arguments.failAbove ? nlohmann::ordered_json(*arguments.failAbove) : nullptr;
     document["fails"] = fails;
     command.writeDocument(document);
@@ -209,12 +208,12 @@ void addOptions(CLI::App& command, InspectArguments& arguments) {
         .add_option("--frames", arguments.views, "Views, spread over the camera path; around what has none")
         ->check(CLI::Range(1u, kMostViews))
         ->capture_default_str();
-    experiments::addCameraOptions(command, arguments.camera);
-    experiments::addSceneChoice(command, arguments.choice);
+    options::addCameraOptions(command, arguments.camera);
+    options::addSceneChoice(command, arguments.choice);
     command
         .add_option("--fail-above", arguments.failAbove,
                     "End with status 3 where a larger share of the pixels, 0 to 1, is wrong or coplanar")
-        ->check(experiments::numberFrom(0.0, 1.0));
+        ->check(options::numberFrom(0.0, 1.0));
     command.add_option("--heat-map", arguments.heatMap,
                        "Write the worst view as PNG: red wrong, orange wrong on an edge, magenta coplanar");
     addSize(command, options.width, options.height);

@@ -2,9 +2,9 @@
 
 #include <cdr/depth/forecast.h>
 #include <cdr/scene/frustum.h>
-#include <experiments/readable.h>
 
 #include <fmt/format.h>
+#include <output/readable.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kNamed = 5;
 
 std::string shareText(double share) {
-    return fmt::format("{} %", percent(share));
+    return fmt::format("{} %", output::percent(share));
 }
 
 std::string both(const scene::Scene& scene, const ObjectPair& pair, const char* between) {

@@ -2,13 +2,13 @@
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <cli/picture_folder.h>
-#include <experiments/columns.h>
 #include <experiments/models/model_sheet.h>
 #include <experiments/models/models.h>
 #include <scenes/open_scene.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <output/columns.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -35,9 +35,9 @@ struct ModelsArguments {
     std::filesystem::path folder;
 };
 
-experiments::Columns<experiments::ModelResult> modelColumns() {
+output::Columns<experiments::ModelResult> modelColumns() {
     using Result = experiments::ModelResult;
-    const experiments::CellFormat percent{.pattern = "{} %", .scale = 100.0};
+    const output::CellFormat percent{.pattern = "{} %", .scale = 100.0};
     return {{.key = "model", .value = &Result::model, .heading = "model"},
             {.key = "light", .value = &Result::light, .heading = "light"},
             {.key = "triangles", .value = &Result::triangles, .heading = "triangles"},
@@ -168,7 +168,7 @@ void run(Command& command, ModelsArguments& arguments) {
     command.endProgress();
     writePictures(folder, results, command.device().info().name);
     const auto columns = modelColumns();
-    command.console().table(experiments::tableOf(columns, results));
+    command.console().table(output::tableOf(columns, results));
     command.console().line(
         fmt::format("\n{}; {}x{}, {}; FLIP of 0 is no difference{}", command.opened().text(),
                     arguments.options.width, arguments.options.height, arguments.technique,
@@ -179,7 +179,7 @@ void run(Command& command, ModelsArguments& arguments) {
                                           {"height", arguments.options.height},
                                           {"technique", arguments.technique},
                                           {"light", arguments.light}});
-    document["results"] = experiments::jsonOf(columns, results);
+    document["results"] = output::jsonOf(columns, results);
     command.writeDocument(document);
 }
 

@@ -1,9 +1,9 @@
 #include "model_sheet.h"
 
 #include <cdr/image/compose.h>
-#include <experiments/readable.h>
 
 #include <fmt/format.h>
+#include <output/readable.h>
 
 #include <algorithm>
 #include <array>

@@ -2,15 +2,15 @@
 #include <cli/commands.h>
 #include <cli/picture_folder.h>
 #include <cli/rival_needs.h>
-#include <experiments/gnuplot.h>
 #include <experiments/orbit/orbit.h>
-#include <experiments/readable.h>
 #include <experiments/rivals/row_columns.h>
-#include <experiments/wrong_pixels_columns.h>
 #include <scenes/orbit/orbit.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <output/gnuplot.h>
+#include <output/readable.h>
+#include <output/wrong_pixels_columns.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -47,30 +47,29 @@ void writePictures(const PictureFolder& folder, const std::vector<experiments::P
                  experiments::makeContactSheet(
                      results, fmt::format("cdr orbit: paint 5 mm over the runway, seen from "
                                           "420 km through {} degrees; share of wrong pixels, in red; {}",
-                                          experiments::Readable{results.front().fovYDegrees}, device)));
+                                          output::Readable{results.front().fovYDegrees}, device)));
 }
 
 /// @param pictures of the last frame that were written.
-experiments::Columns<experiments::OrbitResult>
+output::Columns<experiments::OrbitResult>
 orbitColumns(const std::vector<experiments::PictureResult>& pictures, std::uint32_t lastFrame) {
     using Result = experiments::OrbitResult;
     const auto named = [&pictures, lastFrame](const char* suffix) {
-        return [&pictures, lastFrame, suffix](const Result& result) -> experiments::Json {
+        return [&pictures, lastFrame, suffix](const Result& result) -> output::Json {
             const auto picture = std::find_if(pictures.begin(), pictures.end(), [&](const auto& each) {
                 return result.frame == lastFrame && each.technique == result.technique;
             });
-            return picture != pictures.end() ? experiments::Json(fileName(*picture) + suffix)
-                                             : experiments::absent();
+            return picture != pictures.end() ? output::Json(fileName(*picture) + suffix) : output::absent();
         };
     };
-    return experiments::joined<Result>(
+    return output::joined<Result>(
         {{{.key = "scene", .value = [](const Result&) { return "orbit"; }},
           {.key = "frame", .value = &Result::frame},
           {.key = "fov_degrees", .value = &Result::fovYDegrees},
           {.key = "technique", .value = &Result::technique},
           experiments::rivalColumn(&Result::isRival),
           {.key = "cascades", .value = &Result::cascades}},
-         experiments::columnsOf(&Result::wrong, experiments::wrongPixelsColumns()),
+         output::columnsOf(&Result::wrong, output::wrongPixelsColumns()),
          {{.key = "picture", .value = named(".png")}, {.key = "heat_map", .value = named("_wrong.png")}}});
 }
 
@@ -84,9 +83,9 @@ void printTable(const Console& console, const std::vector<experiments::OrbitResu
         }
         if (rows.empty() || rows.back().front() != std::to_string(result.frame)) {
             rows.push_back(
-                {std::to_string(result.frame), fmt::format("{}", experiments::Readable{result.fovYDegrees})});
+                {std::to_string(result.frame), fmt::format("{}", output::Readable{result.fovYDegrees})});
         }
-        rows.back().push_back(fmt::format("{} %", experiments::percent(result.wrong.fraction())));
+        rows.back().push_back(fmt::format("{} %", output::percent(result.wrong.fraction())));
     }
     console.table({header, rows});
 }
@@ -95,7 +94,7 @@ void run(Command& command, OrbitArguments& arguments) {
     const experiments::OrbitOptions& options = arguments.options;
     const PictureFolder folder(arguments.folder, command.files(), "orbit_");
     if (!arguments.plot.empty()) {
-        experiments::requirePlottable(arguments.plot);
+        output::requirePlottable(arguments.plot);
         command.files().writes("--plot", arguments.plot);
     }
     if (!arguments.files.model.empty()) {
@@ -124,9 +123,9 @@ void run(Command& command, OrbitArguments& arguments) {
         console.line(fmt::format("pictures of the first and the last frame in {}", folder.path().string()));
     }
     if (!arguments.plot.empty()) {
-        experiments::writePlot(arguments.plot,
-                               experiments::orbitPlot(result.results, fmt::format("{}x{}, {}", options.width,
-                                                                                  options.height, device)));
+        output::writePlot(arguments.plot,
+                          experiments::orbitPlot(result.results, fmt::format("{}x{}, {}", options.width,
+                                                                             options.height, device)));
     }
     auto document = command.makeDocument({{"width", options.width},
                                           {"height", options.height},
@@ -137,8 +136,7 @@ void run(Command& command, OrbitArguments& arguments) {
         document["window_picture"] = kWindowPicture;
     }
     const auto written = folder.isWanted() ? result.last : std::vector<experiments::PictureResult>();
-    document["results"] =
-        experiments::jsonOf(orbitColumns(written, result.results.back().frame), result.results);
+    document["results"] = output::jsonOf(orbitColumns(written, result.results.back().frame), result.results);
     addNeeds(document, options.rivalsBeside);
     command.writeDocument(document);
 }

@@ -2,7 +2,8 @@
 
 #include <cdr/measure/truth/truth.h>
 #include <experiments/rivals/drawer.h>
-#include <experiments/units.h>
+
+#include <runs/units.h>
 
 #include <memory>
 #include <numbers>
@@ -47,7 +48,7 @@ class Zoom {
     std::size_t frames() const { return m_numbers.size(); }
 
     /// All techniques and rivals in one frame; of the first and the last one pictures too.
-    Json measure(std::size_t unit, const Progress& progress) {
+    output::Json measure(std::size_t unit, const Progress& progress) {
         for (; m_next < unit; ++m_next) {
             for (Drawer& drawer : m_drawers) {
                 drawer.skip(cameraOf(m_next));
@@ -58,29 +59,30 @@ class Zoom {
         const measure::TruthImage truth = m_caster.cast(camera, m_options.width, m_options.height, m_workers);
         const image::Raster<std::uint8_t> inner = measure::innerMask(truth);
         std::vector<Measured> measured;
-        Json made{{"last", Json::array()}};
+        output::Json made{{"last", output::Json::array()}};
         for (std::size_t i = 0; i < m_drawers.size(); ++i) {
             progress(unit * m_drawers.size() + i, m_numbers.size() * m_drawers.size(), m_names[i]);
             const DrawnFrame frame = m_drawers[i].render(camera);
             measured.push_back(
                 {.cascades = frame.cascades, .wrong = measure::countWrong(frame.ids, truth, inner)});
             if (unit == 0 && i + 1 == m_options.techniques.size()) {
-                made["window"] = packedPicture(frame.color);
+                made["window"] = runs::packedPicture(frame.color);
             }
             if (unit + 1 == m_numbers.size() && m_drawers[i].shades()) {
                 made["last"].push_back(
-                    {{"picture", packedPicture(frame.color)},
-                     {"heat_map", packedPicture(measure::heatMap(frame.ids, truth, frame.color))}});
+                    {{"picture", runs::packedPicture(frame.color)},
+                     {"heat_map", runs::packedPicture(measure::heatMap(frame.ids, truth, frame.color))}});
             }
         }
-        made["measured"] = packed(measured);
+        made["measured"] = runs::packed(measured);
         return made;
     }
 
     /// Adds what measure() made.
-    void add(std::size_t unit, const Json& made, OrbitRun& run) const {
+    void add(std::size_t unit, const output::Json& made, OrbitRun& run) const {
         const double fovYDegrees = cameraOf(unit).fovY * 180.0 / std::numbers::pi;
-        const std::vector<Measured> measured = unpacked<Measured>(made.at("measured"), m_drawers.size());
+        const std::vector<Measured> measured =
+            runs::unpacked<Measured>(made.at("measured"), m_drawers.size());
         for (std::size_t i = 0; i < measured.size(); ++i) {
             run.results.push_back({.frame = m_numbers[unit],
                                    .fovYDegrees = fovYDegrees,
@@ -90,17 +92,17 @@ class Zoom {
                                    .wrong = measured[i].wrong});
         }
         if (made.contains("window")) {
-            run.window = unpackedPicture(made["window"]);
+            run.window = runs::unpackedPicture(made["window"]);
         }
-        for (const Json& pictures : made.at("last")) {
+        for (const output::Json& pictures : made.at("last")) {
             PictureResult& picture = run.last.emplace_back();
             picture.scene = "orbit";
             picture.technique = m_names.at(run.last.size() - 1);
             picture.fovYDegrees = fovYDegrees;
             picture.frames = 1;
             picture.wrong = measured[run.last.size() - 1].wrong;
-            picture.picture = unpackedPicture(pictures.at("picture"));
-            picture.heatMap = unpackedPicture(pictures.at("heat_map"));
+            picture.picture = runs::unpackedPicture(pictures.at("picture"));
+            picture.heatMap = runs::unpackedPicture(pictures.at("heat_map"));
         }
     }
 
@@ -140,9 +142,9 @@ OrbitRun runOrbit(const gpu::Device& device, const scene::SceneSetup& setup, con
     }
     Zoom zoom(device, setup, options);
     OrbitRun run;
-    forEachUnit(
+    runs::forEachUnit(
         ranks, zoom.frames(), [&](std::size_t unit) { return zoom.measure(unit, progress); },
-        [&](std::size_t unit, const Json& made) { zoom.add(unit, made, run); });
+        [&](std::size_t unit, const output::Json& made) { zoom.add(unit, made, run); });
     return run;
 }
 

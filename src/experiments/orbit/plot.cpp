@@ -1,8 +1,7 @@
 #include "orbit.h"
 
-#include <experiments/gnuplot.h>
-
 #include <fmt/format.h>
+#include <output/gnuplot.h>
 
 #include <algorithm>
 #include <array>
@@ -38,10 +37,10 @@ std::string orbitPlot(const std::vector<OrbitResult>& results, const std::string
             }
         }
         data += "END\n";
-        plots +=
-            fmt::format("{}$data{} with linespoints pointtype 7 pointsize 0.7 linewidth 2 linecolor rgb "
-                        "'{}' title {}",
-                        i == 0 ? "plot " : ", ", i, kColors[i % kColors.size()], gnuplotQuote(techniques[i]));
+        plots += fmt::format("{}$data{} with linespoints pointtype 7 pointsize 0.7 linewidth 2 linecolor rgb "
+                             "'{}' title {}",
+                             i == 0 ? "plot " : ", ", i, kColors[i % kColors.size()],
+                             output::gnuplotQuote(techniques[i]));
     }
     return fmt::format("set title {}\n"
                        "set xlabel 'vertical field of view, degrees: from the window to the runway numbers'\n"
@@ -53,7 +52,7 @@ std::string orbitPlot(const std::vector<OrbitResult>& results, const std::string
                        "set grid ytics lc rgb '#dddddd'\n"
                        "set key outside right\n"
                        "{}{}\n",
-                       gnuplotQuote("Scene orbit, " + measuredOn), 0.7 * kNone, kNone, data, plots);
+                       output::gnuplotQuote("Scene orbit, " + measuredOn), 0.7 * kNone, kNone, data, plots);
 }
 
 } // namespace cdr::experiments

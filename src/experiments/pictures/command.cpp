@@ -3,10 +3,10 @@
 #include <cli/commands.h>
 #include <cli/picture_folder.h>
 #include <experiments/pictures/pictures.h>
-#include <experiments/wrong_pixels_columns.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <output/wrong_pixels_columns.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -31,21 +31,21 @@ std::string stemOf(const experiments::PictureResult& result) {
     return stem;
 }
 
-experiments::Columns<experiments::PictureResult> pictureColumns() {
+output::Columns<experiments::PictureResult> pictureColumns() {
     using Result = experiments::PictureResult;
     const auto named = [](const char* suffix) {
         return [suffix](const Result& result) { return stemOf(result) + suffix; };
     };
-    return experiments::joined<Result>(
+    return output::joined<Result>(
         {{{.key = "scene", .value = &Result::scene, .heading = "scene"},
           {.key = "technique", .value = &Result::technique, .heading = "technique"},
           {.key = "fov_degrees", .value = &Result::fovYDegrees},
           {.key = "frames", .value = &Result::frames, .heading = "frames"}},
-         experiments::columnsOf(&Result::wrong,
-                                experiments::wrongPixelsColumns({.pixels = "inner pixels",
-                                                                 .wrong = "wrong",
-                                                                 .share = "wrong share",
-                                                                 .overlapShare = "where objects overlap"})),
+         output::columnsOf(&Result::wrong,
+                           output::wrongPixelsColumns({.pixels = "inner pixels",
+                                                       .wrong = "wrong",
+                                                       .share = "wrong share",
+                                                       .overlapShare = "where objects overlap"})),
          {{.key = "flips", .value = &Result::flips},
           {.key = "picture", .value = named(".png")},
           {.key = "heat_map", .value = named("_wrong.png")}}});
@@ -94,7 +94,7 @@ void run(Command& command, PicturesArguments& arguments) {
 
     writePictures(folder, results, command.device().info().name);
     const auto columns = pictureColumns();
-    command.console().table(experiments::tableOf(columns, results));
+    command.console().table(output::tableOf(columns, results));
     command.console().line(fmt::format("\n{}; {} frames a row, seed {}; pictures in {}, all on {}",
                                        command.opened().text(), options.frames, options.seed,
                                        folder.path().string(), (folder.path() / kSheet).string()));
@@ -104,7 +104,7 @@ void run(Command& command, PicturesArguments& arguments) {
                                           {"seed", options.seed},
                                           {"snap_bits", options.snapBits},
                                           {"snapping", nameOf(options.snapping)}});
-    document["results"] = experiments::jsonOf(columns, results);
+    document["results"] = output::jsonOf(columns, results);
     command.writeDocument(document);
 }
 

@@ -1,9 +1,9 @@
 #include "pictures.h"
 
 #include <cdr/image/compose.h>
-#include <experiments/readable.h>
 
 #include <fmt/format.h>
+#include <output/readable.h>
 
 #include <algorithm>
 
@@ -27,7 +27,7 @@ void caption(image::ImageRgba8& sheet, const std::string& text, std::uint32_t x,
 }
 
 std::string wrongText(const measure::WrongPixels& wrong) {
-    return fmt::format("{} %", percent(wrong.fraction()));
+    return fmt::format("{} %", output::percent(wrong.fraction()));
 }
 
 } // namespace

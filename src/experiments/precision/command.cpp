@@ -1,12 +1,12 @@
 #include <cdr/host/file.h>
 #include <cli/command.h>
 #include <cli/commands.h>
-#include <experiments/columns.h>
 #include <experiments/precision/precision.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+#include <output/columns.h>
 
 namespace cdr::cli {
 
@@ -17,31 +17,31 @@ struct PrecisionArguments {
     std::string curveFile;
 };
 
-experiments::Columns<experiments::PrecisionCell> precisionColumns(base::LengthUnit unit) {
+output::Columns<experiments::PrecisionCell> precisionColumns(base::LengthUnit unit) {
     using Cell = experiments::PrecisionCell;
     const auto ofThesis = [](auto value) {
-        return [value](const Cell& cell) { return cell.thesisView ? value(cell) : experiments::absent(); };
+        return [value](const Cell& cell) { return cell.thesisView ? value(cell) : output::absent(); };
     };
-    const experiments::CellFormat distance{.missing = "never", .unit = unit};
+    const output::CellFormat distance{.missing = "never", .unit = unit};
     return {
         {.key = "technique", .value = &Cell::technique, .heading = "technique"},
         {.key = "format", .value = &Cell::format, .heading = "format"},
         {.key = "separation", .value = &Cell::separation, .heading = "separation", .format = {.unit = unit}},
         {.key = "depth",
-         .value = [](const Cell& cell) { return experiments::finiteOrNull(cell.reachedFirstView); },
+         .value = [](const Cell& cell) { return output::finiteOrNull(cell.reachedFirstView); },
          .heading = "first reached at",
          .format = distance},
         {.key = "held_last",
-         .value = [](const Cell& cell) { return experiments::finiteOrNull(cell.heldLastView); },
+         .value = [](const Cell& cell) { return output::finiteOrNull(cell.heldLastView); },
          .heading = "held last at",
          .format = distance},
         {.key = "thesis",
-         .value = ofThesis([](const Cell& cell) { return experiments::Json(*cell.thesisView); }),
+         .value = ofThesis([](const Cell& cell) { return output::Json(*cell.thesisView); }),
          .heading = "thesis",
          .format = {.unit = unit}},
         {.key = "difference_pct",
          .value = ofThesis([](const Cell& cell) {
-             return experiments::Json(100.0 * (cell.reachedFirstView / *cell.thesisView - 1.0));
+             return output::Json(100.0 * (cell.reachedFirstView / *cell.thesisView - 1.0));
          }),
          .heading = "difference",
          .format = {"{:+} %"}}};
@@ -63,14 +63,14 @@ void run(Command& command, PrecisionArguments& arguments) {
     const Console& console = command.console();
     const auto columns = precisionColumns(command.global().unit);
     console.line("Table 4.1 of the thesis, by its own formulas, 24 bits:");
-    console.table(experiments::tableOf(columns, result.table));
+    console.table(output::tableOf(columns, result.table));
     console.line("\nEvery technique and depth format, by the exact step of the buffer alone:");
-    console.table(experiments::tableOf(columns, result.byFormat));
+    console.table(output::tableOf(columns, result.byFormat));
 
     auto document = command.makeDocument(
         {{"near", arguments.options.nearView}, {"far", arguments.options.farView}, {"bits", 24}});
-    document["results"] = experiments::jsonOf(columns, result.table);
-    document["by_format"] = experiments::jsonOf(columns, result.byFormat);
+    document["results"] = output::jsonOf(columns, result.table);
+    document["by_format"] = output::jsonOf(columns, result.byFormat);
     document["curve"] = {{"techniques", result.curveNames}, {"points", nlohmann::ordered_json::array()}};
     for (const auto& point : result.curve) {
         std::vector<double> row{point.distanceView};

@@ -2,14 +2,14 @@
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <cli/rival_needs.h>
-#include <experiments/columns.h>
 #include <experiments/probe/probe.h>
-#include <experiments/readable.h>
 #include <experiments/rivals/row_columns.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+#include <output/columns.h>
+#include <output/readable.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ std::optional<double> ratioOf(const experiments::ProbeResult& result) {
     return result.resolvedView ? std::optional(*result.resolvedView / result.predictedView) : std::nullopt;
 }
 
-experiments::Columns<experiments::ProbeResult> probeColumns(base::LengthUnit unit) {
+output::Columns<experiments::ProbeResult> probeColumns(base::LengthUnit unit) {
     using Result = experiments::ProbeResult;
     const auto text = [unit](double view) {
         return base::quantityText(view, unit, base::NumberStyle::plain);
@@ -43,12 +43,12 @@ experiments::Columns<experiments::ProbeResult> probeColumns(base::LengthUnit uni
     const auto predictedText = [unit](const Result& result) {
         return result.isRival() ? std::string()
                : std::isfinite(result.predictedView)
-                   ? fmt::format("{}", experiments::Readable{result.predictedView, unit})
+                   ? fmt::format("{}", output::Readable{result.predictedView, unit})
                    : "none";
     };
     const auto ratioText = [](const Result& result) {
         const std::optional<double> ratio = ratioOf(result);
-        return ratio && *ratio > 0.0 ? fmt::format("{}", experiments::Readable{*ratio}) : "";
+        return ratio && *ratio > 0.0 ? fmt::format("{}", output::Readable{*ratio}) : "";
     };
     return {
         {.key = "technique", .value = &Result::technique, .heading = "technique"},
@@ -56,24 +56,24 @@ experiments::Columns<experiments::ProbeResult> probeColumns(base::LengthUnit uni
         experiments::formatColumn(&Result::format),
         {.key = "distance", .value = &Result::distanceView, .heading = "distance", .format = {.unit = unit}},
         {.key = "resolved",
-         .value = [](const Result& result) { return experiments::finiteOrNull(result.resolvedView); },
+         .value = [](const Result& result) { return output::finiteOrNull(result.resolvedView); },
          .heading = "resolved",
          .text = resolvedText},
         {.key = "resolves_all",
          .value =
              [](const Result& result) {
-                 return result.isRival() ? experiments::Json(result.resolvesAll) : experiments::absent();
+                 return result.isRival() ? output::Json(result.resolvesAll) : output::absent();
              }},
         {.key = "predicted",
-         .value = [](const Result& result) { return experiments::finiteOrNull(result.predictedView); },
+         .value = [](const Result& result) { return output::finiteOrNull(result.predictedView); },
          .heading = "predicted",
          .text = predictedText},
         {.key = "ratio",
-         .value = [](const Result& result) { return experiments::finiteOrNull(ratioOf(result)); },
+         .value = [](const Result& result) { return output::finiteOrNull(ratioOf(result)); },
          .heading = "measured / predicted",
          .text = ratioText},
         {.key = "guaranteed",
-         .value = [](const Result& result) { return experiments::finiteOrNull(result.guaranteedView); }},
+         .value = [](const Result& result) { return output::finiteOrNull(result.guaranteedView); }},
         {.key = "smallest", .value = &Result::smallestView},
         {.key = "largest", .value = &Result::largestView},
         {.key = "cascades", .value = &Result::cascades, .heading = "cascades"}};
@@ -106,7 +106,7 @@ void run(Command& command, ProbeArguments& arguments) {
         return;
     }
     const auto columns = probeColumns(command.global().unit);
-    command.console().table(experiments::tableOf(columns, results));
+    command.console().table(output::tableOf(columns, results));
     if (!missing.empty()) {
         command.console().line(
             fmt::format("left out, the device cannot draw to it: {}", fmt::join(missing, ", ")));
@@ -119,7 +119,7 @@ void run(Command& command, ProbeArguments& arguments) {
                                           {"height", options.height},
                                           {"seed", options.seed},
                                           {"snap_bits", options.snapBits}});
-    document["results"] = experiments::jsonOf(columns, results);
+    document["results"] = output::jsonOf(columns, results);
     document["missing_formats"] = missing;
     addNeeds(document, options.rivalsBeside);
     command.writeDocument(document);

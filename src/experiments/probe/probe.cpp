@@ -7,10 +7,10 @@
 #include <cdr/render/renderer.h>
 #include <cdr/scene/frustum.h>
 #include <experiments/rivals/drawer.h>
-#include <experiments/units.h>
 #include <scenes/ladder.h>
 
 #include <fmt/format.h>
+#include <runs/units.h>
 
 #include <algorithm>
 #include <cmath>
@@ -176,11 +176,11 @@ std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions&
             progress(unit * prober.pictures() + done, distances.size() * prober.pictures(),
                      fmt::format("{} at {}", name, distances[unit]));
         };
-        return packed(prober.probe(distances[unit], step));
+        return runs::packed(prober.probe(distances[unit], step));
     };
     std::vector<ProbeResult> results;
-    forEachUnit(ranks, distances.size(), make, [&](std::size_t unit, const Json& made) {
-        prober.addRows(distances[unit], unpacked<Probed>(made, prober.pictures()), results);
+    runs::forEachUnit(ranks, distances.size(), make, [&](std::size_t unit, const output::Json& made) {
+        prober.addRows(distances[unit], runs::unpacked<Probed>(made, prober.pictures()), results);
     });
     return results;
 }

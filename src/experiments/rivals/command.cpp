@@ -1,13 +1,13 @@
 #include <cdr/base/error.h>
 #include <cli/command.h>
 #include <cli/commands.h>
-#include <experiments/readable.h>
 #include <experiments/rivals/rivals.h>
-#include <experiments/wrong_pixels_columns.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+#include <output/readable.h>
+#include <output/wrong_pixels_columns.h>
 
 #include <filesystem>
 
@@ -22,15 +22,15 @@ struct RivalsArguments {
     std::vector<rivals::NamedRival> chosenRivals;
 };
 
-experiments::Columns<experiments::RivalScene> rivalSceneColumns() {
+output::Columns<experiments::RivalScene> rivalSceneColumns() {
     using Result = experiments::RivalScene;
-    return experiments::joined<Result>(
+    return output::joined<Result>(
         {{{.key = "scene", .value = &Result::scene, .heading = "scene"},
           {.key = "technique", .value = &Result::contender, .heading = "technique"},
           {.key = "rival", .value = &Result::isRival},
           {.key = "frames", .value = &Result::frames},
           {.key = "cascades", .value = &Result::cascades}},
-         experiments::columnsOf(&Result::wrong, experiments::wrongPixelsColumns({.share = "wrong share"})),
+         output::columnsOf(&Result::wrong, output::wrongPixelsColumns({.share = "wrong share"})),
          {{.key = "flips", .value = [](const Result& result) { return result.flips.flips; }},
           {.key = "compared", .value = [](const Result& result) { return result.flips.compared; }},
           {.key = "flips_per_thousand",
@@ -39,10 +39,10 @@ experiments::Columns<experiments::RivalScene> rivalSceneColumns() {
           {.key = "frame_ms", .value = &Result::frameMs, .heading = "frame ms"},
           {.key = "execute_ms", .value = &Result::executeMs},
           {.key = "frame_ratio", .value = &Result::ratio, .heading = "over anchored"},
-          experiments::intervalColumn(&Result::ratio95)}});
+          output::intervalColumn(&Result::ratio95)}});
 }
 
-experiments::Columns<experiments::RivalResolved> rivalResolvedColumns(base::LengthUnit unit) {
+output::Columns<experiments::RivalResolved> rivalResolvedColumns(base::LengthUnit unit) {
     using Result = experiments::RivalResolved;
     const auto textOf = [unit](std::optional<double> Result::*part) {
         return [unit, part](const Result& result) {
@@ -57,26 +57,25 @@ experiments::Columns<experiments::RivalResolved> rivalResolvedColumns(base::Leng
         {.key = "technique", .value = &Result::contender, .heading = "technique"},
         {.key = "rival", .value = &Result::isRival},
         {.key = "resolved",
-         .value = [](const Result& result) { return experiments::finiteOrNull(result.resolvedView); },
+         .value = [](const Result& result) { return output::finiteOrNull(result.resolvedView); },
          .heading = "resolves equal cubes",
          .text = textOf(&Result::resolvedView)},
         {.key = "resolved_unlike",
-         .value = [](const Result& result) { return experiments::finiteOrNull(result.unlikeView); },
+         .value = [](const Result& result) { return output::finiteOrNull(result.unlikeView); },
          .heading = "unlike ones",
          .text = textOf(&Result::unlikeView)},
         {.key = "resolved_ratio",
-         .value = [](const Result& result) { return experiments::finiteOrNull(result.ratio); },
+         .value = [](const Result& result) { return output::finiteOrNull(result.ratio); },
          .heading = "over anchored"},
         {.key = "smallest", .value = &Result::smallestView},
         {.key = "largest", .value = &Result::largestView}};
 }
 
-experiments::Columns<experiments::RivalWholeFrame> wholeFrameColumns() {
+output::Columns<experiments::RivalWholeFrame> wholeFrameColumns() {
     using Result = experiments::RivalWholeFrame;
-    return {
-        {.key = "scene", .value = &Result::scene},
-        {.key = "frame_ratio", .value = &Result::ratio},
-        {.key = "ci95", .value = [](const Result& result) { return experiments::jsonOf(result.ratio95); }}};
+    return {{.key = "scene", .value = &Result::scene},
+            {.key = "frame_ratio", .value = &Result::ratio},
+            {.key = "ci95", .value = [](const Result& result) { return output::jsonOf(result.ratio95); }}};
 }
 
 /// Those asked for; all that the device can draw where none are.
@@ -130,14 +129,14 @@ void run(Command& command, RivalsArguments& arguments) {
     const auto resolvedColumns = rivalResolvedColumns(command.global().unit);
     const auto needsColumns = experiments::rivalNeedsColumns();
     if (!report.scenes.empty()) {
-        console.table(experiments::tableOf(sceneColumns, report.scenes));
+        console.table(output::tableOf(sceneColumns, report.scenes));
         console.line("");
     }
     if (!report.resolved.empty()) {
-        console.table(experiments::tableOf(resolvedColumns, report.resolved));
+        console.table(output::tableOf(resolvedColumns, report.resolved));
         console.line("");
     }
-    console.table(experiments::tableOf(needsColumns, report.needs));
+    console.table(output::tableOf(needsColumns, report.needs));
     console.line("");
     for (const std::string& line : leftOutBy(command.device().info(), arguments)) {
         console.line(line);
@@ -145,7 +144,7 @@ void run(Command& command, RivalsArguments& arguments) {
     for (const experiments::RivalWholeFrame& whole : report.wholeFrames) {
         console.line(
             fmt::format("{}: the whole frame of {}, lit, takes {} times what its ids and distances take",
-                        whole.scene, options.baseline, experiments::Readable{whole.ratio}));
+                        whole.scene, options.baseline, output::Readable{whole.ratio}));
     }
     console.line(fmt::format("{}; ids and distances alone, {} frames of {}x{}, seed {}, {} threads",
                              command.opened().text(), options.frames, options.width, options.height,
@@ -157,10 +156,10 @@ void run(Command& command, RivalsArguments& arguments) {
                                           {"threads", options.threads},
                                           {"seed", options.seed},
                                           {"baseline", options.baseline}});
-    document["results"] = experiments::jsonOf(sceneColumns, report.scenes);
-    document["resolved"] = experiments::jsonOf(resolvedColumns, report.resolved);
-    document["needs"] = experiments::jsonOf(needsColumns, report.needs);
-    document["whole_frames"] = experiments::jsonOf(wholeFrameColumns(), report.wholeFrames);
+    document["results"] = output::jsonOf(sceneColumns, report.scenes);
+    document["resolved"] = output::jsonOf(resolvedColumns, report.resolved);
+    document["needs"] = output::jsonOf(needsColumns, report.needs);
+    document["whole_frames"] = output::jsonOf(wholeFrameColumns(), report.wholeFrames);
     command.writeDocument(document);
 }
 

@@ -21,7 +21,7 @@ RivalNeeds needsOf(const std::string& name, const rivals::Competing& competing) 
             .features = {}};
 }
 
-Columns<RivalNeeds> rivalNeedsColumns() {
+output::Columns<RivalNeeds> rivalNeedsColumns() {
     using Result = RivalNeeds;
     return {
         {.key = "technique", .value = &Result::contender, .heading = "technique"},

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <experiments/columns.h>
-
+#include <output/columns.h>
 #include <rivals/contender.h>
 
 #include <cstdint>
@@ -21,6 +20,6 @@ struct RivalNeeds {
 /// @param name as it was asked for.
 RivalNeeds needsOf(const std::string& name, const rivals::Competing& competing);
 
-Columns<RivalNeeds> rivalNeedsColumns();
+output::Columns<RivalNeeds> rivalNeedsColumns();
 
 } // namespace cdr::experiments

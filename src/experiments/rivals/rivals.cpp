@@ -5,12 +5,12 @@
 #include <cdr/base/error.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
-#include <experiments/interleaved_frames.h>
 #include <experiments/orbit/orbit.h>
 #include <experiments/probe/resolved.h>
 #include <scenes/ladder.h>
 
 #include <fmt/format.h>
+#include <runs/interleaved_frames.h>
 
 #include <algorithm>
 #include <cmath>
@@ -167,29 +167,29 @@ class RivalsRun {
              .height = m_options.height,
              .technique = std::get<depth::Technique>(m_options.contenders[m_baseline].competing),
              .threads = m_options.threads});
-        InterleavedFrames timings(whole + 1, m_options.seed);
-        for (std::uint32_t i = 0; i < InterleavedFrames::kWarmUp + m_options.frames; ++i) {
-            if (i == InterleavedFrames::kWarmUp) {
+        runs::InterleavedFrames timings(whole + 1, m_options.seed);
+        for (std::uint32_t i = 0; i < runs::InterleavedFrames::kWarmUp + m_options.frames; ++i) {
+            if (i == runs::InterleavedFrames::kWarmUp) {
                 timings.forget();
             }
-            if (i >= InterleavedFrames::kWarmUp) {
+            if (i >= runs::InterleavedFrames::kWarmUp) {
                 step(fmt::format("{} timed", results.front().scene));
             }
             const scene::Camera camera = field.setup().path.at(frames[i % frames.size()]);
             timings.draw([&](std::size_t mode) {
-                return timed([&] {
+                return runs::timed([&] {
                     return mode == whole ? renderer.draw(camera) : field.contender(mode).draw(camera);
                 });
             });
         }
         for (std::size_t i = 0; i < results.size(); ++i) {
-            const std::vector<double> ratios = timings.ratios(i, m_baseline, &FrameSample::frameMs);
-            results[i].frameMs = timings.median(i, &FrameSample::frameMs);
-            results[i].executeMs = timings.median(i, &FrameSample::executeMs);
+            const std::vector<double> ratios = timings.ratios(i, m_baseline, &runs::FrameSample::frameMs);
+            results[i].frameMs = timings.median(i, &runs::FrameSample::frameMs);
+            results[i].executeMs = timings.median(i, &runs::FrameSample::executeMs);
             results[i].ratio = measure::median(ratios);
             results[i].ratio95 = measure::bootstrapMedian(ratios, m_options.seed + i);
         }
-        const std::vector<double> ratios = timings.ratios(whole, m_baseline, &FrameSample::frameMs);
+        const std::vector<double> ratios = timings.ratios(whole, m_baseline, &runs::FrameSample::frameMs);
         return {.scene = results.front().scene,
                 .ratio = measure::median(ratios),
                 .ratio95 = measure::bootstrapMedian(ratios, m_options.seed + whole)};

@@ -2,13 +2,14 @@
 #include <cdr/host/file.h>
 #include <cli/command.h>
 #include <cli/commands.h>
-#include <experiments/columns.h>
-#include <experiments/gnuplot.h>
 #include <experiments/scaling/rank_command.h>
 #include <experiments/scaling/scaling.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <output/columns.h>
+#include <output/gnuplot.h>
+#include <program/build_info.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -26,12 +27,12 @@ struct ScalingArguments {
     RankSweepArguments ranks;
 };
 
-experiments::Columns<experiments::ScalingPoint> pointColumns() {
+output::Columns<experiments::ScalingPoint> pointColumns() {
     using Point = experiments::ScalingPoint;
     const auto median = [](experiments::Spread Point::*time) {
         return [time](const Point& point) { return (point.*time).medianMs; };
     };
-    const auto spreads = [](const Point& point) -> experiments::Json {
+    const auto spreads = [](const Point& point) -> output::Json {
         return {{"cull", point.cull.spread},
                 {"bin", point.bin.spread},
                 {"record", point.record.spread},
@@ -69,11 +70,11 @@ experiments::Columns<experiments::ScalingPoint> pointColumns() {
          }}};
 }
 
-experiments::Columns<experiments::ScalingFit> fitColumns() {
+output::Columns<experiments::ScalingFit> fitColumns() {
     using Fit = experiments::ScalingFit;
     const auto universal = [](double measure::UniversalScalability::*part) {
         return [part](const Fit& fit) {
-            return fit.universal ? experiments::Json((*fit.universal).*part) : experiments::Json(nullptr);
+            return fit.universal ? output::Json((*fit.universal).*part) : output::Json(nullptr);
         };
     };
     return {
@@ -84,7 +85,7 @@ experiments::Columns<experiments::ScalingFit> fitColumns() {
         {.key = "cascades", .value = &Fit::cascades, .heading = "cascades"},
         {.key = "cubes", .value = &Fit::cubes, .heading = "cubes"},
         {.key = "amdahl_serial_fraction",
-         .value = [](const Fit& fit) { return experiments::finiteOrNull(fit.serialFraction); },
+         .value = [](const Fit& fit) { return output::finiteOrNull(fit.serialFraction); },
          .heading = "serial fraction (Amdahl)"},
         {.key = "usl_contention",
          .value = universal(&measure::UniversalScalability::contention),
@@ -95,32 +96,32 @@ experiments::Columns<experiments::ScalingFit> fitColumns() {
 }
 
 void printTables(const Console& console, const experiments::ScalingResult& result) {
-    console.table(experiments::tableOf(pointColumns(), result.points));
+    console.table(output::tableOf(pointColumns(), result.points));
     console.line("\nHow recording scales, fitted:");
-    console.table(experiments::tableOf(fitColumns(), result.fits));
+    console.table(output::tableOf(fitColumns(), result.fits));
 }
 
-void writeScalingCsv(const std::filesystem::path& path, const experiments::Json& points) {
-    host::writeText(path, experiments::csvOf({"targets",
-                                              "submission",
-                                              "cascades",
-                                              "threads",
-                                              "cubes",
-                                              "draws",
-                                              "cull_ms",
-                                              "bin_ms",
-                                              "record_ms",
-                                              {"record_spread", "/spread/record"},
-                                              "record_ns_per_draw",
-                                              "execute_ms",
-                                              "frame_ms",
-                                              "speedup",
-                                              "efficiency",
-                                              "cull_bin_speedup",
-                                              "frame_speedup",
-                                              "hash",
-                                              "same_image"},
-                                             points));
+void writeScalingCsv(const std::filesystem::path& path, const output::Json& points) {
+    host::writeText(path, output::csvOf({"targets",
+                                         "submission",
+                                         "cascades",
+                                         "threads",
+                                         "cubes",
+                                         "draws",
+                                         "cull_ms",
+                                         "bin_ms",
+                                         "record_ms",
+                                         {"record_spread", "/spread/record"},
+                                         "record_ns_per_draw",
+                                         "execute_ms",
+                                         "frame_ms",
+                                         "speedup",
+                                         "efficiency",
+                                         "cull_bin_speedup",
+                                         "frame_speedup",
+                                         "hash",
+                                         "same_image"},
+                                        points));
 }
 
 /// What can be wrong with the arguments, before anything is made.
@@ -142,7 +143,7 @@ void checkArguments(ScalingArguments& arguments, CommandFiles& files) {
         files.writes("--csv", arguments.csv);
     }
     if (!arguments.plot.empty()) {
-        experiments::requirePlottable(arguments.plot);
+        output::requirePlottable(arguments.plot);
         files.writes("--plot", arguments.plot);
     }
 }
@@ -150,12 +151,12 @@ void checkArguments(ScalingArguments& arguments, CommandFiles& files) {
 void writeResults(Command& command, const ScalingArguments& arguments,
                   const experiments::ScalingResult& result) {
     const experiments::ScalingOptions& options = arguments.options;
-    const experiments::Json points = experiments::jsonOf(pointColumns(), result.points);
+    const output::Json points = output::jsonOf(pointColumns(), result.points);
     if (!arguments.csv.empty()) {
         writeScalingCsv(arguments.csv, points);
     }
     if (!arguments.plot.empty()) {
-        experiments::writePlot(arguments.plot, experiments::scalingPlot(result, command.opened().text()));
+        output::writePlot(arguments.plot, experiments::scalingPlot(result, command.opened().text()));
     }
     auto document =
         command.makeDocument({{"width", options.width},
@@ -164,7 +165,7 @@ void writeResults(Command& command, const ScalingArguments& arguments,
                               {"placement", options.placement == host::Placement::pinned ? "pinned" : "free"},
                               {"seed", options.seed}});
     document["results"] = points;
-    document["fits"] = experiments::jsonOf(fitColumns(), result.fits);
+    document["fits"] = output::jsonOf(fitColumns(), result.fits);
     command.writeDocument(document);
 }
 
@@ -211,7 +212,7 @@ void run(Command& command, ScalingArguments& arguments) {
     command.console().line(fmt::format(
         "\n{}; medians of {} frames a point, +- the quartiles' distance, seed {}, {}x{}; commit {}",
         command.opened().text(), options.repeats, options.seed, options.width, options.height,
-        host::buildInfo().commit));
+        program::buildInfo().commit));
     writeResults(command, arguments, result);
     const auto differs = std::find_if(result.points.begin(), result.points.end(),
                                       [](const auto& point) { return !point.sameImage; });

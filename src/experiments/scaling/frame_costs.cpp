@@ -5,8 +5,9 @@
 #include <cdr/host/stopwatch.h>
 #include <cdr/image/codec.h>
 #include <cdr/render/renderer.h>
-#include <experiments/units.h>
 #include <scenes/cubes.h>
+
+#include <runs/units.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -56,9 +57,9 @@ class CostedFrame {
                       .height = options.height,
                       .technique = depth::parseTechnique("anchored")}) {}
 
-    Json make() {
+    output::Json make() {
         const render::Frame frame = m_renderer.render(m_setup.path.at(0));
-        return {{"file", Json::binary(image::encodeImage("frame.png", frame.color))}};
+        return {{"file", output::Json::binary(image::encodeImage("frame.png", frame.color))}};
     }
 
   private:
@@ -105,24 +106,26 @@ MeasuredCosts measureFrameCosts(const gpu::Device& device, const FrameCostOption
     costs.msPerByte = byteMs(ranks);
     const auto makeTimed = [&](std::size_t) {
         const host::Stopwatch watch;
-        Json made = frame.make();
+        output::Json made = frame.make();
         made["ms"] = watch.milliseconds();
         return made;
     };
-    const auto take = [&](const Json& made) {
+    const auto take = [&](const output::Json& made) {
         const host::Stopwatch watch;
         host::writeFile(file.path(), made.at("file").get_binary());
         costs.takeMs.push_back(watch.milliseconds());
         costs.makeMs.push_back(made.at("ms").get<double>());
         costs.bytes = static_cast<double>(made.at("file").get_binary().size());
     };
-    forEachUnit(ranks, options.repeats * ranks.place().count, makeTimed,
-                [&](std::size_t, const Json& made) { take(made); });
+    runs::forEachUnit(ranks, options.repeats * ranks.place().count, makeTimed,
+                      [&](std::size_t, const output::Json& made) { take(made); });
     measured.run.frames = kFramesPerRank * ranks.place().count;
     const host::Stopwatch watch;
-    forEachUnit(
+    runs::forEachUnit(
         ranks, measured.run.frames, [&](std::size_t) { return frame.make(); },
-        [&](std::size_t, const Json& made) { host::writeFile(file.path(), made.at("file").get_binary()); });
+        [&](std::size_t, const output::Json& made) {
+            host::writeFile(file.path(), made.at("file").get_binary());
+        });
     measured.run.seconds = watch.seconds();
     return measured;
 }

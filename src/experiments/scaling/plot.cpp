@@ -1,8 +1,7 @@
 #include "scaling.h"
 
-#include <experiments/gnuplot.h>
-
 #include <fmt/format.h>
+#include <output/gnuplot.h>
 
 #include <algorithm>
 
@@ -24,7 +23,7 @@ std::string plotLines(const std::vector<std::vector<ScalingPoint>>& sweeps, int 
     for (std::size_t i = 0; i < sweeps.size(); ++i) {
         lines += fmt::format("{}$data{} using 1:{} with linespoints linewidth 2 pointtype 7 title {}",
                              i == 0 ? "" : ", ", i, column,
-                             gnuplotQuote(fmt::format("{} draws", sweeps[i].front().draws)));
+                             output::gnuplotQuote(fmt::format("{} draws", sweeps[i].front().draws)));
     }
     return lines;
 }
@@ -62,8 +61,8 @@ std::string scalingPlot(const ScalingResult& result, const std::string& measured
                        "plot {}, x with lines dashtype 2 linecolor rgb '#888888' title 'ideal'\n"
                        "unset multiplot\n",
                        blocks,
-                       gnuplotQuote(fmt::format("Recording, targets {}, cascades {}; {}",
-                                                nameOf(first.targets), first.cascades, measuredOn)),
+                       output::gnuplotQuote(fmt::format("Recording, targets {}, cascades {}; {}",
+                                                        nameOf(first.targets), first.cascades, measuredOn)),
                        static_cast<double>(mostThreads) + 0.2, plotLines(sweeps, 2), plotLines(sweeps, 3));
 }
 

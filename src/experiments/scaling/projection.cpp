@@ -77,11 +77,11 @@ std::size_t lastUsefulNodes(const FrameCosts& costs, std::size_t frames) {
     return static_cast<std::size_t>(std::clamp(nodes, 1.0, static_cast<double>(frames)));
 }
 
-Columns<Projection> projectionColumns() {
+output::Columns<Projection> projectionColumns() {
     return {{.key = "nodes", .value = &Projection::nodes, .heading = "nodes"},
             {.key = "seconds", .value = &Projection::seconds, .heading = "seconds"},
             {.key = "seconds_interval",
-             .value = [](const Projection& projection) { return jsonOf(projection.secondsInterval); },
+             .value = [](const Projection& projection) { return output::jsonOf(projection.secondsInterval); },
              .heading = "95 % of the costs",
              .format = {"{} to {}"}},
             {.key = "efficiency", .value = &Projection::efficiency, .heading = "efficiency"},

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cdr/measure/statistics/statistics.h>
-#include <experiments/columns.h>
+
+#include <output/columns.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -42,6 +43,6 @@ Projection project(const FrameCosts& costs, std::size_t nodes, std::size_t frame
 /// no node has a second frame to make.
 std::size_t lastUsefulNodes(const FrameCosts& costs, std::size_t frames);
 
-Columns<Projection> projectionColumns();
+output::Columns<Projection> projectionColumns();
 
 } // namespace cdr::experiments

@@ -56,7 +56,7 @@ void runRankSweep(Command& command, experiments::RankSweepOptions options,
     command.endProgress();
     const auto columns = experiments::rankPointColumns();
     const ranks::Place& place = command.ranks().place();
-    command.console().table(experiments::tableOf(columns, points));
+    command.console().table(output::tableOf(columns, points));
     command.console().line(
         fmt::format("\n{}; medians of {} frames of {} cubes, seed {}; {} of {} ranks on this machine",
                     command.opened().text(), options.repeats, options.cubes, options.seed, place.countOnNode,
@@ -67,7 +67,7 @@ void runRankSweep(Command& command, experiments::RankSweepOptions options,
                                           {"cubes", options.cubes},
                                           {"repeats", options.repeats},
                                           {"seed", options.seed}});
-    document["results"] = experiments::jsonOf(columns, points);
+    document["results"] = output::jsonOf(columns, points);
     command.writeDocument(document);
     requireSameImages(points);
 }
@@ -94,7 +94,7 @@ void runProjection(Command& command, const experiments::FrameCostOptions& option
     const std::size_t useful = experiments::lastUsefulNodes(costs, arguments.frames);
     const auto columns = experiments::projectionColumns();
     const Console& console = command.console();
-    console.table(experiments::tableOf(columns, projections));
+    console.table(output::tableOf(columns, projections));
     console.line(fmt::format(
         "\nA frame: {:.4g} ms to make, {:.4g} ms to take, {} bytes; {:.3g} ms to claim and {:.3g} ms to "
         "send it. More than {} nodes do not help.",
@@ -114,7 +114,7 @@ void runProjection(Command& command, const experiments::FrameCostOptions& option
                                           {"repeats", options.repeats},
                                           {"seed", options.seed},
                                           {"frames", arguments.frames}});
-    document["results"] = experiments::jsonOf(columns, projections);
+    document["results"] = output::jsonOf(columns, projections);
     document["costs"] = {{"make_ms", measure::median(costs.makeMs)},
                          {"take_ms", measure::median(costs.takeMs)},
                          {"bytes", costs.bytes},
@@ -124,7 +124,7 @@ void runProjection(Command& command, const experiments::FrameCostOptions& option
     document["check"] = {{"frames", run.frames},
                          {"seconds", run.seconds},
                          {"predicted", here.seconds},
-                         {"predicted_interval", experiments::jsonOf(here.secondsInterval)}};
+                         {"predicted_interval", output::jsonOf(here.secondsInterval)}};
     command.writeDocument(document);
 }
 

@@ -2,15 +2,15 @@
 
 #include <cdr/base/error.h>
 #include <cdr/gpu/allocated_bytes.h>
-#include <cdr/host/sha256.h>
 #include <cdr/host/stopwatch.h>
 #include <cdr/render/part_scene.h>
 #include <cdr/render/renderer.h>
-#include <experiments/part_frames.h>
-#include <experiments/units.h>
 #include <scenes/cubes.h>
 
 #include <fmt/format.h>
+#include <program/sha256.h>
+#include <runs/part_frames.h>
+#include <runs/units.h>
 
 #include <algorithm>
 #include <memory>
@@ -27,25 +27,25 @@ void meet(ranks::Ranks& ranks) {
 }
 
 /// What all ranks give, in their order; on the other ranks less.
-Json gathered(ranks::Ranks& ranks, Json mine) {
-    Json all = Json::array({std::move(mine)});
-    ranks.merge([&] { return Json::to_cbor(all); },
+output::Json gathered(ranks::Ranks& ranks, output::Json mine) {
+    output::Json all = output::Json::array({std::move(mine)});
+    ranks.merge([&] { return output::Json::to_cbor(all); },
                 [&](const host::Bytes& later) {
-                    for (Json& each : Json::from_cbor(later)) {
+                    for (output::Json& each : output::Json::from_cbor(later)) {
                         all.push_back(std::move(each));
                     }
                 });
     return all;
 }
 
-Json jsonOf(const RankShare& share) {
+output::Json jsonOf(const RankShare& share) {
     return {{"rank", share.rank},
             {"draw_ms", share.drawMs},
             {"bytes_sent", share.bytesSent},
             {"device_bytes", share.deviceBytes}};
 }
 
-RankShare shareFrom(const Json& json) {
+RankShare shareFrom(const output::Json& json) {
     return {.rank = json.at("rank").get<std::size_t>(),
             .drawMs = json.at("draw_ms").get<double>(),
             .bytesSent = json.at("bytes_sent").get<std::size_t>(),
@@ -81,7 +81,7 @@ class RankPart {
         if (m_takesPart) {
             m_frame = m_renderer->render(m_camera);
             m_drawMs.push_back(watch.milliseconds());
-            mergeParts(ranks, m_frame, m_bytesSent);
+            runs::mergeParts(ranks, m_frame, m_bytesSent);
         } else {
             meet(ranks);
         }
@@ -89,16 +89,17 @@ class RankPart {
     }
 
     std::string hash() const {
-        return host::sha256Of(host::sha256Of(m_frame.color.pixels) + host::sha256Of(m_frame.gbuffer.pixels));
+        return program::sha256Of(program::sha256Of(m_frame.color.pixels) +
+                                 program::sha256Of(m_frame.gbuffer.pixels));
     }
 
     /// Null where it takes no part.
-    Json share(std::size_t rank) const {
+    output::Json share(std::size_t rank) const {
         return m_takesPart ? jsonOf(RankShare{.rank = rank,
                                               .drawMs = measure::median(m_drawMs),
                                               .bytesSent = m_bytesSent,
                                               .deviceBytes = m_deviceBytes})
-                           : Json();
+                           : output::Json();
     }
 
   private:
@@ -113,9 +114,9 @@ class RankPart {
     std::uint64_t m_deviceBytes = 0;
 };
 
-std::vector<RankShare> sharesOf(const Json& gatheredShares) {
+std::vector<RankShare> sharesOf(const output::Json& gatheredShares) {
     std::vector<RankShare> shares;
-    for (const Json& share : gatheredShares) {
+    for (const output::Json& share : gatheredShares) {
         if (!share.is_null()) {
             shares.push_back(shareFrom(share));
         }
@@ -233,9 +234,9 @@ runRankSweep(const gpu::Device& device, const RankSweepOptions& options, ranks::
     return ranks.isFirst() ? points : std::vector<RankPoint>();
 }
 
-Columns<RankPoint> rankPointColumns() {
+output::Columns<RankPoint> rankPointColumns() {
     const auto shares = [](const RankPoint& point) {
-        Json all = Json::array();
+        output::Json all = output::Json::array();
         for (const RankShare& share : point.shares) {
             all.push_back(jsonOf(share));
         }
@@ -249,10 +250,11 @@ Columns<RankPoint> rankPointColumns() {
         {.key = "cascades", .value = &RankPoint::cascades, .heading = "cascades"},
         {.key = "ranks", .value = &RankPoint::ranks, .heading = "ranks"},
         {.key = "frame_ms", .value = &RankPoint::frameMs, .heading = "frame ms"},
-        {.key = "frame_ms_ci95", .value = [](const RankPoint& point) { return jsonOf(point.frameInterval); }},
+        {.key = "frame_ms_ci95",
+         .value = [](const RankPoint& point) { return output::jsonOf(point.frameInterval); }},
         {.key = "speedup", .value = &RankPoint::speedUp, .heading = "speed-up"},
         {.key = "speedup_ci95",
-         .value = [](const RankPoint& point) { return jsonOf(point.speedUpInterval); },
+         .value = [](const RankPoint& point) { return output::jsonOf(point.speedUpInterval); },
          .heading = "95 %",
          .format = {"{} to {}"}},
         {.key = "efficiency", .value = &RankPoint::efficiency, .heading = "efficiency"},

@@ -2,8 +2,8 @@
 
 #include <cdr/gpu/device.h>
 #include <cdr/measure/statistics/statistics.h>
-#include <experiments/columns.h>
 
+#include <output/columns.h>
 #include <ranks/ranks.h>
 
 #include <cstddef>
@@ -66,6 +66,6 @@ std::vector<RankPoint>
 runRankSweep(const gpu::Device& device, const RankSweepOptions& options, ranks::Ranks& ranks,
              const std::function<void(std::size_t done, std::size_t all, const std::string&)>& progress);
 
-Columns<RankPoint> rankPointColumns();
+output::Columns<RankPoint> rankPointColumns();
 
 } // namespace cdr::experiments

@@ -1,8 +1,9 @@
 #include "thread_sweep.h"
 
-#include <cdr/host/sha256.h>
 #include <cdr/host/stopwatch.h>
 #include <cdr/measure/statistics/statistics.h>
+
+#include <program/sha256.h>
 
 #include <algorithm>
 #include <utility>
@@ -27,7 +28,7 @@ double speedUp(const std::vector<double>& base, const std::vector<double>& sampl
 
 /// One hash over the whole G-buffer and the picture.
 std::string hashOf(const render::Frame& frame) {
-    return host::sha256Of(host::sha256Of(frame.color.pixels) + host::sha256Of(frame.gbuffer.pixels));
+    return program::sha256Of(program::sha256Of(frame.color.pixels) + program::sha256Of(frame.gbuffer.pixels));
 }
 
 } // namespace

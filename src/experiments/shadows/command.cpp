@@ -1,12 +1,12 @@
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <cli/picture_folder.h>
-#include <experiments/columns.h>
 #include <experiments/shadows/shadows.h>
 #include <scenes/open_scene.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <output/columns.h>
 
 #include <filesystem>
 
@@ -19,25 +19,25 @@ struct ShadowArguments {
     std::string scene = "alley";
     std::uint64_t seed = scenes::kDefaultSeed;
     std::string surface = "gbuffer";
-    experiments::CameraOptions camera;
+    options::CameraOptions camera;
     std::filesystem::path folder;
 };
 
 /// Of what changed since the frame before; absent in the first.
-experiments::Columns<experiments::ShadowResult> shadowFlipColumns() {
+output::Columns<experiments::ShadowResult> shadowFlipColumns() {
     const auto of = [](auto member) {
         return [member](const experiments::ShadowResult& row) {
-            return row.flips ? experiments::Json((*row.flips).*member) : experiments::absent();
+            return row.flips ? output::Json((*row.flips).*member) : output::absent();
         };
     };
     return {{.key = "flips", .value = of(&measure::FlipCount::flips), .heading = "flips"},
             {.key = "flips_compared", .value = of(&measure::FlipCount::compared)}};
 }
 
-experiments::Columns<experiments::ShadowResult> shadowColumns() {
+output::Columns<experiments::ShadowResult> shadowColumns() {
     using Result = experiments::ShadowResult;
     using Wrong = measure::WrongShadows;
-    const experiments::Columns<Wrong> wrong{
+    const output::Columns<Wrong> wrong{
         {.key = "pixels", .value = &Wrong::pixels, .heading = "pixels"},
         {.key = "shadowed", .value = &Wrong::shadowed, .heading = "shadowed"},
         {.key = "wrong", .value = &Wrong::wrong, .heading = "wrong"},
@@ -46,12 +46,12 @@ experiments::Columns<experiments::ShadowResult> shadowColumns() {
          .heading = "wrong",
          .format = {.pattern = "{} %", .scale = 100.0}},
         {.key = "edge_wrong", .value = &Wrong::edgeWrong, .heading = "wrong at edges"}};
-    return experiments::joined<Result>(
+    return output::joined<Result>(
         {{{.key = "technique", .value = &Result::technique, .heading = "technique"},
           {.key = "method", .value = &Result::method, .heading = "method"},
           {.key = "frame", .value = &Result::frame, .heading = "frame"},
           {.key = "light", .value = &Result::light, .heading = "light"}},
-         experiments::columnsOf(&Result::wrong, wrong),
+         output::columnsOf(&Result::wrong, wrong),
          shadowFlipColumns(),
          {{.key = "maps", .value = &Result::maps, .heading = "maps"},
           {.key = "casters", .value = &Result::casters, .heading = "casters"},
@@ -64,11 +64,11 @@ void run(Command& command, ShadowArguments& arguments) {
     if (!arguments.camera.path.empty()) {
         command.reads(arguments.camera.path);
     }
-    const experiments::FrameCameras cameras(arguments.camera);
+    const options::FrameCameras cameras(arguments.camera);
     const PictureFolder folder(arguments.folder, command.files());
     const scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed);
     const auto columns = shadowColumns();
-    experiments::Table table = experiments::tableOf(columns, std::vector<experiments::ShadowResult>());
+    output::Table table = output::tableOf(columns, std::vector<experiments::ShadowResult>());
     auto document = command.makeDocument({{"scene", arguments.scene},
                                           {"seed", arguments.seed},
                                           {"width", experiment.options.width},
@@ -78,14 +78,14 @@ void run(Command& command, ShadowArguments& arguments) {
                                           {"threads", experiment.options.threads}});
     experiments::runShadows(command.device(), setup, cameras, experiment, command.progressOf(arguments.scene),
                             [&](const experiments::ShadowResult& result) {
-                                nlohmann::ordered_json row = experiments::jsonOf(columns, result);
+                                nlohmann::ordered_json row = output::jsonOf(columns, result);
                                 const std::string stem =
                                     fmt::format("{}_{}_{}_{}", result.technique, result.method, result.frame,
                                                 result.light);
                                 folder.write("picture", stem + ".png", result.picture, row);
                                 folder.write("wrong_picture", stem + "_wrong.png", result.heatMap, row);
                                 document["results"].push_back(std::move(row));
-                                table.rows.push_back(experiments::cellsOf(columns, result));
+                                table.rows.push_back(output::cellsOf(columns, result));
                             });
     command.endProgress();
     command.console().table(table);
@@ -113,8 +113,8 @@ void addOptions(CLI::App& command, ShadowArguments& arguments) {
         ->check(CLI::Range(render::kLeastShadowTexels, render::kMostShadowTexels))
         ->capture_default_str();
     command.add_option("--surface", arguments.surface, "gbuffer or visibility")->capture_default_str();
-    experiments::addFrameOptions(command, arguments.camera);
-    experiments::addCameraOptions(command, arguments.camera);
+    options::addFrameOptions(command, arguments.camera);
+    options::addCameraOptions(command, arguments.camera);
     addSize(command, experiment.options.width, experiment.options.height);
     addSnapBits(command, experiment.options.snapBits);
     addThreads(command, experiment.options.threads, "Threads that cull, bin, record and cast the truth");

@@ -50,9 +50,9 @@ ShadowResult compared(const render::Frame& frame, const measure::ShadowImage& tr
 
 } // namespace
 
-void runShadows(const gpu::Device& device, const scene::SceneSetup& setup, const FrameCameras& cameras,
-                const ShadowExperiment& experiment, const ShadowProgress& progress,
-                const std::function<void(const ShadowResult&)>& take) {
+void runShadows(const gpu::Device& device, const scene::SceneSetup& setup,
+                const options::FrameCameras& cameras, const ShadowExperiment& experiment,
+                const ShadowProgress& progress, const std::function<void(const ShadowResult&)>& take) {
     const std::vector<ShadowVariant> variants = shadowVariants(experiment);
     const scene::Scene& scene = setup.scene;
     if (scene.lights.empty()) {

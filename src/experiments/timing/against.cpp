@@ -3,12 +3,12 @@
 #include "timing_document.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/child_process.h>
 #include <cdr/host/file.h>
-#include <experiments/readable.h>
-#include <experiments/shuffled_order.h>
 
 #include <fmt/format.h>
+#include <output/readable.h>
+#include <program/child_process.h>
+#include <runs/shuffled_order.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -78,7 +78,7 @@ Run runOnce(const fs::path& program, const AgainstOptions& options, const fs::pa
     arguments.insert(arguments.end(), {"--json", json.string()});
     fs::remove(json); // of the run before
     const double before = childCpuUs();
-    host::ChildProcess(arguments, {}).finish();
+    program::ChildProcess(arguments, {}).finish();
     Run run{.document = {}, .cpuUs = childCpuUs() - before};
     run.document = documentIn(json, program);
     return run;
@@ -138,15 +138,15 @@ Comparison compare(const BuildTimes& times, std::uint64_t seed) {
 
 std::string verdictOf(const Comparison& comparison) {
     return comparison.isSeen
-               ? fmt::format("{} times", Readable{comparison.ratio})
-               : fmt::format("no difference seen, noise ±{} %", Readable{comparison.noisePercent});
+               ? fmt::format("{} times", output::Readable{comparison.ratio})
+               : fmt::format("no difference seen, noise ±{} %", output::Readable{comparison.noisePercent});
 }
 
 AgainstReport runAgainst(const AgainstOptions& options,
                          const std::function<void(std::size_t, std::size_t)>& progress) {
     constexpr std::size_t kRuns = 3; // this build, the other, this build again
     const RunFolder folder;
-    ShuffledOrder order(kRuns, options.seed);
+    runs::ShuffledOrder order(kRuns, options.seed);
     AgainstReport report;
     std::vector<BuildTimes> times;
     for (std::uint32_t round = 0; round < options.rounds; ++round) {

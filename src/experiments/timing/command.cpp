@@ -7,15 +7,16 @@
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <cli/rival_needs.h>
-#include <experiments/columns.h>
-#include <experiments/gnuplot.h>
-#include <experiments/readable.h>
 #include <experiments/timing/tables.h>
 #include <experiments/timing/timing.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+#include <output/columns.h>
+#include <output/gnuplot.h>
+#include <output/readable.h>
+#include <program/build_info.h>
 
 #include <filesystem>
 #include <optional>
@@ -25,7 +26,7 @@ namespace cdr::cli {
 namespace {
 
 struct TimingArguments {
-    host::MachineState machine; ///< before anything is timed
+    program::MachineState machine; ///< before anything is timed
     experiments::TimingOptions options;
     std::vector<std::string> modes;
     std::filesystem::path csv;
@@ -48,39 +49,36 @@ using Results = std::vector<experiments::TimingResult>;
 /// A part of a frame; null for frames in flight.
 auto partOf(double experiments::TimingParts::*part) {
     return [part](const experiments::TimingResult& result) {
-        return result.parts ? experiments::Json((*result.parts).*part) : experiments::Json(nullptr);
+        return result.parts ? output::Json((*result.parts).*part) : output::Json(nullptr);
     };
 }
 
 /// The device's own time; null where it has no clock, and for frames in flight.
-experiments::Json deviceTimeOf(const experiments::TimingResult& result) {
-    return experiments::finiteOrNull(result.parts ? result.parts->deviceUs : std::nullopt);
+output::Json deviceTimeOf(const experiments::TimingResult& result) {
+    return output::finiteOrNull(result.parts ? result.parts->deviceUs : std::nullopt);
 }
 
 /// How a mode renders; null where ids alone are drawn.
 template <typename Part>
 auto howOf(Part experiments::TimingMode::*part) {
     return [part](const experiments::TimingResult& result) {
-        return result.mode.idsAlone ? experiments::Json(nullptr)
-                                    : experiments::Json(nameOf(result.mode.*part));
+        return result.mode.idsAlone ? output::Json(nullptr) : output::Json(nameOf(result.mode.*part));
     };
 }
 
 /// @param floor standard over itself.
-experiments::Columns<experiments::TimingResult> timingColumns(const measure::Interval& floor) {
+output::Columns<experiments::TimingResult> timingColumns(const measure::Interval& floor) {
     using Result = experiments::TimingResult;
     using Mode = experiments::TimingMode;
     using Parts = experiments::TimingParts;
-    const experiments::CellFormat micros{.missing = "-"};
+    const output::CellFormat micros{.missing = "-"};
     // The overheads of rivals are over another mode, whose noise is not measured.
     const auto isSeen = [floor](const Result& result) {
-        return result.mode.idsAlone
-                   ? experiments::absent()
-                   : experiments::Json(experiments::liesApart(result.overheadPercent95, floor));
+        return result.mode.idsAlone ? output::absent()
+                                    : output::Json(experiments::liesApart(result.overheadPercent95, floor));
     };
     const auto range = [](const Result& result) {
-        return fmt::format("{} to {}", experiments::Readable{result.lowUs},
-                           experiments::Readable{result.highUs});
+        return fmt::format("{} to {}", output::Readable{result.lowUs}, output::Readable{result.highUs});
     };
     return {
         {.key = "mode", .value = [](const Result& result) { return result.mode.preset; }},
@@ -88,7 +86,7 @@ experiments::Columns<experiments::TimingResult> timingColumns(const measure::Int
         {.key = "rival",
          .value =
              [](const Result& result) {
-                 return result.mode.isRival() ? experiments::Json(true) : experiments::absent();
+                 return result.mode.isRival() ? output::Json(true) : output::absent();
              }},
         {.key = "targets", .value = howOf(&Mode::targets)},
         {.key = "submission", .value = howOf(&Mode::submission)},
@@ -110,45 +108,45 @@ experiments::Columns<experiments::TimingResult> timingColumns(const measure::Int
         {.key = "over",
          .value =
              [](const Result& result) {
-                 return result.mode.isRival() ? experiments::Json(result.over) : experiments::absent();
+                 return result.mode.isRival() ? output::Json(result.over) : output::absent();
              }},
         {.key = "overhead_pct",
          .value = &Result::overheadPercent,
          .heading = "overhead",
          .format = {"{:+} %"}},
-        experiments::intervalColumn(&Result::overheadPercent95, "{:+} to {:+}"),
+        output::intervalColumn(&Result::overheadPercent95, "{:+} to {:+}"),
         {.key = "seen",
          .value = isSeen,
          .heading = "seen",
          .text =
              [isSeen](const Result& result) {
-                 const experiments::Json seen = isSeen(result);
+                 const output::Json seen = isSeen(result);
                  return std::string(seen.is_boolean() ? (seen.get<bool>() ? "yes" : "no") : "");
              }},
         {.key = "thesis_pct",
-         .value = [](const Result& result) { return experiments::finiteOrNull(result.mode.thesisPercent); },
+         .value = [](const Result& result) { return output::finiteOrNull(result.mode.thesisPercent); },
          .heading = "thesis",
          .format = {"{:+} %"}}};
 }
 
-void writeTimingCsv(const std::filesystem::path& path, const experiments::Json& rows) {
-    host::writeText(path, experiments::csvOf({"name",
-                                              "mode",
-                                              "targets",
-                                              "cascades",
-                                              "median_us",
-                                              "p5_us",
-                                              "p95_us",
-                                              "cull_bin_us",
-                                              "record_us",
-                                              "execute_us",
-                                              "draws",
-                                              "overhead_pct",
-                                              {"ci95_low", "/ci95/0"},
-                                              {"ci95_high", "/ci95/1"},
-                                              "thesis_pct",
-                                              "device_us"},
-                                             rows));
+void writeTimingCsv(const std::filesystem::path& path, const output::Json& rows) {
+    host::writeText(path, output::csvOf({"name",
+                                         "mode",
+                                         "targets",
+                                         "cascades",
+                                         "median_us",
+                                         "p5_us",
+                                         "p95_us",
+                                         "cull_bin_us",
+                                         "record_us",
+                                         "execute_us",
+                                         "draws",
+                                         "overhead_pct",
+                                         {"ci95_low", "/ci95/0"},
+                                         {"ci95_high", "/ci95/1"},
+                                         "thesis_pct",
+                                         "device_us"},
+                                        rows));
 }
 
 /// What can be wrong with the arguments, before anything is made.
@@ -184,7 +182,7 @@ void checkArguments(TimingArguments& arguments, CommandFiles& files, const ranks
         files.writes("--trace", arguments.trace);
     }
     if (!arguments.plot.empty()) {
-        experiments::requirePlottable(arguments.plot);
+        output::requirePlottable(arguments.plot);
         files.writes("--plot", arguments.plot);
     }
 }
@@ -211,9 +209,9 @@ nlohmann::ordered_json makeDocument(const Command& command, const TimingArgument
                                           {"frames_in_flight", options.framesInFlight},
                                           {"mode", options.framesInFlight > 1 ? "throughput" : "latency"}});
     document["machine"] = experiments::machineJson(arguments.machine);
-    document["results"] = experiments::jsonOf(timingColumns(results.at(1).overheadPercent95), results);
+    document["results"] = output::jsonOf(timingColumns(results.at(1).overheadPercent95), results);
     document["noise_floor_pct"] = results.at(1).overheadPercent;
-    document["noise_floor_ci95"] = experiments::jsonOf(results.at(1).overheadPercent95);
+    document["noise_floor_ci95"] = output::jsonOf(results.at(1).overheadPercent95);
     return document;
 }
 
@@ -245,10 +243,10 @@ void runAgainst(const Command& command, const TimingArguments& arguments) {
     const experiments::AgainstReport report =
         experiments::runAgainst(options, command.progressOf("runs of both builds"));
     command.endProgress();
-    command.console().table(experiments::tableOf(experiments::againstColumns(), report.comparisons));
+    command.console().table(output::tableOf(experiments::againstColumns(), report.comparisons));
     command.console().line(fmt::format(
         "\n{} (driver {}); {} rounds of {} frames a mode, in turns; commit {} over {}; {}", report.device,
-        report.driver, options.rounds, arguments.frames.value_or(kRunFrames), host::buildInfo().commit,
+        report.driver, options.rounds, arguments.frames.value_or(kRunFrames), program::buildInfo().commit,
         report.againstCommit, experiments::machineText(arguments.machine)));
     auto document = command.makeDocument({{"against", options.against.string()},
                                           {"against_commit", report.againstCommit},
@@ -258,7 +256,7 @@ void runAgainst(const Command& command, const TimingArguments& arguments) {
     document["device"]["name"] = report.device;
     document["device"]["driver"] = report.driver;
     document["machine"] = experiments::machineJson(arguments.machine);
-    document["results"] = experiments::jsonOf(experiments::againstColumns(), report.comparisons);
+    document["results"] = output::jsonOf(experiments::againstColumns(), report.comparisons);
     command.writeDocument(document);
 }
 
@@ -270,9 +268,9 @@ void runStages(Command& command, const TimingArguments& arguments) {
     if (!arguments.modes.empty()) {
         modes.insert(modes.end(), options.modes.begin() + 2, options.modes.end());
     }
-    auto rows = experiments::Json::array();
-    auto measuredBy = experiments::Json::array();
-    experiments::TimedRanks ranks(command.ranks());
+    auto rows = output::Json::array();
+    auto measuredBy = output::Json::array();
+    runs::TimedRanks ranks(command.ranks());
     std::vector<experiments::ModeStages> plotted;
     for (const experiments::TimingMode& mode : modes) {
         options.modes = {mode};
@@ -282,13 +280,13 @@ void runStages(Command& command, const TimingArguments& arguments) {
         if (!ranks.isFirst()) {
             continue;
         }
-        for (experiments::Json row : ranks.measuredBy("frames")) {
+        for (output::Json row : ranks.measuredBy("frames")) {
             row["mode"] = mode.name;
             measuredBy.push_back(std::move(row));
         }
         const auto columns = experiments::stageColumns(mode.name);
-        command.console().table(experiments::tableOf(columns, stages));
-        for (const experiments::Json& row : experiments::jsonOf(columns, stages)) {
+        command.console().table(output::tableOf(columns, stages));
+        for (const output::Json& row : output::jsonOf(columns, stages)) {
             rows.push_back(row);
         }
         plotted.push_back({mode.name, stages});
@@ -297,7 +295,7 @@ void runStages(Command& command, const TimingArguments& arguments) {
         return;
     }
     if (!arguments.plot.empty()) {
-        experiments::writePlot(arguments.plot, experiments::stagesPlot(plotted, command.opened().text()));
+        output::writePlot(arguments.plot, experiments::stagesPlot(plotted, command.opened().text()));
     }
     command.console().line(fmt::format("\n{}; {} frames of each variant in turns; {}",
                                        command.opened().text(), options.frames,
@@ -309,7 +307,7 @@ void runStages(Command& command, const TimingArguments& arguments) {
                                           {"seed", options.seed}});
     document["machine"] = experiments::machineJson(arguments.machine);
     document["results"] = rows;
-    experiments::addMeasuredBy(document, command.ranks(), measuredBy);
+    runs::addMeasuredBy(document, command.ranks(), measuredBy);
     command.writeDocument(document);
 }
 
@@ -318,7 +316,7 @@ void measureMemory(Command& command, const TimingArguments& arguments) {
         .width = arguments.options.width, .height = arguments.options.height, .seed = arguments.options.seed};
     const std::vector<experiments::MemoryCost> costs = experiments::measureMemory(command.device(), options);
     command.endProgress();
-    command.console().table(experiments::tableOf(experiments::memoryColumns(), costs));
+    command.console().table(output::tableOf(experiments::memoryColumns(), costs));
     command.console().line(fmt::format(
         "\n{}; {} instances over half as many, {}x{} over half the width; {} cascades",
         command.opened().text(), 2 * options.instances, 2 * options.width, options.height, options.cascades));
@@ -327,7 +325,7 @@ void measureMemory(Command& command, const TimingArguments& arguments) {
                                           {"instances", options.instances},
                                           {"cascades", options.cascades},
                                           {"seed", options.seed}});
-    document["results"] = experiments::jsonOf(experiments::memoryColumns(), costs);
+    document["results"] = output::jsonOf(experiments::memoryColumns(), costs);
     command.writeDocument(document);
 }
 
@@ -335,7 +333,7 @@ void timeModes(Command& command, TimingArguments& arguments) {
     experiments::TimingOptions& options = arguments.options;
     options.frames = arguments.frames.value_or(options.frames);
     std::optional<host::Trace> trace;
-    experiments::TimedRanks ranks(command.ranks());
+    runs::TimedRanks ranks(command.ranks());
     if (!arguments.trace.empty() && ranks.isFirst()) {
         options.trace = &trace.emplace(options.threads);
     }
@@ -348,16 +346,16 @@ void timeModes(Command& command, TimingArguments& arguments) {
 
     const Console& console = command.console();
     const std::string device = command.opened().text();
-    console.table(experiments::tableOf(timingColumns(results.at(1).overheadPercent95), results));
+    console.table(output::tableOf(timingColumns(results.at(1).overheadPercent95), results));
     console.line(fmt::format("\n{}; {} frames a mode after {} dropped, seed {}, {} threads, {}x{}; commit {}",
                              device, options.frames, experiments::kWarmUpFrames, options.seed,
-                             options.threads, options.width, options.height, host::buildInfo().commit));
+                             options.threads, options.width, options.height, program::buildInfo().commit));
     console.line(experiments::machineText(arguments.machine));
     const experiments::TimingResult& again = results.at(1);
     console.line(fmt::format("Noise floor, standard over itself: {:+} %, 95 % {:+} to {:+}",
-                             experiments::Readable{again.overheadPercent},
-                             experiments::Readable{again.overheadPercent95.low},
-                             experiments::Readable{again.overheadPercent95.high}));
+                             output::Readable{again.overheadPercent},
+                             output::Readable{again.overheadPercent95.low},
+                             output::Readable{again.overheadPercent95.high}));
     if (!arguments.rivalsBeside.empty()) {
         printNeeds(console, arguments.rivalsBeside);
         console.line(
@@ -366,24 +364,24 @@ void timeModes(Command& command, TimingArguments& arguments) {
     }
     if (!arguments.csv.empty()) {
         writeTimingCsv(arguments.csv,
-                       experiments::jsonOf(timingColumns(results.at(1).overheadPercent95), results));
+                       output::jsonOf(timingColumns(results.at(1).overheadPercent95), results));
     }
     if (!arguments.plot.empty()) {
-        experiments::writePlot(arguments.plot, experiments::timingPlot(results, device));
+        output::writePlot(arguments.plot, experiments::timingPlot(results, device));
     }
     if (trace) {
         trace->write(arguments.trace);
     }
     auto document = makeDocument(command, arguments, results);
-    experiments::addMeasuredBy(document, command.ranks(),
-                               ranks.measuredBy(options.framesInFlight > 1 ? "runs" : "frames"));
+    runs::addMeasuredBy(document, command.ranks(),
+                        ranks.measuredBy(options.framesInFlight > 1 ? "runs" : "frames"));
     addNeeds(document, arguments.rivalsBeside);
     command.writeDocument(document);
 }
 
 void run(Command& command, TimingArguments& arguments) {
     checkArguments(arguments, command.files(), command.ranks());
-    arguments.machine = host::machineState();
+    arguments.machine = program::machineState();
     if (!arguments.against.empty()) {
         runAgainst(command, arguments);
     } else if (arguments.stages) {

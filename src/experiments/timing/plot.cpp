@@ -1,9 +1,8 @@
 #include "stages.h"
 #include "timing.h"
 
-#include <experiments/gnuplot.h>
-
 #include <fmt/format.h>
+#include <output/gnuplot.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -38,8 +37,8 @@ std::string timingPlot(const std::vector<TimingResult>& results, const std::stri
         "title 'measured; grey band: the noise floor', "
         "$data using 1:6 with points pointtype 7 pointsize 1.4 linecolor rgb '#d55e00' "
         "title 'thesis, Figure 6.4'\n",
-        gnuplotQuote("Frame time over standard, " + measuredOn), static_cast<double>(results.size()) - 0.3,
-        noise.low, noise.high, rows);
+        output::gnuplotQuote("Frame time over standard, " + measuredOn),
+        static_cast<double>(results.size()) - 0.3, noise.low, noise.high, rows);
 }
 
 std::string stagesPlot(const std::vector<ModeStages>& modes, const std::string& measuredOn) {
@@ -66,7 +65,8 @@ std::string stagesPlot(const std::vector<ModeStages>& modes, const std::string& 
                        "set boxwidth 0.6\n"
                        "$data << END\n{}\nEND\n"
                        "plot for [i=2:{}] $data using i:xtic(1) title columnheader\n",
-                       gnuplotQuote("What each stage of a frame costs, " + measuredOn), rows, parts + 1);
+                       output::gnuplotQuote("What each stage of a frame costs, " + measuredOn), rows,
+                       parts + 1);
 }
 
 } // namespace cdr::experiments

@@ -3,8 +3,9 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/renderer.h>
-#include <experiments/interleaved_frames.h>
 #include <scenes/cubes.h>
+
+#include <runs/interleaved_frames.h>
 
 #include <array>
 #include <cstddef>
@@ -57,9 +58,9 @@ class StageRace {
         m_path = scene::turnPath(first, first.position, options.frames);
     }
 
-    void run(const TimingProgress& progress, TimedRanks& ranks) {
+    void run(const TimingProgress& progress, runs::TimedRanks& ranks) {
         std::size_t done = 0;
-        const std::size_t all = std::size_t{InterleavedFrames::kWarmUp} + m_options.frames;
+        const std::size_t all = std::size_t{runs::InterleavedFrames::kWarmUp} + m_options.frames;
         m_frames.run(
             ranks, m_options.frames, [&] { progress(done++, all); },
             [&](std::size_t variant, std::uint32_t frame) {
@@ -68,9 +69,9 @@ class StageRace {
     }
 
     std::vector<StageCost> costs() const {
-        const std::vector<double> frame = of(Variant::whole, &FrameSample::frameMs);
-        const std::vector<double> cull = of(Variant::whole, &FrameSample::cullAndBinMs);
-        const std::vector<double> record = of(Variant::whole, &FrameSample::recordMs);
+        const std::vector<double> frame = of(Variant::whole, &runs::FrameSample::frameMs);
+        const std::vector<double> cull = of(Variant::whole, &runs::FrameSample::cullAndBinMs);
+        const std::vector<double> record = of(Variant::whole, &runs::FrameSample::recordMs);
         const std::vector<double> whole = executeOf(Variant::whole);
         const std::vector<double> noLights = executeOf(Variant::noLights);
         const std::vector<double> noPixels = executeOf(Variant::noPixels);
@@ -101,10 +102,12 @@ class StageRace {
         m_renderers.push_back(std::make_unique<render::Renderer>(device, scene, gpuScene, options));
     }
 
-    std::vector<double> of(Variant variant, double FrameSample::*part) const {
+    std::vector<double> of(Variant variant, double runs::FrameSample::*part) const {
         return m_frames.samples(indexOf(variant), part);
     }
-    std::vector<double> executeOf(Variant variant) const { return of(variant, &FrameSample::executeMs); }
+    std::vector<double> executeOf(Variant variant) const {
+        return of(variant, &runs::FrameSample::executeMs);
+    }
 
     static std::vector<double> sum(const std::vector<Term>& terms) {
         std::vector<double> sums(terms.front().second.size());
@@ -120,7 +123,7 @@ class StageRace {
         for (double& value : ms) {
             value *= 1000.0;
         }
-        const double frameUs = 1000.0 * m_frames.median(indexOf(Variant::whole), &FrameSample::frameMs);
+        const double frameUs = 1000.0 * m_frames.median(indexOf(Variant::whole), &runs::FrameSample::frameMs);
         const double medianUs = measure::median(ms);
         return {.name = name,
                 .how = how,
@@ -136,13 +139,13 @@ class StageRace {
     scene::CameraPath m_path;
     std::array<std::unique_ptr<render::GpuScene>, 3> m_gpuScenes;
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by Variant
-    InterleavedFrames m_frames;
+    runs::InterleavedFrames m_frames;
 };
 
 } // namespace
 
 std::vector<StageCost> runStages(const gpu::Device& device, const TimingOptions& options,
-                                 const TimingProgress& progress, TimedRanks& ranks) {
+                                 const TimingProgress& progress, runs::TimedRanks& ranks) {
     if (options.frames < 1 || options.modes.empty()) {
         throw base::InputError("stages need a frame and a mode");
     }

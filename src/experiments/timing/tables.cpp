@@ -1,36 +1,35 @@
 #include "tables.h"
 
-#include <cdr/host/machine_state.h>
-#include <experiments/readable.h>
-
 #include <fmt/format.h>
+#include <output/readable.h>
+#include <program/machine_state.h>
 
 namespace cdr::experiments {
 
-Columns<Comparison> againstColumns() {
+output::Columns<Comparison> againstColumns() {
     return {
         {.key = "name", .value = &Comparison::name, .heading = "mode"},
         {.key = "here_us", .value = &Comparison::hereUs, .heading = "here us"},
         {.key = "against_us", .value = &Comparison::againstUs, .heading = "against us"},
         {.key = "ratio", .value = &Comparison::ratio, .heading = "ratio"},
-        intervalColumn(&Comparison::ratio95),
+        output::intervalColumn(&Comparison::ratio95),
         {.key = "noise_pct", .value = &Comparison::noisePercent, .heading = "noise", .format = {"±{} %"}},
         {.key = "seen", .value = &Comparison::isSeen, .heading = "over the other build", .text = verdictOf}};
 }
 
-Columns<StageCost> stageColumns(const std::string& mode) {
+output::Columns<StageCost> stageColumns(const std::string& mode) {
     return {{.key = "mode", .value = [mode](const StageCost&) { return mode; }, .heading = "mode"},
             {.key = "stage", .value = &StageCost::name, .heading = "stage"},
             {.key = "how", .value = &StageCost::how, .heading = "left out"},
             {.key = "median_us", .value = &StageCost::medianUs, .heading = "us"},
-            intervalColumn(&StageCost::us95),
+            output::intervalColumn(&StageCost::us95),
             {.key = "frame_pct",
              .value = &StageCost::framePercent,
              .heading = "of the frame",
              .format = {"{} %"}}};
 }
 
-Columns<MemoryCost> memoryColumns() {
+output::Columns<MemoryCost> memoryColumns() {
     return {{.key = "what", .value = &MemoryCost::what, .heading = "what"},
             {.key = "per", .value = &MemoryCost::per, .heading = "per"},
             {.key = "on", .value = &MemoryCost::on, .heading = "on"},
@@ -38,20 +37,20 @@ Columns<MemoryCost> memoryColumns() {
             {.key = "measured_bytes", .value = &MemoryCost::measuredBytes, .heading = "measured bytes"}};
 }
 
-Json machineJson(const host::MachineState& before) {
-    const std::optional<double> after = host::machineState().load;
-    return {{"governor", before.governor ? Json(*before.governor) : Json(nullptr)},
-            {"load", before.load ? Json(*before.load) : Json(nullptr)},
-            {"load_after", after ? Json(*after) : Json(nullptr)},
+output::Json machineJson(const program::MachineState& before) {
+    const std::optional<double> after = program::machineState().load;
+    return {{"governor", before.governor ? output::Json(*before.governor) : output::Json(nullptr)},
+            {"load", before.load ? output::Json(*before.load) : output::Json(nullptr)},
+            {"load_after", after ? output::Json(*after) : output::Json(nullptr)},
             {"busy", before.isBusy()}};
 }
 
-std::string machineText(const host::MachineState& before) {
+std::string machineText(const program::MachineState& before) {
     const auto text = [](const std::optional<double>& load) {
-        return load ? fmt::format("{}", Readable{*load}) : "not known";
+        return load ? fmt::format("{}", output::Readable{*load}) : "not known";
     };
     return fmt::format("governor {}, load {} before and {} after{}", before.governor.value_or("not known"),
-                       text(before.load), text(host::machineState().load),
+                       text(before.load), text(program::machineState().load),
                        before.isBusy() ? "; other programs took time, so repeat this on a quiet machine"
                                        : "");
 }

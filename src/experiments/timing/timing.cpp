@@ -4,12 +4,13 @@
 #include <cdr/base/error.h>
 #include <cdr/host/stopwatch.h>
 #include <cdr/render/renderer.h>
-#include <experiments/interleaved_frames.h>
 #include <experiments/rivals/drawer.h>
 #include <scenes/city.h>
 #include <scenes/cubes.h>
 #include <scenes/moving_scene.h>
 #include <scenes/traffic.h>
+
+#include <runs/interleaved_frames.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +26,7 @@ constexpr base::EnumNames<TimingScene, kTimingScenes.size()> kSceneNames{"scene"
                                                                          {"rotation", "traffic", "city"}};
 
 /// Draws a run of cameras with frames in flight; the sample is one frame's share.
-FrameSample timedRun(render::Renderer& renderer, const std::vector<scene::Camera>& cameras) {
+runs::FrameSample timedRun(render::Renderer& renderer, const std::vector<scene::Camera>& cameras) {
     const host::Stopwatch watch;
     for (const scene::Camera& camera : cameras) {
         renderer.submit(camera);
@@ -100,7 +101,8 @@ class Race {
 
     /// Drops what was drawn so far, and draws what counts: runs of so many frames, each of every mode, on some rank. The
     /// frames of a run are in flight at once.
-    void run(TimedRanks& ranks, std::uint32_t length, const std::function<void(std::uint32_t frame)>& step) {
+    void run(runs::TimedRanks& ranks, std::uint32_t length,
+             const std::function<void(std::uint32_t frame)>& step) {
         m_frames.forget();
         const std::uint32_t runs = (m_options.frames + length - 1) / length;
         m_frames.divide(ranks, runs, [&](std::size_t mode, std::size_t unit) {
@@ -144,11 +146,11 @@ class Race {
         show(number);
     }
 
-    FrameSample draw(std::size_t mode, std::uint32_t number) {
+    runs::FrameSample draw(std::size_t mode, std::uint32_t number) {
         if (m_options.trace != nullptr && m_drawers[mode].shades()) { // no contender is traced
             m_options.trace->beginFrame(m_options.modes[mode].name);
         }
-        return timed([&] { return m_drawers[mode].draw(m_path.at(number)); });
+        return runs::timed([&] { return m_drawers[mode].draw(m_path.at(number)); });
     }
 
     std::vector<scene::Camera> cameras(std::uint32_t first, std::uint32_t count) const {
@@ -190,12 +192,12 @@ class Race {
         return std::make_unique<render::Renderer>(device, m_naive->scene, m_naive->onDevice, options);
     }
 
-    double medianUs(std::size_t mode, double FrameSample::*part) const {
+    double medianUs(std::size_t mode, double runs::FrameSample::*part) const {
         return kUsPerMs * m_frames.median(mode, part);
     }
 
     std::optional<double> deviceUs(std::size_t mode) const {
-        const std::vector<double> deviceMs = m_frames.samples(mode, &FrameSample::deviceMs);
+        const std::vector<double> deviceMs = m_frames.samples(mode, &runs::FrameSample::deviceMs);
         const bool isTimed =
             std::none_of(deviceMs.begin(), deviceMs.end(), [](double ms) { return std::isnan(ms); });
         return isTimed ? std::optional(kUsPerMs * measure::median(deviceMs)) : std::nullopt;
@@ -214,21 +216,21 @@ class Race {
 
     TimingResult summarise(std::size_t mode) const {
         const std::size_t baseline = baselineOf(mode);
-        std::vector<double> overheads = m_frames.ratios(mode, baseline, &FrameSample::frameMs);
+        std::vector<double> overheads = m_frames.ratios(mode, baseline, &runs::FrameSample::frameMs);
         std::transform(overheads.begin(), overheads.end(), overheads.begin(),
                        [](double ratio) { return 100.0 * (ratio - 1.0); });
-        const std::vector<double> frameMs = m_frames.samples(mode, &FrameSample::frameMs);
+        const std::vector<double> frameMs = m_frames.samples(mode, &runs::FrameSample::frameMs);
         TimingResult result;
         result.mode = m_options.modes[mode];
-        result.medianUs = medianUs(mode, &FrameSample::frameMs);
+        result.medianUs = medianUs(mode, &runs::FrameSample::frameMs);
         result.lowUs = kUsPerMs * measure::percentile(frameMs, 5.0);
         result.highUs = kUsPerMs * measure::percentile(frameMs, 95.0);
         if (m_options.framesInFlight <= 1) {
-            result.parts = TimingParts{.cullAndBinUs = medianUs(mode, &FrameSample::cullAndBinMs),
-                                       .recordUs = medianUs(mode, &FrameSample::recordMs),
-                                       .executeUs = medianUs(mode, &FrameSample::executeMs),
+            result.parts = TimingParts{.cullAndBinUs = medianUs(mode, &runs::FrameSample::cullAndBinMs),
+                                       .recordUs = medianUs(mode, &runs::FrameSample::recordMs),
+                                       .executeUs = medianUs(mode, &runs::FrameSample::executeMs),
                                        .deviceUs = deviceUs(mode),
-                                       .draws = m_frames.median(mode, &FrameSample::draws)};
+                                       .draws = m_frames.median(mode, &runs::FrameSample::draws)};
         }
         result.over = m_options.modes[baseline].name;
         result.overheadPercent = measure::median(overheads);
@@ -244,7 +246,7 @@ class Race {
     render::GpuScene m_gpuScene;
     std::unique_ptr<NaiveScene> m_naive; ///< once a mode draws it
     std::vector<Drawer> m_drawers;       ///< by mode
-    InterleavedFrames m_frames;
+    runs::InterleavedFrames m_frames;
     std::uint32_t m_next = 0; ///< frame that comes after those drawn or passed over
 };
 
@@ -267,7 +269,7 @@ bool liesApart(const measure::Interval& overhead, const measure::Interval& floor
 }
 
 std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
-                                    const TimingProgress& progress, TimedRanks& ranks) {
+                                    const TimingProgress& progress, runs::TimedRanks& ranks) {
     if (options.frames < 1 || options.modes.size() < 2) {
         throw base::InputError("timing needs a frame, and a mode beside the baseline");
     }

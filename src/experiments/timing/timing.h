@@ -8,9 +8,9 @@
 #include <cdr/render/submit/draw_path.h>
 #include <cdr/render/surface_path.h>
 #include <cdr/render/targets/targets.h>
-#include <experiments/timed_ranks.h>
 
 #include <rivals/contender.h>
+#include <runs/timed_ranks.h>
 
 #include <array>
 #include <cstdint>
@@ -133,7 +133,7 @@ using TimingProgress = std::function<void(std::size_t done, std::size_t all)>;
 /// visibility buffer or ids alone. Ids alone are refused with frames in flight.
 /// @param ranks that share the frames, or the runs of frames in flight; the first one alone has results, and traces.
 std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
-                                    const TimingProgress& progress, TimedRanks& ranks);
+                                    const TimingProgress& progress, runs::TimedRanks& ranks);
 
 /// Whether an overhead is more than noise: its interval and that of standard over itself have nothing in common.
 bool liesApart(const measure::Interval& overhead, const measure::Interval& floor);

@@ -1,12 +1,12 @@
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <cli/picture_folder.h>
-#include <experiments/columns.h>
-#include <experiments/readable.h>
 #include <experiments/translucency/translucency.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <output/columns.h>
+#include <output/readable.h>
 
 #include <filesystem>
 
@@ -29,11 +29,11 @@ std::string stemOf(const experiments::TranslucencyResult& result) {
     return fmt::format("{}_{}", nameOf(result.stats.method), result.cascades);
 }
 
-experiments::Columns<experiments::TranslucencyResult> translucencyColumns() {
+output::Columns<experiments::TranslucencyResult> translucencyColumns() {
     using Result = experiments::TranslucencyResult;
     using Difference = measure::LayerDifference;
     using Stats = render::TranslucencyStats;
-    const experiments::Columns<Difference> differences{
+    const output::Columns<Difference> differences{
         {.key = "pixels", .value = &Difference::translucent},
         {.key = "max_error", .value = &Difference::largestError, .heading = "max error"},
         {.key = "mean_error", .value = &Difference::meanError, .heading = "mean error"},
@@ -43,19 +43,19 @@ experiments::Columns<experiments::TranslucencyResult> translucencyColumns() {
          .format = {"{} %", 100.0}},
         {.key = "counted_pixels", .value = &Difference::pixels},
         {.key = "miscounted", .value = &Difference::miscounted, .heading = "miscounted"}};
-    const experiments::Columns<Stats> stats{{.key = "draws", .value = &Stats::draws, .heading = "draws"},
-                                            {.key = "fragments", .value = &Stats::fragments}};
+    const output::Columns<Stats> stats{{.key = "draws", .value = &Stats::draws, .heading = "draws"},
+                                       {.key = "fragments", .value = &Stats::fragments}};
     const auto mebibytes = [](const Result& result) {
-        return fmt::format("{}", experiments::Readable{static_cast<double>(result.stats.bytes) / 0x1p20});
+        return fmt::format("{}", output::Readable{static_cast<double>(result.stats.bytes) / 0x1p20});
     };
-    return experiments::joined<Result>(
+    return output::joined<Result>(
         {{{.key = "method",
            .value = [](const Result& result) { return nameOf(result.stats.method); },
            .heading = "method"},
           {.key = "technique", .value = &Result::technique},
           {.key = "cascades", .value = &Result::cascades, .heading = "cascades"}},
-         experiments::columnsOf(&Result::difference, differences),
-         experiments::columnsOf(&Result::stats, stats),
+         output::columnsOf(&Result::difference, differences),
+         output::columnsOf(&Result::stats, stats),
          {{.key = "bytes",
            .value = [](const Result& result) { return result.stats.bytes; },
            .heading = "MiB",
@@ -89,7 +89,7 @@ void run(Command& command, TranslucencyArguments& arguments) {
     }
 
     const auto columns = translucencyColumns();
-    command.console().table(experiments::tableOf(columns, all.results));
+    command.console().table(output::tableOf(columns, all.results));
     for (const experiments::TranslucencyResult& result : all.results) {
         if (result.stats.refusal) {
             command.console().line(
@@ -112,7 +112,7 @@ void run(Command& command, TranslucencyArguments& arguments) {
                                           {"repeats", experiment.repeats},
                                           {"seed", experiment.seed}});
     for (const experiments::TranslucencyResult& result : all.results) {
-        document["results"].push_back(experiments::jsonOf(columns, result));
+        document["results"].push_back(output::jsonOf(columns, result));
         if (folder.isWanted()) {
             document["results"].back()["picture"] = stemOf(result) + ".png";
             document["results"].back()["error_picture"] = stemOf(result) + "_error.png";

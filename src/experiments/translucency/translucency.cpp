@@ -5,10 +5,10 @@
 #include <cdr/measure/statistics/statistics.h>
 #include <cdr/render/renderer.h>
 #include <cdr/visibility/blended.h>
-#include <experiments/frame_notes.h>
-#include <experiments/units.h>
 
 #include <fmt/format.h>
+#include <output/frame_notes.h>
+#include <runs/units.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -55,7 +55,8 @@ TranslucencyResult compare(const gpu::Device& device, const scene::SceneSetup& s
     result.cascades = static_cast<unsigned>(frame.cascades.size());
     result.stats = frame.stats.translucency;
     if (result.stats.refusal) {
-        result.note = noteOn(*result.stats.refusal, device.info().name, options.width, options.height);
+        result.note =
+            output::noteOn(*result.stats.refusal, device.info().name, options.width, options.height);
     }
     result.difference = measure::compareLayers(frame.color, frame.fragmentCounts, truth);
     result.picture = std::move(frame.color);
@@ -86,25 +87,25 @@ std::vector<render::RenderOptions> pairsOf(const TranslucencyExperiment& experim
 }
 
 /// For the first rank. The technique is known there.
-Json packedResult(const TranslucencyResult& result, const TranslucencyExperiment& experiment) {
+output::Json packedResult(const TranslucencyResult& result, const TranslucencyExperiment& experiment) {
     const std::vector<Compared> compared{
         {.cascades = result.cascades, .stats = result.stats, .difference = result.difference}};
-    Json made{{"compared", packed(compared)}, {"note", result.note}};
+    output::Json made{{"compared", runs::packed(compared)}, {"note", result.note}};
     if (experiment.keepsPictures) {
-        made["picture"] = packedPicture(result.picture);
+        made["picture"] = runs::packedPicture(result.picture);
     }
     return made;
 }
 
-TranslucencyResult unpackedResult(const Json& made) {
-    const Compared compared = unpacked<Compared>(made.at("compared"), 1)[0];
+TranslucencyResult unpackedResult(const output::Json& made) {
+    const Compared compared = runs::unpacked<Compared>(made.at("compared"), 1)[0];
     TranslucencyResult result;
     result.cascades = compared.cascades;
     result.stats = compared.stats;
     result.note = made.at("note").get<std::string>();
     result.difference = compared.difference;
     if (made.contains("picture")) {
-        result.picture = unpackedPicture(made["picture"]);
+        result.picture = runs::unpackedPicture(made["picture"]);
     }
     return result;
 }
@@ -152,25 +153,26 @@ TranslucencyResults runTranslucency(const gpu::Device& device, const scene::Scen
         measure::castLayers(setup.scene, setup.path.at(0), experiment.width, experiment.height, workers);
     TranslucencyResults all{.truth = measure::pictureOf(truth), .results = {}};
     const std::size_t steps = pairs.size() * (1 + experiment.repeats);
-    forEachUnit(
+    runs::forEachUnit(
         ranks, pairs.size(),
         [&](std::size_t unit) {
             progress(unit, steps);
             return packedResult(compare(device, setup, gpuScene, pairs[unit], truth), experiment);
         },
-        [&](std::size_t unit, const Json& made) {
+        [&](std::size_t unit, const output::Json& made) {
             all.results.push_back(unpackedResult(made));
             all.results.back().technique = partsOf(pairs[unit].technique);
         });
     if (experiment.repeats > 0) {
-        forEachUnitOnFirst(
+        runs::forEachUnitOnFirst(
             ranks, 1,
             [&](std::size_t) {
-                return packed(timeInTurns(device, setup, gpuScene, pairs, experiment.repeats,
-                                          [&](std::size_t done) { progress(pairs.size() + done, steps); }));
+                return runs::packed(
+                    timeInTurns(device, setup, gpuScene, pairs, experiment.repeats,
+                                [&](std::size_t done) { progress(pairs.size() + done, steps); }));
             },
-            [&](std::size_t, const Json& made) {
-                const auto medians = unpacked<double>(made, pairs.size());
+            [&](std::size_t, const output::Json& made) {
+                const auto medians = runs::unpacked<double>(made, pairs.size());
                 for (std::size_t i = 0; i < pairs.size(); ++i) {
                     all.results[i].executeMs = medians[i];
                 }

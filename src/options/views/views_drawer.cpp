@@ -1,6 +1,6 @@
 #include "views_drawer.h"
 
-namespace cdr::experiments {
+namespace cdr::options {
 
 namespace {
 
@@ -45,4 +45,4 @@ void ViewsDrawer::forgetFrames() {
     std::visit([](const auto& renderer) { renderer->forgetFrames(); }, m_renderer);
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::options

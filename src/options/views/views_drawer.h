@@ -2,13 +2,14 @@
 
 #include <cdr/render/renderer.h>
 #include <cdr/render/views/views_renderer.h>
-#include <experiments/views/views_plan.h>
+
+#include <options/views/views_plan.h>
 
 #include <cstddef>
 #include <memory>
 #include <variant>
 
-namespace cdr::experiments {
+namespace cdr::options {
 
 /// Draws the frames of a ViewsPlan, of one view or of several at a time.
 class ViewsDrawer {
@@ -31,4 +32,4 @@ class ViewsDrawer {
     std::variant<std::unique_ptr<render::Renderer>, std::unique_ptr<render::ViewsRenderer>> m_renderer;
 };
 
-} // namespace cdr::experiments
+} // namespace cdr::options

@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-namespace cdr::experiments {
+namespace cdr::options {
 
 namespace {
 
@@ -183,4 +183,4 @@ void addViewsJson(nlohmann::ordered_json& options, const ViewsArguments& argumen
     }
 }
 
-} // namespace cdr::experiments
+} // namespace cdr::options

@@ -19,7 +19,7 @@ namespace CLI {
 class App;
 }
 
-namespace cdr::experiments {
+namespace cdr::options {
 
 /// What a command line says of several views.
 struct ViewsArguments {
@@ -81,4 +81,4 @@ class ViewsPlan {
 /// What "options" of the command's JSON says of views, where there are several.
 void addViewsJson(nlohmann::ordered_json& options, const ViewsArguments& arguments);
 
-} // namespace cdr::experiments
+} // namespace cdr::options

@@ -7,12 +7,12 @@
 #include <CLI/CLI.hpp>
 #include <cdr/base/error.h>
 #include <cdr/host/standard_streams.h>
-#include <experiments/number_checks.h>
 #include <scenes/open_scene.h>
 #include <viewer/session/program.h>
 #include <viewer/session/startup.h>
 
 #include <fmt/format.h>
+#include <options/number_checks.h>
 
 #include <filesystem>
 #include <optional>
@@ -46,7 +46,7 @@ void addDriveOptions(CLI::App& program, DriveArguments& arguments) {
         program
             .add_option("--soak", arguments.soakSeconds,
                         "Play random input worth so many seconds, as fast as frames come, and quit")
-            ->check(experiments::numberFrom(1.0, kMaxSoakSeconds))
+            ->check(options::numberFrom(1.0, kMaxSoakSeconds))
             ->excludes(script);
     program
         .add_option("--largest", arguments.largest,
@@ -65,7 +65,7 @@ void addDriveOptions(CLI::App& program, DriveArguments& arguments) {
             "--largest-growth", arguments.largestGrowth,
             "Percent by which memory may grow in a soak, else it ends with status 1; 1 unless told, and any in a "
             "soak of less than a minute")
-        ->check(experiments::numberFrom(-100.0, kMostGrowth))
+        ->check(options::numberFrom(-100.0, kMostGrowth))
         ->needs(soak);
 }
 

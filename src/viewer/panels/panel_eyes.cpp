@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kEyesNames{"one", "side-by-side", "anaglyph"};
 
-std::string_view eyesName(const std::optional<experiments::StereoPicture>& picture) {
+std::string_view eyesName(const std::optional<options::StereoPicture>& picture) {
     return picture ? nameOf(*picture) : kEyesNames[0];
 }
 
@@ -25,8 +25,7 @@ void drawEyesPanel(const Widgets& widgets, ViewerModel& model) {
     const std::size_t chosen =
         widgets.combo("eyes", eyesName(now), kEyesNames.size(), [](std::size_t i) { return kEyesNames[i]; });
     if (chosen < kEyesNames.size()) {
-        const auto wanted =
-            chosen == 0 ? std::nullopt : std::optional(experiments::kStereoPictures[chosen - 1]);
+        const auto wanted = chosen == 0 ? std::nullopt : std::optional(options::kStereoPictures[chosen - 1]);
         settings = withStereo(std::move(settings), wanted, model.camera.surfaceView);
     }
     widgets.sentence(explain(stereoPictureOf(settings)));

@@ -3,15 +3,15 @@
 #include <CLI/CLI.hpp>
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
-#include <cdr/host/document.h>
 #include <cdr/host/worker_pool.h>
 #include <cdr/render/targets/targets_choice.h>
-#include <experiments/help_format.h>
-#include <experiments/number_checks.h>
 #include <scenes/open_scene.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <options/help_format.h>
+#include <options/number_checks.h>
+#include <program/build_info.h>
 
 #include <memory>
 
@@ -25,10 +25,10 @@ void addViewOptions(CLI::App& program, Arguments& arguments) {
                     fmt::format("{}, or a .gltf or .glb file", fmt::join(scenes::generatedScenes(), ", ")))
         ->capture_default_str();
     program.add_option("--seed", arguments.seed, "Seed of a random scene")
-        ->check(experiments::wholeNumber())
+        ->check(options::wholeNumber())
         ->capture_default_str();
-    experiments::addColours(program, arguments.colours);
-    experiments::addLayers(program, arguments.layers);
+    options::addColours(program, arguments.colours);
+    options::addLayers(program, arguments.layers);
     CLI::Option* technique = program.add_option(
         "--technique", arguments.technique,
         "One picture: a preset (standard, cdr, log, logcdr, reversed, anchored) or mapping/split");
@@ -64,8 +64,8 @@ void addRenderLine(CLI::App& program, Arguments& arguments) {
         .add_option("--detail", arguments.detail,
                     "none, object[:PIXELS], cascade[:PIXELS] or cluster[:PIXELS]")
         ->capture_default_str();
-    experiments::addEffectOptions(program, arguments.effects);
-    experiments::addStereoOptions(program, arguments.views);
+    options::addEffectOptions(program, arguments.effects);
+    options::addStereoOptions(program, arguments.views);
     program.add_option("--aov", arguments.aov, "View: color, cascade, distance, id or wrong")
         ->capture_default_str();
     program.add_option("-o,--output", arguments.output,
@@ -77,12 +77,12 @@ void addRenderLine(CLI::App& program, Arguments& arguments) {
 void addPlace(CLI::App& program, Arguments& arguments) {
     program.option_defaults()->group("Camera");
     program.add_option("--frame", arguments.camera.frame, "Frame at which a scene that moves begins")
-        ->check(experiments::wholeNumber());
-    experiments::addCameraOptions(program, arguments.camera);
-    experiments::addSceneChoice(program, arguments.choice);
-    experiments::addAnimationChoice(program, arguments.choice);
-    experiments::addTextureMemory(program, arguments.choice.textureMiB);
-    experiments::addPointRadius(program, arguments.choice.pointRadius);
+        ->check(options::wholeNumber());
+    options::addCameraOptions(program, arguments.camera);
+    options::addSceneChoice(program, arguments.choice);
+    options::addAnimationChoice(program, arguments.choice);
+    options::addTextureMemory(program, arguments.choice.textureMiB);
+    options::addPointRadius(program, arguments.choice.pointRadius);
     program.option_defaults()->group("Options");
 }
 
@@ -96,12 +96,12 @@ void addWindowOptions(CLI::App& program, Arguments& arguments) {
         .add_option("--unit", arguments.unit, "Unit of lengths: auto, um, mm, m, km, or none for scene units")
         ->capture_default_str();
     program.add_option("--ui-scale", arguments.uiScale, "Size of text; 1 is 96 dots per inch")
-        ->check(experiments::numberFrom(0.5, 4.0));
+        ->check(options::numberFrom(0.5, 4.0));
 }
 
 void addMeasuringOptions(CLI::App& program, Arguments& arguments) {
     program.add_option("--frames", arguments.frames, "Quit after so many frames of the interface")
-        ->check(experiments::wholeNumber());
+        ->check(options::wholeNumber());
     program.add_option("--screenshot", arguments.screenshot, "Write the window as PNG when it quits");
     program.add_flag("--statistics", arguments.statistics, "Print frame times when it quits");
 }
@@ -109,8 +109,8 @@ void addMeasuringOptions(CLI::App& program, Arguments& arguments) {
 } // namespace
 
 void addViewerOptions(CLI::App& program, Arguments& arguments) {
-    const host::BuildInfo build = host::buildInfo();
-    program.formatter(std::make_shared<experiments::HelpFormat>());
+    const program::BuildInfo build = program::buildInfo();
+    program.formatter(std::make_shared<options::HelpFormat>());
     program.set_version_flag("--version",
                              fmt::format("{} {} ({})", program.get_name(), build.version, build.commit));
     addViewOptions(program, arguments);

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <experiments/camera_options.h>
-#include <experiments/effect_options.h>
-#include <experiments/views/views_plan.h>
 #include <scenes/open_scene.h>
+
+#include <options/camera_options.h>
+#include <options/effect_options.h>
+#include <options/views/views_plan.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -23,7 +24,7 @@ struct Arguments {
     std::string scene = "afc";
     bool isFirstUse = false; ///< nothing was asked for: the interface says what can be done
     scene::GltfChoice choice;
-    experiments::CameraOptions camera;
+    options::CameraOptions camera;
     std::uint64_t seed = scenes::kDefaultSeed;
     std::vector<std::string> layers;           ///< for scenes::parseLayer()
     std::string colours;                       ///< empty: bright, except for a line that renders a picture
@@ -35,8 +36,8 @@ struct Arguments {
     std::string batching = "instanced";
     std::string snapping = "by-device";
     std::string detail = "none";
-    experiments::EffectArguments effects;
-    experiments::ViewsArguments views; ///< one eye, or two
+    options::EffectArguments effects;
+    options::ViewsArguments views; ///< one eye, or two
     std::string aov = "color";
     std::string output; ///< of a line that renders a picture, which is shown instead; empty without
     std::string targets = "single";

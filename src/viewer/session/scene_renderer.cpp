@@ -12,7 +12,7 @@ namespace cdr::viewer {
 
 namespace {
 
-experiments::ViewsPlan planOf(const RenderRequest& request, const render::RenderOptions& options) {
+options::ViewsPlan planOf(const RenderRequest& request, const render::RenderOptions& options) {
     return {request.settings.views, options.width, options.height};
 }
 

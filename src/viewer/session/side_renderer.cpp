@@ -3,7 +3,7 @@
 namespace cdr::viewer {
 
 render::Frame SideRenderer::render(const SceneOnDevice& set, render::RenderOptions options,
-                                   const experiments::ViewsPlan& plan, const scene::Camera& camera,
+                                   const options::ViewsPlan& plan, const scene::Camera& camera,
                                    render::FrameCopy copy, FramesBefore before) {
     const std::size_t views = plan.count();
     if (m_drawer == nullptr || m_asked != options || m_viewsAsked != views) {
@@ -13,7 +13,7 @@ render::Frame SideRenderer::render(const SceneOnDevice& set, render::RenderOptio
         m_trace = std::make_unique<host::Trace>(options.threads);
         options.trace = m_trace.get();
         m_drawer =
-            std::make_unique<experiments::ViewsDrawer>(set.device, set.scene, set.onDevice, options, views);
+            std::make_unique<options::ViewsDrawer>(set.device, set.scene, set.onDevice, options, views);
     }
     if (before == FramesBefore::forgotten) {
         m_drawer->forgetFrames();

@@ -4,8 +4,9 @@
 #include <cdr/host/trace.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/renderer.h>
-#include <experiments/views/views_drawer.h>
-#include <experiments/views/views_plan.h>
+
+#include <options/views/views_drawer.h>
+#include <options/views/views_plan.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -31,8 +32,8 @@ class SideRenderer {
   public:
     /// Of two eyes, their frames beside each other.
     render::Frame render(const SceneOnDevice& set, render::RenderOptions options,
-                         const experiments::ViewsPlan& plan, const scene::Camera& camera,
-                         render::FrameCopy copy, FramesBefore before);
+                         const options::ViewsPlan& plan, const scene::Camera& camera, render::FrameCopy copy,
+                         FramesBefore before);
     /// Of the last frame.
     const host::Trace& trace() const { return *m_trace; }
     void drop() { m_drawer.reset(); }
@@ -41,7 +42,7 @@ class SideRenderer {
     render::RenderOptions m_asked;        ///< what it is made from, without the trace
     std::size_t m_viewsAsked = 0;         ///< the same
     std::unique_ptr<host::Trace> m_trace; ///< outlives the renderer
-    std::unique_ptr<experiments::ViewsDrawer> m_drawer;
+    std::unique_ptr<options::ViewsDrawer> m_drawer;
 };
 
 } // namespace cdr::viewer

@@ -45,15 +45,15 @@ ViewSettings settingsOf(const Arguments& arguments) {
     settings.snapping = render::parseSnapping(arguments.snapping);
     settings.threads = arguments.threads;
     settings.choice = arguments.choice;
-    settings.choice.light = experiments::lightOf(arguments.effects);
+    settings.choice.light = options::lightOf(arguments.effects);
     settings.view = viewOfAov(arguments.aov);
     settings.finish = {.detail = visibility::parseDetail(arguments.detail),
-                       .translucency = experiments::translucencyOf(arguments.effects),
-                       .shadows = experiments::shadowsOf(arguments.effects),
-                       .effects = experiments::effectsOf(arguments.effects),
-                       .focus = experiments::focusOf(arguments.effects)};
+                       .translucency = options::translucencyOf(arguments.effects),
+                       .shadows = options::shadowsOf(arguments.effects),
+                       .effects = options::effectsOf(arguments.effects),
+                       .focus = options::focusOf(arguments.effects)};
     settings.views = arguments.views;
-    experiments::ViewsPlan(settings.views, 1, 1); // refuses what contradicts itself
+    options::ViewsPlan(settings.views, 1, 1); // refuses what contradicts itself
     chooseTechniques(arguments, settings);
     return settings;
 }

@@ -2,10 +2,10 @@
 
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
-#include <experiments/aov.h>
 #include <viewer/state/camera/stereo_view.h>
 
 #include <fmt/format.h>
+#include <output/aov.h>
 
 #include <algorithm>
 #include <vector>
@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view kHarmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
                                        "_-./:,=+@%";
 
-using experiments::Aov;
+using output::Aov;
 
 Aov aovOf(ViewKind view) {
     switch (view) {
@@ -88,16 +88,16 @@ void addFinish(Words& words, const ViewSettings& settings) {
 }
 
 void addEyes(Words& words, const ViewSettings& settings) {
-    const std::optional<experiments::StereoPicture> picture = stereoPictureOf(settings);
+    const std::optional<options::StereoPicture> picture = stereoPictureOf(settings);
     if (!picture) {
         return;
     }
-    const experiments::ViewsArguments& views = settings.views;
+    const options::ViewsArguments& views = settings.views;
     words.add("--stereo", views.stereo);
     words.add("--eye-distance", fmt::format("{}", views.eyeDistance.value_or(0.0)));
     words.addUnless(!views.converge, "--converge", fmt::format("{}", views.converge.value_or(0.0)));
     const bool isOfColours = aovOf(settings.view) == Aov::color; // other outputs have no anaglyph
-    words.addUnless(*picture == experiments::StereoPicture::sideBySide || !isOfColours, "--stereo-picture",
+    words.addUnless(*picture == options::StereoPicture::sideBySide || !isOfColours, "--stereo-picture",
                     nameOf(*picture));
 }
 

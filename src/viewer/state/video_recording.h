@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cdr/image/image.h>
-#include <experiments/video.h>
+
+#include <output/video.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -14,7 +15,7 @@ class VideoRecording {
     static constexpr std::uint32_t kPicturesPerSecond = 30;
 
     /// @param sides pictures beside each other, 1 or 2; width and height of each. What is odd loses its last column or
-    /// row. base::InputError as experiments::VideoWriter.
+    /// row. base::InputError as output::VideoWriter.
     VideoRecording(const std::filesystem::path& file, std::size_t sides, std::uint32_t width,
                    std::uint32_t height);
 
@@ -33,7 +34,7 @@ class VideoRecording {
     std::uint32_t m_width;
     std::uint32_t m_height;
     image::ImageRgba8 m_frame;
-    experiments::VideoWriter m_writer;
+    output::VideoWriter m_writer;
     double m_seconds = 0.0;
     std::uint32_t m_pictures = 0;
 };

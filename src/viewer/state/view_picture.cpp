@@ -3,7 +3,8 @@
 #include "picture_parts.h"
 
 #include <cdr/base/error.h>
-#include <experiments/aov.h>
+
+#include <output/aov.h>
 
 #include <algorithm>
 #include <array>
@@ -24,7 +25,7 @@ struct TintTable {
     TintTable() : at{} {
         for (std::size_t cascade = 0; cascade < at.size(); ++cascade) {
             for (std::size_t light = 0; light < 256; ++light) {
-                at[cascade][light] = experiments::cascadeTint(cascade, static_cast<std::uint8_t>(light));
+                at[cascade][light] = output::cascadeTint(cascade, static_cast<std::uint8_t>(light));
             }
         }
     }
@@ -109,7 +110,7 @@ void paintIds(const render::Frame& frame, image::ImageRgba8& picture) {
 } // namespace
 
 image::Rgba8 cascadeColor(std::size_t cascade) {
-    return experiments::cascadeTint(cascade, 255);
+    return output::cascadeTint(cascade, 255);
 }
 
 image::Rgba8 idColor(std::uint32_t id) {

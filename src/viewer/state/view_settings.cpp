@@ -73,7 +73,7 @@ bool remembersFrames(const ViewSettings& settings) {
 
 render::RenderOptions renderOptions(const ViewSettings& settings, std::size_t side,
                                     const PictureExtent& extent) {
-    const std::uint32_t eyes = stereoPictureOf(settings) == experiments::StereoPicture::sideBySide ? 2 : 1;
+    const std::uint32_t eyes = stereoPictureOf(settings) == options::StereoPicture::sideBySide ? 2 : 1;
     render::RenderOptions options{.width = std::max(extent.width / eyes, 1u),
                                   .height = extent.height,
                                   .technique =

@@ -4,10 +4,11 @@
 #include "finish.h"
 
 #include <cdr/render/renderer.h>
-#include <experiments/views/views_plan.h>
 #include <scenes/colours.h>
 #include <scenes/layer_choice.h>
 #include <scenes/open_scene.h>
+
+#include <options/views/views_plan.h>
 
 #include <array>
 #include <cstdint>
@@ -48,7 +49,7 @@ struct ViewSettings {
     std::size_t threads = 1;
     ViewKind view = ViewKind::shaded;
     Finish finish{};
-    experiments::ViewsArguments views{}; ///< one eye, or two
+    options::ViewsArguments views{}; ///< one eye, or two
 
     bool operator==(const ViewSettings&) const = default;
 };

@@ -85,7 +85,7 @@ TEST_F(AntialiasTest, LeavesSurfacesAndEvenPixelsAlone) {
     const scene::Camera camera{.fovY = 0.4};
     const Frame plain = draw(scene, camera, smallOptions(depth::parseTechnique("reversed")));
     const Frame smooth = draw(scene, camera, smoothOptions("reversed"));
-    EXPECT_EQ(host::sha256Of(plain.gbuffer.pixels), host::sha256Of(smooth.gbuffer.pixels));
+    EXPECT_EQ(program::sha256Of(plain.gbuffer.pixels), program::sha256Of(smooth.gbuffer.pixels));
     std::size_t even = 0;
     for (std::uint32_t y = 1; y + 1 < plain.height(); ++y) {
         for (std::uint32_t x = 1; x + 1 < plain.width(); ++x) {

@@ -159,10 +159,10 @@ TEST_F(TranslucencyTest, CoincidentSheetsAreOrderedBySortedHoweverDrawn) {
     }
     const render::RenderOptions options =
         optionsFor(countOf(depth::Mapping::reversed, 4), Translucency::sorted);
-    const std::string wanted = host::sha256Of(draw(scene, m_camera, options).color.pixels);
+    const std::string wanted = program::sha256Of(draw(scene, m_camera, options).color.pixels);
     for (const std::uint32_t seed : {1u, 2u}) {
         shuffle(scene, seed);
-        EXPECT_EQ(host::sha256Of(draw(scene, m_camera, options).color.pixels), wanted);
+        EXPECT_EQ(program::sha256Of(draw(scene, m_camera, options).color.pixels), wanted);
     }
 }
 
@@ -180,7 +180,7 @@ TEST_F(TranslucencyTest, ThreadsTargetsAndSubmissionsChangeNoBit) {
                 options.threads = targets == render::TargetsKind::single ? 1 : 3;
                 render::Renderer renderer(device(), m_sheets.scene, gpuScene, options);
                 const render::Frame frame = renderer.render(m_camera);
-                const std::string hash = hashOf(frame) + host::sha256Of(frame.fragmentCounts.pixels);
+                const std::string hash = hashOf(frame) + program::sha256Of(frame.fragmentCounts.pixels);
                 wanted = wanted.empty() ? hash : wanted;
                 EXPECT_EQ(hash, wanted)
                     << nameOf(method) << " " << nameOf(submission) << " " << nameOf(targets);
@@ -196,7 +196,7 @@ TEST_F(TranslucencyTest, TheNumberOfCascadesChangesNoBitWhenSorted) {
         render::RenderOptions options =
             optionsFor(countOf(depth::Mapping::reversed, cascades), Translucency::sorted);
         options.targets = cascades % 2 == 1 ? render::TargetsKind::single : render::TargetsKind::onePass;
-        const std::string hash = host::sha256Of(draw(m_sheets.scene, m_camera, options).color.pixels);
+        const std::string hash = program::sha256Of(draw(m_sheets.scene, m_camera, options).color.pixels);
         wanted = wanted.empty() ? hash : wanted;
         EXPECT_EQ(hash, wanted) << cascades << " " << nameOf(options.targets);
     }
@@ -300,8 +300,8 @@ TEST_F(TranslucencyTest, TheGBufferHoldsOpaqueSurfacesAlone) {
     const render::RenderOptions options = optionsFor(countOf(depth::Mapping::anchored, 4), {});
     const render::Frame with = draw(m_sheets.scene, m_camera, options);
     const render::Frame without = draw(opaque, m_camera, options);
-    EXPECT_EQ(host::sha256Of(with.gbuffer.pixels), host::sha256Of(without.gbuffer.pixels));
-    EXPECT_NE(host::sha256Of(with.color.pixels), host::sha256Of(without.color.pixels));
+    EXPECT_EQ(program::sha256Of(with.gbuffer.pixels), program::sha256Of(without.gbuffer.pixels));
+    EXPECT_NE(program::sha256Of(with.color.pixels), program::sha256Of(without.color.pixels));
     EXPECT_TRUE(without.fragmentCounts.pixels.empty());
     EXPECT_EQ(wrongIn(with, m_sheets.scene, m_camera).wrong, 0u);
 }

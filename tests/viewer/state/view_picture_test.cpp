@@ -2,12 +2,12 @@
 
 #include <cdr/base/error.h>
 #include <cdr/measure/compare/wrong_pixels.h>
-#include <experiments/aov.h>
 #include <viewer/state/split_picture.h>
 #include <viewer/state/view_picture.h>
 #include <viewer/state/wrong_view.h>
 
 #include <gtest/gtest.h>
+#include <output/aov.h>
 
 #include <cmath>
 #include <random>
@@ -39,14 +39,13 @@ image::ImageRgba8 painted(const render::Frame& frame, ViewKind view) {
 TEST(PaintView, ShadedAndCascadesAreTheExperimentsPictures) {
     const render::Frame frame = boxes();
     EXPECT_EQ(painted(frame, ViewKind::shaded), frame.color);
-    EXPECT_EQ(painted(frame, ViewKind::cascades),
-              experiments::pictureOf(frame, experiments::Aov::cascade, nullptr));
-    EXPECT_EQ(cascadeColor(0), experiments::cascadeTint(0, 255));
+    EXPECT_EQ(painted(frame, ViewKind::cascades), output::pictureOf(frame, output::Aov::cascade, nullptr));
+    EXPECT_EQ(cascadeColor(0), output::cascadeTint(0, 255));
 }
 
 /// Of all pixels, the largest difference to the experiments' picture, which takes its time over logarithms.
 int distanceError(const render::Frame& frame) {
-    const image::ImageRgba8 exact = experiments::pictureOf(frame, experiments::Aov::distance, nullptr);
+    const image::ImageRgba8 exact = output::pictureOf(frame, output::Aov::distance, nullptr);
     const image::ImageRgba8 quick = painted(frame, ViewKind::distance);
     int largest = 0;
     for (std::size_t i = 0; i < exact.pixels.size(); ++i) {

@@ -22,20 +22,20 @@ double threeDigits(double value) {
 
 } // namespace
 
-std::optional<experiments::StereoPicture> stereoPictureOf(const ViewSettings& settings) {
-    if (settings.views.stereo == experiments::ViewsArguments{}.stereo) {
+std::optional<options::StereoPicture> stereoPictureOf(const ViewSettings& settings) {
+    if (settings.views.stereo == options::ViewsArguments{}.stereo) {
         return std::nullopt;
     }
-    return experiments::parseStereoPicture(settings.views.picture);
+    return options::parseStereoPicture(settings.views.picture);
 }
 
-void fitEyes(experiments::ViewsArguments& views, double surfaceView) {
+void fitEyes(options::ViewsArguments& views, double surfaceView) {
     const bool isUsable = std::isfinite(surfaceView) && surfaceView > 0.0;
     views.converge = threeDigits(isUsable ? surfaceView : 1.0);
     views.eyeDistance = threeDigits(*views.converge * kEyeShare);
 }
 
-ViewSettings withStereo(ViewSettings settings, std::optional<experiments::StereoPicture> picture,
+ViewSettings withStereo(ViewSettings settings, std::optional<options::StereoPicture> picture,
                         double surfaceView) {
     if (!picture) {
         settings.views = {};
@@ -50,7 +50,7 @@ ViewSettings withStereo(ViewSettings settings, std::optional<experiments::Stereo
 }
 
 ViewSettings withNextStereo(ViewSettings settings, double surfaceView) {
-    using experiments::StereoPicture;
+    using options::StereoPicture;
     const std::optional<StereoPicture> now = stereoPictureOf(settings);
     const std::optional<StereoPicture> next = !now ? StereoPicture::sideBySide
                                               : *now == StereoPicture::sideBySide
@@ -65,17 +65,17 @@ glm::dvec2 middleOf(const render::Frame& frame) {
 }
 
 std::uint32_t columnsShown(const ViewSettings& settings, const render::Frame& frame) {
-    const bool isAnaglyph = stereoPictureOf(settings) == experiments::StereoPicture::anaglyph;
+    const bool isAnaglyph = stereoPictureOf(settings) == options::StereoPicture::anaglyph;
     return isAnaglyph && !frame.views.empty()
                ? frame.gbuffer.width / static_cast<std::uint32_t>(frame.views.size())
                : frame.width();
 }
 
-std::string_view explain(std::optional<experiments::StereoPicture> picture) {
+std::string_view explain(std::optional<options::StereoPicture> picture) {
     if (!picture) {
         return "One eye.";
     }
-    return *picture == experiments::StereoPicture::anaglyph
+    return *picture == options::StereoPicture::anaglyph
                ? "Two eyes in one picture: for glasses with a red left and a cyan right lens."
                : "Two eyes side by side, the left one at the left: look through the window until they meet.";
 }

@@ -8,12 +8,12 @@
 namespace cdr::viewer {
 
 /// How two eyes are shown; empty where there is one.
-std::optional<experiments::StereoPicture> stereoPictureOf(const ViewSettings& settings);
+std::optional<options::StereoPicture> stereoPictureOf(const ViewSettings& settings);
 
 /// The settings with two eyes shown so, or with one. Eyes that were not there before are fitted to a distance by
 /// fitEyes().
 /// @param surfaceView view distance of what is looked at; where nothing is, eyes are fitted to 1 unit.
-ViewSettings withStereo(ViewSettings settings, std::optional<experiments::StereoPicture> picture,
+ViewSettings withStereo(ViewSettings settings, std::optional<options::StereoPicture> picture,
                         double surfaceView);
 /// One eye, two side by side, an anaglyph, one eye.
 ViewSettings withNextStereo(ViewSettings settings, double surfaceView);
@@ -21,7 +21,7 @@ ViewSettings withNextStereo(ViewSettings settings, double surfaceView);
 ViewSettings withOtherEyes(ViewSettings settings);
 /// Pictures of the eyes coincide at that distance. The eyes are a thirtieth of it apart, to three digits, at which most
 /// people see one picture.
-void fitEyes(experiments::ViewsArguments& views, double surfaceView);
+void fitEyes(options::ViewsArguments& views, double surfaceView);
 
 /// The pixel in the middle of what a camera sees: of two eyes, the left one.
 glm::dvec2 middleOf(const render::Frame& frame);
@@ -29,6 +29,6 @@ glm::dvec2 middleOf(const render::Frame& frame);
 std::uint32_t columnsShown(const ViewSettings& settings, const render::Frame& frame);
 
 /// What a way to show two eyes, or one, means, in a sentence.
-std::string_view explain(std::optional<experiments::StereoPicture> picture);
+std::string_view explain(std::optional<options::StereoPicture> picture);
 
 } // namespace cdr::viewer

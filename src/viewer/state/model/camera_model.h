@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cdr/scene/camera.h>
-#include <experiments/camera_options.h>
 #include <viewer/state/animation/playback.h>
 #include <viewer/state/camera/orbit_controller.h>
 #include <viewer/state/camera/path_recorder.h>
+
+#include <options/camera_options.h>
 
 #include <cstdint>
 #include <optional>
@@ -17,9 +18,9 @@ enum class Motion : std::uint8_t { free, scenePath, recording, tour };
 /// The camera, and what moves it.
 struct CameraModel {
     scene::Camera now;
-    scene::Camera ofScene;                           ///< the scene's own at frame 0
-    bool isThere = false;                            ///< false until a scene is open
-    std::optional<experiments::CameraOptions> first; ///< of the command line, for the first scene
+    scene::Camera ofScene;                       ///< the scene's own at frame 0
+    bool isThere = false;                        ///< false until a scene is open
+    std::optional<options::CameraOptions> first; ///< of the command line, for the first scene
     bool orbits = false;
     glm::dvec3 pivot{0.0};
     double surfaceView = 0.0; ///< view distance of what is looked at: speeds follow from it

@@ -11,7 +11,7 @@ namespace cdr::viewer {
 
 namespace {
 
-using experiments::StereoPicture;
+using options::StereoPicture;
 
 TEST(StereoViewTest, StepsThroughOneEyeTwoAndAnAnaglyph) {
     const ViewSettings one;
