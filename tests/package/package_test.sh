@@ -118,6 +118,10 @@ if ninja -C "$work/scene_only" -t deps | grep '/vulkan/' || [[ $(ldd "$work/scen
     echo "the scene needs Vulkan" >&2
     exit 1
 fi
+if [[ $(ldd "$work/scene_only/scene_only") == *libcrypto* ]]; then
+    echo "the library needs OpenSSL, which only the programs use" >&2
+    exit 1
+fi
 refuse "component scene needs the package glm, which was not found" "${static[@]}" -DCMAKE_DISABLE_FIND_PACKAGE_glm=TRUE
 refuse "component scene needs the package draco, which was not found" "${static[@]}" -DCMAKE_DISABLE_FIND_PACKAGE_draco=TRUE
 refuse "component render needs the package Vulkan 1.3.239, which was not found" "${static[@]}" -DCOMPONENTS=render \
