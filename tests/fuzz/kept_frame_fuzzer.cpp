@@ -58,12 +58,12 @@ void take(const Json& made, bool isCertified) {
 
 /// Any value of a state is a frame that `render` can take, or is called none.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    namespace experiments = cdr::experiments;
+    namespace runs = cdr::runs;
     const runs::UnitRun run{.digest = "run", .units = 1};
     const std::string text(reinterpret_cast<const char*>(data), size);
     try {
         const std::string line = R"({"unit":0,"made":)" + text + "}";
-        const auto state = runs::readUnitState(stateHeadOf(run) + runs::summed(line), run, "state");
+        const auto state = runs::readUnitState(runs::stateHeadOf(run) + runs::summed(line), run, "state");
         for (const auto& [unit, made] : state.made) {
             for (const bool isCertified : {false, true}) {
                 if (isKeptFrame(made, shapeOf(isCertified))) {

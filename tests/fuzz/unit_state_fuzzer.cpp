@@ -9,7 +9,7 @@
 
 namespace {
 
-using namespace cdr::experiments;
+using namespace cdr::runs;
 
 const UnitRun kRun{.digest = std::string(64, 'd'), .units = 4};
 
