@@ -1,7 +1,7 @@
 #pragma once
 
-#include "command.h"
-#include "picture_folder.h"
+#include <cli/command.h>
+#include <cli/picture_folder.h>
 
 #include <filesystem>
 

@@ -55,7 +55,7 @@ endfunction()
 # cdr_room(NAME [EXCLUDE REGEX] [HEADERS file...] [PUBLIC target...] [PRIVATE target...])
 # The folder and its subfolders become the library cdr::NAME. Its headers are included by their path below src. Only targets
 # that link cdr::NAME can include them: each room has an include folder of its own in the build tree. So an include that
-# points up the room list does not compile. EXCLUDE leaves out sources whose path matches.
+# points up the room list does not compile. EXCLUDE leaves out sources and headers whose path matches.
 # HEADERS are those that are installed, all where it is not given.
 function(cdr_room name)
     cmake_parse_arguments(ROOM "" "EXCLUDE" "HEADERS;PUBLIC;PRIVATE" ${ARGN})
@@ -63,6 +63,9 @@ function(cdr_room name)
     file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
     if(ROOM_EXCLUDE)
         list(FILTER sources EXCLUDE REGEX "${ROOM_EXCLUDE}")
+        list(TRANSFORM headers PREPEND "/")
+        list(FILTER headers EXCLUDE REGEX "${ROOM_EXCLUDE}")
+        list(TRANSFORM headers REPLACE "^/" "")
     endif()
     if(ROOM_HEADERS)
         set(headers ${ROOM_HEADERS})

@@ -1,6 +1,6 @@
 #include <cdr/render/effects.h>
 #include <cli/commands.h>
-#include <cli/comparison.h>
+#include <experiments/comparison_command.h>
 #include <experiments/effects/effects.h>
 
 #include <fmt/format.h>

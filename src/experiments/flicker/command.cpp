@@ -2,10 +2,10 @@
 #include <cdr/host/file.h>
 #include <cli/command.h>
 #include <cli/commands.h>
-#include <cli/rival_needs.h>
 #include <experiments/flicker/flicker.h>
 #include <experiments/flicker/output.h>
 #include <experiments/flicker/pairs.h>
+#include <experiments/rivals/needs_command.h>
 #include <experiments/rivals/row_columns.h>
 
 #include <fmt/format.h>

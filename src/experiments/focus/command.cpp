@@ -1,5 +1,5 @@
 #include <cli/commands.h>
-#include <cli/comparison.h>
+#include <experiments/comparison_command.h>
 #include <experiments/focus/focus.h>
 
 #include <fmt/format.h>

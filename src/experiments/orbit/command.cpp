@@ -1,8 +1,8 @@
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <cli/picture_folder.h>
-#include <cli/rival_needs.h>
 #include <experiments/orbit/orbit.h>
+#include <experiments/rivals/needs_command.h>
 #include <experiments/rivals/row_columns.h>
 #include <scenes/orbit/orbit.h>
 

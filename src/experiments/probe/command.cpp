@@ -1,8 +1,8 @@
 #include <cdr/base/error.h>
 #include <cli/command.h>
 #include <cli/commands.h>
-#include <cli/rival_needs.h>
 #include <experiments/probe/probe.h>
+#include <experiments/rivals/needs_command.h>
 #include <experiments/rivals/row_columns.h>
 
 #include <fmt/format.h>

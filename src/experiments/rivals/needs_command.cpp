@@ -1,4 +1,4 @@
-#include "rival_needs.h"
+#include "needs_command.h"
 
 #include <experiments/rivals/needs.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "console.h"
+#include <cli/console.h>
 
 #include <output/columns.h>
 #include <rivals/rival.h>

@@ -6,7 +6,7 @@
 #include <cdr/render/renderer.h>
 #include <cli/command.h>
 #include <cli/commands.h>
-#include <cli/rival_needs.h>
+#include <experiments/rivals/needs_command.h>
 #include <experiments/timing/tables.h>
 #include <experiments/timing/timing.h>
 
