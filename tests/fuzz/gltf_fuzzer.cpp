@@ -1,8 +1,8 @@
 #include <cdr/base/error.h>
 #include <cdr/host/worker_pool.h>
 #include <cdr/scene/gltf/import.h>
-#include <cdr/scene/gltf/lights.h>
-#include <cdr/scene/gltf/moving_lights.h>
+#include <cdr/scene/gltf/nodes/lights.h>
+#include <cdr/scene/gltf/nodes/moving_lights.h>
 #include <cdr/scene/world/check.h>
 
 #include <sys/mman.h>

@@ -1,12 +1,12 @@
 #include "document.h"
 
 #include "bytes/meshopt.h"
-#include "cameras.h"
 #include "checks.h"
 #include "draco/extension.h"
 #include "instancing.h"
 #include "json.h"
-#include "lights.h"
+#include "nodes/cameras.h"
+#include "nodes/lights.h"
 
 #include <nlohmann/json.hpp>
 

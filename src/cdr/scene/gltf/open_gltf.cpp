@@ -1,5 +1,5 @@
-#include "lights.h"
-#include "moving_lights.h"
+#include "nodes/lights.h"
+#include "nodes/moving_lights.h"
 
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>

@@ -2,7 +2,7 @@
 
 #include "../accessor.h"
 #include "../memory.h"
-#include "../nodes.h"
+#include "../nodes/nodes.h"
 #include "../notes.h"
 #include "../primitive.h"
 #include "deformers.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "../memory.h"
-#include "../nodes.h"
+#include "../nodes/nodes.h"
 
 #include <cdr/scene/animation/pose.h>
 

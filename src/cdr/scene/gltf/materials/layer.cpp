@@ -1,6 +1,6 @@
 #include "layer.h"
 
-#include "json.h"
+#include "../json.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "notes.h"
+#include "../notes.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,7 +1,7 @@
 #include "material.h"
 
-#include "checks.h"
-#include "json.h"
+#include "../checks.h"
+#include "../json.h"
 #include "layer.h"
 
 #include <algorithm>

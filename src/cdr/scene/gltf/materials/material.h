@@ -1,10 +1,10 @@
 #pragma once
 
-#include "materials/uv_places.h"
-#include "mesh.h"
-#include "solids/solids.h"
-#include "sources.h"
-#include "textures/importer.h"
+#include "../mesh.h"
+#include "../solids/solids.h"
+#include "../sources.h"
+#include "../textures/importer.h"
+#include "uv_places.h"
 
 #include <cdr/scene/scene.h>
 

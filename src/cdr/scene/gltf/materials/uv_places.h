@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../uv.h"
+#include "uv.h"
 
 #include <cdr/scene/mesh.h>
 

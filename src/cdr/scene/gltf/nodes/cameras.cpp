@@ -1,7 +1,7 @@
 #include "cameras.h"
 
-#include "checks.h"
-#include "json.h"
+#include "../checks.h"
+#include "../json.h"
 
 #include <cdr/scene/animation/node_camera.h>
 

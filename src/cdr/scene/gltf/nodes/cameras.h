@@ -1,8 +1,8 @@
 #pragma once
 
-#include "document.h"
+#include "../document.h"
+#include "../notes.h"
 #include "nodes.h"
-#include "notes.h"
 
 #include <nlohmann/json_fwd.hpp>
 

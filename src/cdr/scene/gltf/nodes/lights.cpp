@@ -1,7 +1,7 @@
 #include "lights.h"
 
-#include "checks.h"
-#include "json.h"
+#include "../checks.h"
+#include "../json.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "../notes.h"
 #include "nodes.h"
-#include "notes.h"
 
 #include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/scene.h>

@@ -1,8 +1,8 @@
 #include "nodes.h"
 
-#include "checks.h"
-#include "json.h"
-#include "layer.h"
+#include "../checks.h"
+#include "../json.h"
+#include "../materials/layer.h"
 #include "lights.h"
 
 #include <glm/gtc/quaternion.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "notes.h"
+#include "../notes.h"
 
 #include <cdr/scene/animation/pose.h>
 #include <cdr/scene/gltf/gltf.h>
