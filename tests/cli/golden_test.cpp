@@ -1,8 +1,8 @@
+#include "../support/picture_comparison.h"
 #include "program.h"
 
 #include <cdr/host/file.h>
 #include <cdr/image/codec.h>
-#include <cdr/image/compare.h>
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -69,7 +69,7 @@ int compareFiles(const fs::path& golden, const fs::path& render) {
 /// Pixels with a channel that does not lie between those of the golden pixels around it, within the usual tolerance. That
 /// is what is left to compare where vertices are snapped: edges move, by less than a pixel.
 std::size_t countApart(const image::ImageRgba8& golden, const image::ImageRgba8& render) {
-    const int slack = image::Tolerance{}.channel;
+    const int slack = test::Tolerance{}.channel;
     const auto isApart = [&](std::uint32_t x, std::uint32_t y, std::size_t c) {
         int low = 255;
         int high = 0;
@@ -106,8 +106,7 @@ TEST_P(GoldenPicture, IsRenderedStill) {
     if (snapReach() > 0.0) {
         const std::size_t apart = countApart(readPicture(golden), readPicture(folder.path() / "render.png"));
         // Surfaces narrower than a pixel appear or vanish. 4 bits emulated on lavapipe give as many.
-        EXPECT_LE(static_cast<double>(apart),
-                  (image::Tolerance{}.pixelShare + 0.1 * snapReach()) * 320 * 180);
+        EXPECT_LE(static_cast<double>(apart), (test::Tolerance{}.pixelShare + 0.1 * snapReach()) * 320 * 180);
         return;
     }
     EXPECT_EQ(compareFiles(golden, folder.path() / "render.png"), 0)

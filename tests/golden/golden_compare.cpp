@@ -3,11 +3,11 @@
 // Exit status: 0 the same, 1 different, 2 a picture is missing or unreadable.
 
 #include "../support/difference_picture.h"
+#include "../support/picture_comparison.h"
 
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
 #include <cdr/image/codec.h>
-#include <cdr/image/compare.h>
 #include <cdr/image/compose.h>
 
 #include <cstdio>
@@ -38,8 +38,8 @@ int run(const std::vector<std::string>& arguments) {
     }
     const image::ImageRgba8 golden = readPicture(arguments[0]);
     const image::ImageRgba8 render = readPicture(arguments[1]);
-    const image::Comparison comparison = image::compare(golden, render);
-    std::printf("%s\n", image::describe(comparison).c_str());
+    const test::Comparison comparison = test::compare(golden, render);
+    std::printf("%s\n", test::describe(comparison).c_str());
     if (arguments.size() == 3 && comparison.sameSize) {
         writeSheet(arguments[2], golden, render);
     }

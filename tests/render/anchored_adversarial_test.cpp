@@ -1,9 +1,9 @@
+#include "../support/globe.h"
 #include "fixture.h"
 #include "snapping.h"
 
 #include <cdr/scene/lod/triangle_clusters.h>
 #include <scenes/cubes.h>
-#include <scenes/globe.h>
 #include <scenes/mixed.h>
 
 #include <algorithm>
@@ -179,12 +179,12 @@ TEST_F(AdversarialTest, ACameraBillionsOfKilometresFromTheOrigin) {
 
 /// A globe of pieces is searched for pixels that show the sky through its seams.
 TEST_F(AdversarialTest, APlanetOfPiecesHasNoCracks) {
-    scene::Scene scene = scenes::makeGlobe();
+    scene::Scene scene = test::makeGlobe();
     ASSERT_GT(scene.meshes.size(), 1000u);
     const render::GpuScene gpuScene(device(), scene);
     std::mt19937_64 random(13);
     std::uniform_real_distribution<double> share(-1.0, 1.0);
-    const double radius = scenes::GlobeOptions{}.radius;
+    const double radius = test::GlobeOptions{}.radius;
     measure::WrongPixels wrong;
     for (const double altitude : {300.0, 20e3, 420e3, 2e7}) {
         for (int i = 0; i < 3; ++i) {
@@ -231,10 +231,10 @@ std::vector<glm::dvec3> seamPoints(const scene::SourceMesh& mesh, double pieceRa
 /// The lens is so narrow that a pixel is 2 cm to 1.3 m wide on the ground. A seam that is open there shows the
 /// sky.
 TEST_F(AdversarialTest, NoSkyShowsThroughTheSeamsOfAPlanet) {
-    const scenes::GlobeOptions options;
-    const scene::Scene scene = scenes::makeGlobe(options);
+    const test::GlobeOptions options;
+    const scene::Scene scene = test::makeGlobe(options);
     const std::vector<glm::dvec3> seams =
-        seamPoints(scenes::globeMesh(options.radius, options.cells), options.pieceRadius);
+        seamPoints(test::globeMesh(options.radius, options.cells), options.pieceRadius);
     ASSERT_GT(seams.size(), 10'000u);
     const render::GpuScene gpuScene(device(), scene);
     auto renderOptions = smallOptions(depth::parseTechnique("anchored"));

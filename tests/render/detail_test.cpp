@@ -1,3 +1,4 @@
+#include "../support/globe.h"
 #include "fixture.h"
 #include "snapping.h"
 
@@ -6,7 +7,6 @@
 #include <cdr/scene/lod/clusters.h>
 #include <cdr/scene/lod/levels.h>
 #include <scenes/boulders.h>
-#include <scenes/globe.h>
 #include <scenes/terrain.h>
 
 #include <cmath>
@@ -215,7 +215,7 @@ TEST_F(DetailRenderTest, OneLevelPerCascadeCracks) {
 /// Pieces of one mesh share borders and are drawn at levels of their own.
 TEST_F(DetailRenderTest, NeighbouringPiecesOfOtherLevelsMeet) {
     constexpr double kRadius = 1000.0;
-    scene::Scene globe = scenes::makeGlobe({.radius = kRadius, .cells = 64, .pieceRadius = 150.0});
+    scene::Scene globe = test::makeGlobe({.radius = kRadius, .cells = 64, .pieceRadius = 150.0});
     addLevels(globe);
     std::vector<scene::Camera> cameras;
     for (int i = 0; i < 16; ++i) {

@@ -1,7 +1,7 @@
+#include "../support/picture_comparison.h"
 #include "fixture.h"
 
 #include <cdr/base/error.h>
-#include <cdr/image/compare.h>
 #include <cdr/render/focus.h>
 
 #include <algorithm>
@@ -102,8 +102,8 @@ TEST_F(FocusTest, ALensWithNextToNoApertureShowsTheOrdinaryPicture) {
         EXPECT_EQ(program::sha256Of(sharp.gbuffer.pixels), program::sha256Of(ordinary.gbuffer.pixels))
             << nameOf(mapping);
         for (const Frame* frame : {&sharp, &blended}) {
-            const image::Comparison difference =
-                image::compare(ordinary.color, frame->color, {.channel = 1, .pixelShare = 0.0});
+            const test::Comparison difference =
+                test::compare(ordinary.color, frame->color, {.channel = 1, .pixelShare = 0.0});
             EXPECT_TRUE(difference.passes) << nameOf(mapping) << ": " << describe(difference);
         }
         EXPECT_EQ(blended.ids().pixels, ordinary.ids().pixels) << nameOf(mapping);

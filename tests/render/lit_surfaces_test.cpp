@@ -1,7 +1,7 @@
+#include "../support/picture_comparison.h"
 #include "fixture.h"
 
 #include <cdr/base/error.h>
-#include <cdr/image/compare.h>
 #include <cdr/scene/world/world.h>
 #include <scenes/cubes.h>
 #include <scenes/open_scene.h>
@@ -24,7 +24,7 @@ render::RenderOptions optionsOf(const char* technique, SurfacePath surface) {
 }
 
 /// Roundings aside, as on a visibility buffer; a plane seen edge-on has a few pixels with larger ones.
-constexpr image::Tolerance kRoundings{.channel = 3, .pixelShare = 0.0005};
+constexpr test::Tolerance kRoundings{.channel = 3, .pixelShare = 0.0005};
 
 bool hasTheSameSurfaces(const render::Frame& a, const render::Frame& b) {
     const auto& pixels = a.gbuffer.pixels;
@@ -43,7 +43,7 @@ class LitSurfacesTest : public RenderTest {
         options.surface = SurfacePath::visibility;
         const render::Frame deferred = draw(scene, camera, options);
         EXPECT_TRUE(hasTheSameSurfaces(lit, deferred)) << technique;
-        const image::Comparison difference = image::compare(deferred.color, lit.color, kRoundings);
+        const test::Comparison difference = test::compare(deferred.color, lit.color, kRoundings);
         EXPECT_TRUE(difference.passes) << technique << ": " << describe(difference);
         EXPECT_EQ(messageCount(), 0u);
     }
@@ -124,8 +124,8 @@ TEST_F(LitSurfacesTest, AreRightInOnePass) {
     const render::Frame frame = draw(setup.scene, setup.path.at(9), options);
     EXPECT_EQ(wrongIn(frame, setup.scene, setup.path.at(9)).wrong, 0u);
     options.surface = SurfacePath::visibility;
-    const image::Comparison difference =
-        image::compare(draw(setup.scene, setup.path.at(9), options).color, frame.color, kRoundings);
+    const test::Comparison difference =
+        test::compare(draw(setup.scene, setup.path.at(9), options).color, frame.color, kRoundings);
     EXPECT_TRUE(difference.passes) << describe(difference);
 }
 

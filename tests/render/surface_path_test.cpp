@@ -1,6 +1,6 @@
+#include "../support/picture_comparison.h"
 #include "fixture.h"
 
-#include <cdr/image/compare.h>
 #include <scenes/cubes.h>
 #include <scenes/open_scene.h>
 
@@ -167,8 +167,7 @@ TEST_F(SurfacePathTest, MirroredShinyAndUnlitSurfacesLookTheSame) {
                   a.gbuffer.pixels[i].id() == 0 ? -1.0f : 0.99999f)
             << i;
     }
-    const image::Comparison difference =
-        image::compare(b.color, a.color, {.channel = 2, .pixelShare = 0.001});
+    const test::Comparison difference = test::compare(b.color, a.color, {.channel = 2, .pixelShare = 0.001});
     EXPECT_TRUE(difference.passes) << describe(difference);
 }
 

@@ -2,7 +2,6 @@
 #include "viewer_run.h"
 
 #include <cdr/image/codec.h>
-#include <cdr/image/compare.h>
 #include <cdr/image/compose.h>
 #include <scenes/cubes.h>
 

@@ -1,7 +1,6 @@
 #include "../fixture.h"
 #include "held.h"
-
-#include <cdr/measure/truth/truth_motion.h>
+#include "truth_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,14 +87,14 @@ struct Off {
 };
 
 /// Where the frame and the truth show the same object. Edges of triangles differ where a device rounds vertices.
-Off compare(const render::Frame& frame, std::uint32_t subPixelBits, const measure::SeenScene& now,
-            const measure::SeenScene& before) {
+Off compare(const render::Frame& frame, std::uint32_t subPixelBits, const SeenScene& now,
+            const SeenScene& before) {
     const double most = 0.01 + std::ldexp(0.5, -static_cast<int>(subPixelBits));
     host::WorkerPool workers(2);
     const measure::TruthImage truth =
         measure::castTruth(now.scene, now.camera, frame.width(), frame.height(), workers);
     const measure::TruthImage held = heldBy(frame);
-    const image::Raster<glm::dvec2> exact = measure::truthMotion(held, now, before);
+    const image::Raster<glm::dvec2> exact = truthMotion(held, now, before);
     Off off;
     for (std::size_t i = 0; i < held.pixels.size(); ++i) {
         const double apart = std::abs(held.pixels[i].distanceView - truth.pixels[i].distanceView);

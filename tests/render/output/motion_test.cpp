@@ -2,9 +2,9 @@
 #include "../host/host_side.h"
 #include "../host/read_image.h"
 #include "held.h"
+#include "truth_motion.h"
 
 #include <cdr/base/error.h>
-#include <cdr/measure/truth/truth_motion.h>
 #include <scenes/cubes.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -63,14 +63,13 @@ class MotionTest : public RenderTest {
             longest = std::max(longest, length);
         }
     };
-    Difference compare(const render::Frame& frame, const measure::SeenScene& now,
-                       const measure::SeenScene& before) {
+    Difference compare(const render::Frame& frame, const SeenScene& now, const SeenScene& before) {
         host::WorkerPool workers(2);
         const measure::TruthImage truth =
             measure::castTruth(now.scene, now.camera, frame.width(), frame.height(), workers);
         const measure::TruthImage held = heldBy(frame);
-        const image::Raster<glm::dvec2> ofTruth = measure::truthMotion(truth, now, before);
-        const image::Raster<glm::dvec2> ofHeld = measure::truthMotion(held, now, before);
+        const image::Raster<glm::dvec2> ofTruth = truthMotion(truth, now, before);
+        const image::Raster<glm::dvec2> ofHeld = truthMotion(held, now, before);
         std::set<std::uint32_t> moving; // ids
         for (std::size_t i = 0; i < now.scene.instances.size(); ++i) {
             if (now.scene.instances.position(i) != before.scene.instances.position(i) ||

@@ -1,8 +1,8 @@
+#include "../../support/globe.h"
 #include "../fixture.h"
 #include "../snapping.h"
 
 #include <scenes/cubes.h>
-#include <scenes/globe.h>
 #include <scenes/mixed.h>
 
 #include <string>
@@ -61,8 +61,8 @@ TEST_F(AnchoredTargetsTest, MixedDistances) {
 }
 
 TEST_F(AnchoredTargetsTest, PiecesOfOneObject) {
-    const scene::Scene scene = scenes::makeGlobe({.cells = 48});
-    const double radius = scenes::GlobeOptions{}.radius;
+    const scene::Scene scene = test::makeGlobe({.cells = 48});
+    const double radius = test::GlobeOptions{}.radius;
     const scene::Camera camera = scene::lookAt({.fovY = 0.8, .nearView = 0.1, .farView = 1e8},
                                                {0.0, 0.0, radius + 420e3}, {0.0, 2e6, radius - 3e5});
     expectRight(scene, camera, 2);

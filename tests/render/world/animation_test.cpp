@@ -1,11 +1,11 @@
 #include "../fixture.h"
 #include "../output/held.h"
+#include "../output/truth_motion.h"
 
 #include <cdr/measure/certify/certifier.h>
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/measure/compare/flips.h>
 #include <cdr/measure/truth/layered_truth.h>
-#include <cdr/measure/truth/truth_motion.h>
 #include <scenes/moving_scene.h>
 #include <scenes/open_scene.h>
 
@@ -194,7 +194,7 @@ TEST_F(AnimationTest, MotionFollowsNodes) {
         moving.show(number, workers);
         const render::Frame frame = renderer.render(now);
         const measure::TruthImage held = heldBy(frame);
-        const auto exact = measure::truthMotion(held, {moving.world().scene(), now}, {sceneBefore, before});
+        const auto exact = truthMotion(held, {moving.world().scene(), now}, {sceneBefore, before});
         for (const std::uint32_t id : kRigidIds) {
             std::size_t pixels = 0;
             double most = 0.0;

@@ -1,8 +1,9 @@
+#include "../../support/globe.h"
+
 #include <cdr/base/error.h>
 #include <cdr/scene/lod/levels.h>
 #include <cdr/scene/lod/surface_distance.h>
 #include <scenes/boulders.h>
-#include <scenes/globe.h>
 #include <scenes/random.h>
 
 #include <gtest/gtest.h>
@@ -250,7 +251,8 @@ TEST(Levels, GrowCoarserAndStop) {
 
 TEST(Levels, BordersStay) {
     std::size_t levels = 0;
-    for (const Mesh& mesh : scenes::makeGlobe({.radius = 1000.0, .cells = 24, .pieceRadius = 300.0}).meshes) {
+    for (const Mesh& mesh :
+         cdr::test::makeGlobe({.radius = 1000.0, .cells = 24, .pieceRadius = 300.0}).meshes) {
         const auto borders = openEdges(mesh, mesh.indices);
         ASSERT_FALSE(borders.empty());
         for (const MeshLevel& level : makeLevels(mesh)) {

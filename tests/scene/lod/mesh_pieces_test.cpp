@@ -1,8 +1,8 @@
+#include "../../support/globe.h"
 #include "../gltf/fixture.h"
 
 #include <cdr/scene/lod/mesh_pieces.h>
 #include <cdr/scene/lod/triangle_clusters.h>
-#include <scenes/globe.h>
 
 #include <algorithm>
 #include <array>
@@ -279,7 +279,7 @@ TEST(MeshPieces, HostileMeshesStayBounded) {
 }
 
 TEST(Globe, IsClosedAndItsFrontsFaceOut) {
-    const SourceMesh globe = scenes::globeMesh(2.0, 8);
+    const SourceMesh globe = cdr::test::globeMesh(2.0, 8);
     std::map<std::pair<std::tuple<double, double, double>, std::tuple<double, double, double>>, int> edges;
     for (std::size_t i = 0; i < globe.indices.size(); i += 3) {
         const auto at = [&](std::size_t k) { return globe.positions[globe.indices[i + k % 3]]; };

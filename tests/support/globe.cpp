@@ -1,5 +1,6 @@
+#include "globe.h"
+
 #include <cdr/base/error.h>
-#include <scenes/globe.h>
 #include <scenes/scene_builder.h>
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 #include <numbers>
 #include <string>
 
-namespace cdr::scenes {
+namespace cdr::test {
 
 namespace {
 
@@ -67,7 +68,7 @@ scene::Scene makeGlobe(const GlobeOptions& options) {
     scene::Scene scene;
     scene.name = "globe";
     scene.materials.push_back({.name = "white", .baseColorFactor = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f)});
-    scene.lights.push_back(farLight({0.6, 0.5, 0.6}, 1e3 * options.radius));
+    scene.lights.push_back(scenes::farLight({0.6, 0.5, 0.6}, 1e3 * options.radius));
     const scene::PieceSet pieces =
         addPieces(scene, scene::cutIntoPieces(globeMesh(options.radius, options.cells), options.pieceRadius));
     glm::dmat4 toWorld(1.0);
@@ -76,4 +77,4 @@ scene::Scene makeGlobe(const GlobeOptions& options) {
     return scene;
 }
 
-} // namespace cdr::scenes
+} // namespace cdr::test

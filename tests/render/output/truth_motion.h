@@ -7,7 +7,7 @@
 
 #include <glm/glm.hpp>
 
-namespace cdr::measure {
+namespace cdr::render_test {
 
 /// A scene and who looked at it.
 struct SeenScene {
@@ -21,6 +21,7 @@ struct SeenScene {
 /// @param truth of `now`.
 /// @param before holds the same instances at the same places, each of an object of its own. Their meshes have the same triangles, of
 /// which vertices may be elsewhere.
-image::Raster<glm::dvec2> truthMotion(const TruthImage& truth, const SeenScene& now, const SeenScene& before);
+image::Raster<glm::dvec2> truthMotion(const measure::TruthImage& truth, const SeenScene& now,
+                                      const SeenScene& before);
 
-} // namespace cdr::measure
+} // namespace cdr::render_test

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace cdr::scenes {
+namespace cdr::test {
 
 struct GlobeOptions {
     double radius = 6.371e6;
@@ -24,4 +24,4 @@ scene::Scene makeGlobe(const GlobeOptions& options = {});
 /// The mesh of it before it is cut, about the globe's centre.
 scene::SourceMesh globeMesh(double radius, std::uint32_t cells);
 
-} // namespace cdr::scenes
+} // namespace cdr::test

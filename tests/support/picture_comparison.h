@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace cdr::image {
+namespace cdr::test {
 
 /// How much a picture may differ from another and still pass.
 struct Tolerance {
@@ -23,9 +23,10 @@ struct Comparison {
 };
 
 /// Compares every channel of every pixel. Pictures of different sizes, or without pixels, never pass.
-Comparison compare(const ImageRgba8& golden, const ImageRgba8& render, const Tolerance& tolerance = {});
+Comparison compare(const image::ImageRgba8& golden, const image::ImageRgba8& render,
+                   const Tolerance& tolerance = {});
 
 /// The comparison in one line.
 std::string describe(const Comparison& comparison);
 
-} // namespace cdr::image
+} // namespace cdr::test

@@ -1,21 +1,20 @@
 #include "../support/difference_picture.h"
-
-#include <cdr/image/compare.h>
+#include "../support/picture_comparison.h"
 
 #include <gtest/gtest.h>
 
-namespace cdr::image {
+namespace cdr::test {
 
 namespace {
 
 /// 100x50 pixels, so that 5 are a thousandth.
-ImageRgba8 grey() {
+image::ImageRgba8 grey() {
     return {100, 50, {100, 100, 100, 255}};
 }
 
 /// grey() with one channel of the first `pixels` moved by `step`.
-ImageRgba8 moved(std::size_t pixels, std::size_t channel, int step) {
-    ImageRgba8 picture = grey();
+image::ImageRgba8 moved(std::size_t pixels, std::size_t channel, int step) {
+    image::ImageRgba8 picture = grey();
     for (std::size_t i = 0; i < pixels; ++i) {
         picture.pixels[i * 7][channel] = static_cast<std::uint8_t>(picture.pixels[i * 7][channel] + step);
     }
@@ -60,15 +59,15 @@ TEST(Compare, AnotherSizeFails) {
 }
 
 TEST(Compare, TheDifferenceShowsBothSigns) {
-    ImageRgba8 render = moved(1, 0, 20);
+    image::ImageRgba8 render = moved(1, 0, 20);
     render.pixels[1] = {90, 100, 100, 255};
-    const ImageRgba8 difference = test::differencePicture(grey(), render, 10);
-    EXPECT_EQ(difference.pixels[0], (Rgba8{200, 0, 0, 255}));
-    EXPECT_EQ(difference.pixels[1], (Rgba8{100, 0, 0, 255}));
-    EXPECT_EQ(difference.pixels[2], (Rgba8{0, 0, 0, 255}));
-    EXPECT_THROW(test::differencePicture(grey(), {1, 1}, 1), base::InputError);
+    const image::ImageRgba8 difference = differencePicture(grey(), render, 10);
+    EXPECT_EQ(difference.pixels[0], (image::Rgba8{200, 0, 0, 255}));
+    EXPECT_EQ(difference.pixels[1], (image::Rgba8{100, 0, 0, 255}));
+    EXPECT_EQ(difference.pixels[2], (image::Rgba8{0, 0, 0, 255}));
+    EXPECT_THROW(differencePicture(grey(), {1, 1}, 1), base::InputError);
 }
 
 } // namespace
 
-} // namespace cdr::image
+} // namespace cdr::test

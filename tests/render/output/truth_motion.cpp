@@ -1,6 +1,7 @@
+#include "truth_motion.h"
+
 #include <cdr/measure/truth/lens.h>
 #include <cdr/measure/truth/object_ray.h>
-#include <cdr/measure/truth/truth_motion.h>
 
 #include <algorithm>
 #include <array>
@@ -12,12 +13,12 @@
 #include <optional>
 #include <vector>
 
-namespace cdr::measure {
+namespace cdr::render_test {
 
 namespace {
 
 /// By the float64 inverse of a camera that was carried into an object's space.
-std::optional<glm::dvec2> slopesOf(const PlacedCamera& camera, const glm::dvec3& point) {
+std::optional<glm::dvec2> slopesOf(const measure::PlacedCamera& camera, const glm::dvec3& point) {
     const glm::dmat3 axes(camera.right, camera.up, camera.front);
     const glm::dvec3 seen = glm::inverse(axes) * (point - camera.origin);
     if (!(seen.z > 0.0)) {
@@ -85,28 +86,30 @@ SeenTwice compared(const SeenScene& now, const SeenScene& before) {
     return seen;
 }
 
-std::optional<glm::dvec2> motionAt(const TruthPixel& pixel, const SeenTwice& seen, std::size_t instance,
-                                   const glm::dvec2& slopes) {
+std::optional<glm::dvec2> motionAt(const measure::TruthPixel& pixel, const SeenTwice& seen,
+                                   std::size_t instance, const glm::dvec2& slopes) {
     const auto& [now, before, deforms] = seen;
-    const auto inverseNow = invertBasis(now.scene.instances.basis[instance]);
-    const auto inverseBefore = invertBasis(before.scene.instances.basis[instance]);
+    const auto inverseNow = measure::invertBasis(now.scene.instances.basis[instance]);
+    const auto inverseBefore = measure::invertBasis(before.scene.instances.basis[instance]);
     if (!inverseNow || !inverseBefore) {
         return std::nullopt;
     }
-    const ObjectRay ray = placeCamera(now.camera, now.scene.instances, instance, inverseNow->worldToObject)
-                              .ray(slopes.x, slopes.y);
+    const measure::ObjectRay ray =
+        measure::placeCamera(now.camera, now.scene.instances, instance, inverseNow->worldToObject)
+            .ray(slopes.x, slopes.y);
     const std::uint32_t mesh = now.scene.instances.mesh[instance];
     glm::dvec3 point = ray.origin + ray.direction * pixel.distanceView;
     if (deforms[mesh]) {
         point = pointBefore(now.scene.meshes[mesh], before.scene.meshes[mesh], point);
     }
     return slopesOf(
-        placeCamera(before.camera, before.scene.instances, instance, inverseBefore->worldToObject), point);
+        measure::placeCamera(before.camera, before.scene.instances, instance, inverseBefore->worldToObject),
+        point);
 }
 
 } // namespace
 
-image::Raster<glm::dvec2> truthMotion(const TruthImage& truth, const SeenScene& now,
+image::Raster<glm::dvec2> truthMotion(const measure::TruthImage& truth, const SeenScene& now,
                                       const SeenScene& before) {
     std::map<std::uint32_t, std::size_t> instanceOf;
     for (std::size_t i = 0; i < now.scene.instances.size(); ++i) {
@@ -115,12 +118,12 @@ image::Raster<glm::dvec2> truthMotion(const TruthImage& truth, const SeenScene& 
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     image::Raster<glm::dvec2> motion(truth.width, truth.height, glm::dvec2(kNone));
     const SeenTwice seen = compared(now, before);
-    const PixelSlopes slopes = pixelSlopes(now.camera, truth.width, truth.height);
+    const measure::PixelSlopes slopes = measure::pixelSlopes(now.camera, truth.width, truth.height);
     // The picture's height is 2 tan(fovY / 2) in slopes, for either lens.
-    const double perSlope = pixelsPerSlope(before.camera, truth.height);
+    const double perSlope = measure::pixelsPerSlope(before.camera, truth.height);
     for (std::uint32_t y = 0; y < truth.height; ++y) {
         for (std::uint32_t x = 0; x < truth.width; ++x) {
-            const TruthPixel& pixel = truth.at(x, y);
+            const measure::TruthPixel& pixel = truth.at(x, y);
             if (pixel.id == 0) {
                 continue;
             }
@@ -134,4 +137,4 @@ image::Raster<glm::dvec2> truthMotion(const TruthImage& truth, const SeenScene& 
     return motion;
 }
 
-} // namespace cdr::measure
+} // namespace cdr::render_test

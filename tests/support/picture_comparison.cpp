@@ -1,15 +1,15 @@
-#include <cdr/image/compare.h>
+#include "picture_comparison.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
 
-namespace cdr::image {
+namespace cdr::test {
 
 namespace {
 
-int difference(const Rgba8& a, const Rgba8& b) {
+int difference(const image::Rgba8& a, const image::Rgba8& b) {
     int largest = 0;
     for (std::size_t c = 0; c < a.size(); ++c) {
         largest = std::max(largest, std::abs(int{a[c]} - int{b[c]}));
@@ -19,7 +19,8 @@ int difference(const Rgba8& a, const Rgba8& b) {
 
 } // namespace
 
-Comparison compare(const ImageRgba8& golden, const ImageRgba8& render, const Tolerance& tolerance) {
+Comparison compare(const image::ImageRgba8& golden, const image::ImageRgba8& render,
+                   const Tolerance& tolerance) {
     Comparison comparison{.sameSize = golden.width == render.width && golden.height == render.height,
                           .pixels = golden.pixels.size()};
     if (!comparison.sameSize || golden.pixels.empty()) {
@@ -43,4 +44,4 @@ std::string describe(const Comparison& comparison) {
                        comparison.beyond, comparison.pixels, comparison.largest);
 }
 
-} // namespace cdr::image
+} // namespace cdr::test
