@@ -49,7 +49,5 @@ std::vector<std::uint8_t> encodeExr(const std::filesystem::path& path, std::span
 
 /// Writes `path` as PNG or TGA by its extension, whole or not at all. InputError for another extension.
 void writeImage(const std::filesystem::path& path, const ImageRgba8& image);
-/// Writes 32-bit float channels, all of one size, as OpenEXR, whole or not at all.
-void writeExr(const std::filesystem::path& path, std::span<const ExrChannel> channels);
 
 } // namespace cdr::image

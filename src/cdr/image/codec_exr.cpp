@@ -1,5 +1,4 @@
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 
 #include <OpenEXR/ImfChannelList.h>
@@ -90,11 +89,6 @@ std::vector<std::uint8_t> encodeExr(const std::filesystem::path& path, std::span
         throw base::RunError(fmt::format("{}: EXR write failed: {}", path.string(), error.what()));
     }
     return stream.takeBytes();
-}
-
-void writeExr(const std::filesystem::path& path, std::span<const ExrChannel> channels) {
-    host::requireWritable(path);
-    host::writeFile(path, encodeExr(path, channels));
 }
 
 } // namespace cdr::image

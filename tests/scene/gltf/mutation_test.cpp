@@ -121,7 +121,8 @@ bool loads(const Bytes& file) {
     limits.maxBytes = 64u << 20;
     limits.maxFileBytes = 1u << 20;
     try {
-        for (const Material& material : gltf::importGltf(file, "/nowhere/a.glb", limits).scene.materials) {
+        for (const Material& material :
+             gltf::importGltf(gltf::ByteSource(file), "/nowhere/a.glb", limits).scene.materials) {
             const Shine shine = material.shine.value_or(Shine{});
             EXPECT_TRUE(shine.metallic >= 0.0f && shine.metallic <= 1.0f) << shine.metallic;
             EXPECT_TRUE(shine.roughness >= 0.0f && shine.roughness <= 1.0f) << shine.roughness;

@@ -37,7 +37,7 @@ class GltfStreaming : public GltfFolder {
     void expectSameFromFile(const Document& document) const {
         const Bytes bytes = document.glb();
         const fs::path path = write("a.glb", bytes);
-        const GltfImport inMemory = gltf::importGltf(bytes, path, GltfLimits{});
+        const GltfImport inMemory = gltf::importGltf(gltf::ByteSource(bytes), path, GltfLimits{});
         expectSameMeshes(loadGltf(path).scene, inMemory.scene);
     }
 
@@ -140,7 +140,7 @@ TEST_F(GltfStreaming, InfluencesAndTargetsInAnyOrderAreTheSame) {
     const Bytes bytes = document.glb();
     const fs::path path = write("a.glb", bytes);
     const GltfImport fromFile = loadGltf(path);
-    const GltfImport inMemory = gltf::importGltf(bytes, path, GltfLimits{});
+    const GltfImport inMemory = gltf::importGltf(gltf::ByteSource(bytes), path, GltfLimits{});
     expectSameMeshes(fromFile.scene, inMemory.scene);
     ASSERT_EQ(fromFile.animation->deformed.size(), 1u);
     const Deformer& a = fromFile.animation->deformed[0].deformer;

@@ -40,7 +40,7 @@ class GltfTextures : public GltfFolder {
     }
 
     GltfImport import(const Document& document, const GltfLimits& limits) const {
-        return gltf::importGltf(document.glb(), folder() / "a.glb", limits);
+        return gltf::importGltf(gltf::ByteSource(document.glb()), folder() / "a.glb", limits);
     }
 
     std::string refusalOf(const Document& document, const GltfLimits& limits) const {

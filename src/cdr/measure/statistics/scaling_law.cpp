@@ -23,10 +23,6 @@ std::optional<double> fitAmdahl(const std::vector<SpeedUp>& points) {
     return xx > 0.0 ? std::optional(xy / xx) : std::nullopt;
 }
 
-double UniversalScalability::factor(double threads) const {
-    return threads / (1.0 + contention * (threads - 1.0) + coherence * threads * (threads - 1.0));
-}
-
 std::optional<UniversalScalability> fitUniversalScalability(const std::vector<SpeedUp>& points) {
     if (points.size() < kMinUniversalPoints) {
         return std::nullopt;

@@ -20,8 +20,6 @@ std::optional<double> fitAmdahl(const std::vector<SpeedUp>& points);
 struct UniversalScalability {
     double contention = 0.0; ///< share of the work that waits in line
     double coherence = 0.0;  ///< cost of each pair of threads keeping in step
-
-    double factor(double threads) const;
 };
 
 /// Least-squares fit of p / factor - 1, which is linear in both coefficients. None with fewer than four

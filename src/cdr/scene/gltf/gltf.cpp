@@ -422,11 +422,6 @@ GltfImport importGltf(const ByteSource& file, const std::filesystem::path& path,
     }
 }
 
-GltfImport importGltf(std::span<const std::uint8_t> file, const std::filesystem::path& path,
-                      const GltfLimits& limits, std::optional<std::uint32_t> scene) {
-    return importGltf(ByteSource(file), path, limits, scene);
-}
-
 } // namespace gltf
 
 GltfImport loadGltf(const std::filesystem::path& path, const GltfLimits& limits,
