@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/host/worker_pool.h>
+#include <cdr/image/picture_size.h>
 #include <cdr/render/render_options.h>
 
 #include <fmt/format.h>
@@ -10,10 +11,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <iterator>
 #include <string_view>
-#include <system_error>
 
 namespace cdr::cli {
 
@@ -21,22 +20,13 @@ namespace {
 
 constexpr const char* kEach = "each"; // of --device
 
-struct PictureSize {
-    std::uint32_t width = 0;
-    std::uint32_t height = 0;
-};
-
-PictureSize parseSize(const std::string& text) {
-    PictureSize size;
-    const char* end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, size.width);
-    const bool hasWidth = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
-    const auto height = hasWidth ? std::from_chars(width.ptr + 1, end, size.height) : width;
-    if (!hasWidth || height.ec != std::errc() || height.ptr != end || size.width < 1 || size.height < 1) {
+image::PictureSize parseSize(const std::string& text) {
+    const auto size = image::parsePictureSize(text);
+    if (!size) {
         throw base::InputError(fmt::format("size must be WIDTHxHEIGHT in pixels, such as 1280x720, not '{}'",
                                            text.substr(0, 60)));
     }
-    return size;
+    return *size;
 }
 
 } // namespace
@@ -86,7 +76,7 @@ void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height) {
         .add_option_function<std::string>(
             "--size",
             [&width, &height](const std::string& text) {
-                const PictureSize size = parseSize(text);
+                const image::PictureSize size = parseSize(text);
                 width = size.width;
                 height = size.height;
             },

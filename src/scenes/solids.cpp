@@ -17,14 +17,14 @@ glm::dvec2 outlineNormal(std::span<const glm::dvec2> outline, std::size_t i) {
     return {-along.y, along.x};
 }
 
+} // namespace
+
 void addTriangle(scene::SourceMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const auto& at = mesh.positions;
     if (at[a] != at[b] && at[b] != at[c] && at[c] != at[a]) {
         mesh.indices.insert(mesh.indices.end(), {a, b, c});
     }
 }
-
-} // namespace
 
 scene::SourceMesh turnedSolid(std::string name, std::span<const glm::dvec2> outline, std::uint32_t segments) {
     scene::SourceMesh mesh;

@@ -11,6 +11,9 @@
 
 namespace cdr::scenes {
 
+/// Adds a triangle of vertices that the mesh has, unless two of its corners lie at one place.
+void addTriangle(scene::SourceMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c);
+
 /// A solid of revolution about the x axis, closed where its outline ends on the axis, with smooth normals.
 /// @param outline x and radius, in the order that keeps the solid on the right; at least two points.
 /// @param segments around the axis, at least 3.

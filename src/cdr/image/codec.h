@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/image/image.h>
+#include <cdr/image/picture_size.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -19,14 +20,6 @@ inline constexpr std::uint64_t kMaxDecodedPixels = 64ull << 20;
 /// base::InputError for anything else, a damaged file, or one over the limits above.
 /// @param name of the file, which the message begins with.
 ImageRgba8 decodeImage(std::span<const std::uint8_t> encoded, const std::string& name);
-
-/// Columns and rows of a picture.
-struct PictureSize {
-    std::uint32_t width = 0;
-    std::uint32_t height = 0;
-
-    bool operator==(const PictureSize&) const = default;
-};
 
 /// The size that decodeImage() would give, by the header alone. base::InputError for what the header shows to be no
 /// picture, or over the limits above.

@@ -1,4 +1,5 @@
 #include <scenes/orbit/earth_tiles.h>
+#include <scenes/solids.h>
 
 #include <fmt/format.h>
 
@@ -57,14 +58,6 @@ class Stitching {
     std::uint32_t m_west;
     std::uint32_t m_east;
 };
-
-void addTriangle(scene::SourceMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    const auto& at = mesh.positions;
-    // Stitching and poles leave triangles without an area.
-    if (at[a] != at[b] && at[b] != at[c] && at[c] != at[a]) {
-        mesh.indices.insert(mesh.indices.end(), {a, b, c});
-    }
-}
 
 void addGround(const Stitching& stitching, scene::SourceMesh& mesh) {
     for (std::uint32_t row = 0; row < kTileCells; ++row) {

@@ -1,12 +1,11 @@
 #include "startup.h"
 
 #include <cdr/base/error.h>
+#include <cdr/image/picture_size.h>
 #include <viewer/state/command_line.h>
 #include <viewer/window/window.h>
 
 #include <fmt/format.h>
-
-#include <charconv>
 
 namespace cdr::viewer {
 
@@ -87,21 +86,13 @@ ViewerModel initialModel(const Arguments& arguments) {
 }
 
 PictureExtent windowSize(const Arguments& arguments) {
-    PictureExtent size;
-    const std::string& text = arguments.size;
-    const char* end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, size.width);
-    const bool hasWidth = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
-    const auto height = hasWidth ? std::from_chars(width.ptr + 1, end, size.height) : width;
-    const auto fits = [](std::uint32_t side) {
-        return side >= 1 && side <= static_cast<std::uint32_t>(kMaxWindowSide);
-    };
-    if (!hasWidth || height.ec != std::errc() || height.ptr != end || !fits(size.width) ||
-        !fits(size.height)) {
+    const auto size = image::parsePictureSize(arguments.size);
+    constexpr auto kMost = static_cast<std::uint32_t>(kMaxWindowSide);
+    if (!size || size->width > kMost || size->height > kMost) {
         throw base::InputError(fmt::format("size must be WIDTHxHEIGHT, 1 to {}, such as 1280x720, not '{}'",
-                                           kMaxWindowSide, text.substr(0, 60)));
+                                           kMaxWindowSide, arguments.size.substr(0, 60)));
     }
-    return size;
+    return {.width = size->width, .height = size->height};
 }
 
 std::filesystem::path freeName(const std::string& stem, const std::string& extension) {

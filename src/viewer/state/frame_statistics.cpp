@@ -1,9 +1,9 @@
 #include "frame_statistics.h"
 
 #include <cdr/base/enum_names.h>
+#include <cdr/measure/statistics/statistics.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace cdr::viewer {
@@ -12,15 +12,6 @@ namespace {
 
 constexpr base::EnumNames<FrameStage, kFrameStages.size()> kStageNames{
     "stage", {"cull", "split", "bin", "record", "execute", "composite", "present"}};
-
-/// As measure::percentile(), of samples in ascending order, without an allocation.
-float percentileOfSorted(const std::vector<float>& sorted, double percent) {
-    const double place = percent / 100.0 * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return static_cast<float>(std::lerp(static_cast<double>(sorted[below]),
-                                        static_cast<double>(sorted[above]), place - std::floor(place)));
-}
 
 } // namespace
 
@@ -56,10 +47,13 @@ StageSummary FrameStatistics::summarise(std::size_t series) const {
     const std::vector<float>& ring = m_rings[series];
     m_sorted.assign(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(m_frames));
     std::sort(m_sorted.begin(), m_sorted.end());
+    const auto percentile = [&](double percent) {
+        return static_cast<float>(measure::percentileOfSorted(m_sorted, percent));
+    };
     return {.last = ring[(m_next + m_window - 1) % m_window],
-            .median = percentileOfSorted(m_sorted, 50.0),
-            .p95 = percentileOfSorted(m_sorted, 95.0),
-            .p99 = percentileOfSorted(m_sorted, 99.0),
+            .median = percentile(50.0),
+            .p95 = percentile(95.0),
+            .p99 = percentile(99.0),
             .max = m_sorted.back()};
 }
 

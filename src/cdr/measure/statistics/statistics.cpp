@@ -2,7 +2,6 @@
 #include <cdr/measure/statistics/statistics.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <random>
 
@@ -14,14 +13,6 @@ void requireSamples(const std::vector<double>& samples) {
     if (samples.empty()) {
         throw base::InputError("statistics need at least one sample");
     }
-}
-
-/// Percentile of samples in ascending order.
-double percentileOfSorted(const std::vector<double>& sorted, double percent) {
-    const double place = percent / 100.0 * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return std::lerp(sorted[below], sorted[above], place - std::floor(place));
 }
 
 /// The index below which lie `rank` of the drawn indices, given how often each was drawn.

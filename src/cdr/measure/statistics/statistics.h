@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -11,6 +13,16 @@ namespace cdr::measure {
 /// @param samples at least one, in any order, none of them NaN; base::InputError when empty.
 /// @param percent 0 to 100.
 double percentile(std::vector<double> samples, double percent);
+/// percentile() of samples in ascending order, without an allocation.
+/// @tparam Number float or double.
+template <typename Number>
+double percentileOfSorted(const std::vector<Number>& sorted, double percent) {
+    const double place = percent / 100.0 * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return std::lerp(static_cast<double>(sorted[below]), static_cast<double>(sorted[above]),
+                     place - std::floor(place));
+}
 
 /// The 50th percentile: the mean of the two middle samples where their number is even.
 double median(std::vector<double> samples);

@@ -1,5 +1,7 @@
 #include "morphed_tangents.h"
 
+#include "../materials/tangents.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,11 +17,6 @@ namespace {
 
 glm::dvec3 acrossNormal(const glm::dvec3& v, const glm::dvec3& normal) {
     return v - normal * glm::dot(normal, v);
-}
-
-double cornerAngle(const glm::dvec3& a, const glm::dvec3& b) {
-    const double lengths = glm::length(a) * glm::length(b);
-    return lengths > 0.0 ? std::acos(std::clamp(glm::dot(a, b) / lengths, -1.0, 1.0)) : 0.0;
 }
 
 /// How vertices that share a tangent lie in the texture: sums over their corners, by angle.
@@ -125,7 +122,7 @@ class TangentMesh {
             const glm::dvec3 tangent = acrossNormal(perU, normal);
             const double length = glm::length(tangent);
             const double angle =
-                cornerAngle(acrossNormal(edge(c, c + 1), normal), acrossNormal(edge(c, c + 2), normal));
+                angleBetween(acrossNormal(edge(c, c + 1), normal), acrossNormal(edge(c, c + 2), normal));
             if (length > 0.0 && angle > 0.0) {
                 TangentSum& sum = sums[m_group[corner(c)]];
                 sum.direction += angle / length * tangent;

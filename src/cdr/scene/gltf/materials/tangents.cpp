@@ -33,11 +33,6 @@ TextureFrame frameOf(const std::array<glm::dvec3, 3>& positions, const std::arra
     return {.tangent = tangent / length, .isMirrored = area > 0.0};
 }
 
-double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
-    const double lengths = glm::length(a) * glm::length(b);
-    return lengths > 0.0 ? std::acos(std::clamp(glm::dot(a, b) / lengths, -1.0, 1.0)) : 0.0;
-}
-
 /// The vertices of a mesh by the sense in which their triangles run through the texture.
 class Senses {
   public:
@@ -88,6 +83,11 @@ class Senses {
 };
 
 } // namespace
+
+double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
+    const double lengths = glm::length(a) * glm::length(b);
+    return lengths > 0.0 ? std::acos(std::clamp(glm::dot(a, b) / lengths, -1.0, 1.0)) : 0.0;
+}
 
 glm::vec3 anyTangent(const glm::vec3& normal) {
     const glm::vec3 axis =

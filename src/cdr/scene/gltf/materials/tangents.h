@@ -12,6 +12,9 @@ namespace cdr::scene::gltf {
 /// @param mesh with details. @param along the place of textures that tangents follow.
 void deriveTangents(SourceMesh& mesh, UvPlaces::Tangents along);
 
+/// The angle between two vectors, radians; 0 where one of them is 0.
+double angleBetween(const glm::dvec3& a, const glm::dvec3& b);
+
 /// Any unit vector at a right angle to a unit normal.
 glm::vec3 anyTangent(const glm::vec3& normal);
 
