@@ -40,30 +40,13 @@ DepthSlice integerSlice(std::size_t slice, std::size_t slices, int bits) {
 } // namespace
 
 OnePassTargets::OnePassTargets(const gpu::Device& device, const TargetsOptions& options)
-    : m_gbuffer(makeGBuffer(device, options.extent, "G-buffer", options.format)),
-      m_emission(makeEmission(device, options, "emission")),
-      m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth", options.format)),
-      m_depthFormat(options.depthFormat),
-      m_reversedDepth(options.reversedDepth),
-      m_zeroFill(makeZeroFill(device, options)) {}
+    : OneGBufferTargets(device, options),
+      m_depthFormat(options.depthFormat) {}
 
 DepthSlice OnePassTargets::depthSlice(std::size_t cascade, std::size_t cascades) const {
-    const std::size_t slice = m_reversedDepth ? cascades - 1 - cascade : cascade;
+    const std::size_t slice = isDepthReversed() ? cascades - 1 - cascade : cascade;
     const depth::DepthFormatTraits& format = traitsOf(m_depthFormat);
     return format.isFloat ? floatSlice(slice, cascades) : integerSlice(slice, cascades, format.bits);
-}
-
-GBufferScope OnePassTargets::scope(const glm::vec4& clearColor) const {
-    return {.gbuffer = m_gbuffer,
-            .depth = m_depth,
-            .emission = m_emission.get(),
-            .reversedDepth = m_reversedDepth,
-            .clearColor = clearColor,
-            .zeroFill = m_zeroFill.get()};
-}
-
-void OnePassTargets::begin(vk::CommandBuffer primary) const {
-    beginGBuffer(primary, scope());
 }
 
 void OnePassTargets::record(CascadeCommands& commands, const FrameView& view) {

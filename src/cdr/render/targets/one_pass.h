@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cdr/render/targets/targets.h>
-#include <cdr/render/targets/zero_fill.h>
+#include <cdr/render/targets/one_gbuffer.h>
 
 namespace cdr::render {
 
@@ -22,26 +21,15 @@ namespace cdr::render {
 /// to one bit where v enters the next octave. From 52 on (k = 1) a bit is lost everywhere. Below d = 2^-k steps
 /// no longer shrink with d, but in the lowest slice. That is the far cascade's for reversed depth and the near
 /// one's for the rest. It keeps float's own steps down to d = 2^-24 at least.
-class OnePassTargets final : public Targets {
+class OnePassTargets final : public OneGBufferTargets {
   public:
     OnePassTargets(const gpu::Device& device, const TargetsOptions& options);
 
     DepthSlice depthSlice(std::size_t cascade, std::size_t cascades) const override;
-    void begin(vk::CommandBuffer primary) const override;
     void record(CascadeCommands& commands, const FrameView& view) override;
-    const gpu::Image& gbuffer() const override { return m_gbuffer; }
-    const gpu::Image* emission() const override { return m_emission.get(); }
-    const gpu::Image* marks() const override { return marksOf(m_depth, m_gbuffer); }
 
   private:
-    GBufferScope scope(const glm::vec4& clearColor = {}) const;
-
-    gpu::Image m_gbuffer;
-    std::unique_ptr<gpu::Image> m_emission; ///< null without
-    gpu::Image m_depth;
     depth::DepthFormat m_depthFormat;
-    bool m_reversedDepth;
-    std::unique_ptr<ZeroFill> m_zeroFill; ///< null where the device clears quickly
 };
 
 } // namespace cdr::render
