@@ -23,27 +23,18 @@ using Access = vk::AccessFlagBits2;
 
 TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, const gpu::SetLayout& list,
                                         const BlendOptions& blend) {
-    TranslucentPipelinesOptions options{.name = "translucent, sorted",
-                                        .receivesShadows = blend.receivesShadows,
-                                        .fragmentSpirv = {},
-                                        .detailedSpirv = {},
-                                        .sets = {surroundings, list},
-                                        .colorFormats = {},
-                                        .variants = blend.variants};
-    const auto choose = [&](const gpu::Spirv& lit, const gpu::Spirv& shadowed) {
-        return blend.receivesShadows ? shadowed : lit;
-    };
-    if (blend.countsFragments) {
-        options.fragmentSpirv = choose(kTranslucentSortedCountedFrag, kTranslucentSortedShadowedCountedFrag);
-        options.detailedSpirv =
-            choose(kTranslucentSortedCountedDetailedFrag, kTranslucentSortedShadowedCountedDetailedFrag);
-        options.colorFormats.push_back(FragmentCounter::kFormat);
-    } else {
-        options.fragmentSpirv = choose(kTranslucentSortedFrag, kTranslucentSortedShadowedFrag);
-        options.detailedSpirv =
-            choose(kTranslucentSortedDetailedFrag, kTranslucentSortedShadowedDetailedFrag);
-    }
-    return options;
+    return withShaders({.name = "translucent, sorted",
+                        .fragmentSpirv = {},
+                        .detailedSpirv = {},
+                        .sets = {surroundings, list},
+                        .colorFormats = {},
+                        .variants = {}},
+                       blend,
+                       {.lit = {kTranslucentSortedFrag, kTranslucentSortedDetailedFrag},
+                        .counted = {kTranslucentSortedCountedFrag, kTranslucentSortedCountedDetailedFrag},
+                        .shadowed = {kTranslucentSortedShadowedFrag, kTranslucentSortedShadowedDetailedFrag},
+                        .shadowedCounted = {kTranslucentSortedShadowedCountedFrag,
+                                            kTranslucentSortedShadowedCountedDetailedFrag}});
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #include <cdr/gpu/pipeline.h>
+#include <cdr/render/translucency/fragment_counter.h>
 #include <cdr/render/translucency/translucent_pipelines.h>
 #include <cdr/shaders/translucent_detailed_vert.h>
 #include <cdr/shaders/translucent_shared.h>
@@ -57,6 +58,21 @@ std::uint32_t keyOf(std::uint32_t variant, bool isShiny) {
 }
 
 } // namespace
+
+TranslucentPipelinesOptions withShaders(TranslucentPipelinesOptions options, const BlendOptions& blend,
+                                        const BlendShaders& shaders) {
+    const BlendShader& uncounted = blend.receivesShadows ? shaders.shadowed : shaders.lit;
+    const BlendShader& counted = blend.receivesShadows ? shaders.shadowedCounted : shaders.counted;
+    const BlendShader& chosen = blend.countsFragments ? counted : uncounted;
+    options.fragmentSpirv = chosen.plain;
+    options.detailedSpirv = chosen.detailed;
+    options.receivesShadows = blend.receivesShadows;
+    options.variants = blend.variants;
+    if (blend.countsFragments) {
+        options.colorFormats.push_back(FragmentCounter::kFormat);
+    }
+    return options;
+}
 
 TranslucentPipelines::TranslucentPipelines(const gpu::Device& device, const GpuScene& scene,
                                            const TranslucentPipelinesOptions& options)

@@ -30,6 +30,24 @@ struct TranslucentPipelinesOptions {
     std::vector<std::uint32_t> variants;  ///< that have pipelines from the start, beside those of the scene
 };
 
+/// A method's fragment shaders, for materials without and with detail.
+struct BlendShader {
+    gpu::Spirv plain;
+    gpu::Spirv detailed;
+};
+
+/// A method's fragment shaders by what they do besides: receive shadows, count fragments into the last image.
+struct BlendShaders {
+    BlendShader lit;
+    BlendShader counted;
+    BlendShader shadowed;
+    BlendShader shadowedCounted;
+};
+
+/// `options` with those of `shaders` that `blend` asks for.
+TranslucentPipelinesOptions withShaders(TranslucentPipelinesOptions options, const BlendOptions& blend,
+                                        const BlendShaders& shaders);
+
 /// The pipelines that draw translucent surfaces: no depth buffer, blended.
 class TranslucentPipelines {
   public:

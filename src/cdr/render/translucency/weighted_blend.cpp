@@ -34,28 +34,19 @@ gpu::Image makeImage(const gpu::Device& device, vk::Extent2D extent, vk::Format 
 }
 
 TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, const BlendOptions& blend) {
-    TranslucentPipelinesOptions options{.name = "translucent, weighted",
-                                        .receivesShadows = blend.receivesShadows,
-                                        .fragmentSpirv = {},
-                                        .detailedSpirv = {},
-                                        .sets = {surroundings},
-                                        .colorFormats = {kSumFormat, kWeightFormat},
-                                        .variants = blend.variants};
-    const auto choose = [&](const gpu::Spirv& lit, const gpu::Spirv& shadowed) {
-        return blend.receivesShadows ? shadowed : lit;
-    };
-    if (blend.countsFragments) {
-        options.fragmentSpirv =
-            choose(kTranslucentWeightedCountedFrag, kTranslucentWeightedShadowedCountedFrag);
-        options.detailedSpirv =
-            choose(kTranslucentWeightedCountedDetailedFrag, kTranslucentWeightedShadowedCountedDetailedFrag);
-        options.colorFormats.push_back(FragmentCounter::kFormat);
-    } else {
-        options.fragmentSpirv = choose(kTranslucentWeightedFrag, kTranslucentWeightedShadowedFrag);
-        options.detailedSpirv =
-            choose(kTranslucentWeightedDetailedFrag, kTranslucentWeightedShadowedDetailedFrag);
-    }
-    return options;
+    return withShaders(
+        {.name = "translucent, weighted",
+         .fragmentSpirv = {},
+         .detailedSpirv = {},
+         .sets = {surroundings},
+         .colorFormats = {kSumFormat, kWeightFormat},
+         .variants = {}},
+        blend,
+        {.lit = {kTranslucentWeightedFrag, kTranslucentWeightedDetailedFrag},
+         .counted = {kTranslucentWeightedCountedFrag, kTranslucentWeightedCountedDetailedFrag},
+         .shadowed = {kTranslucentWeightedShadowedFrag, kTranslucentWeightedShadowedDetailedFrag},
+         .shadowedCounted = {kTranslucentWeightedShadowedCountedFrag,
+                             kTranslucentWeightedShadowedCountedDetailedFrag}});
 }
 
 vk::RenderingAttachmentInfo cleared(const gpu::Image& image, float alpha) {
