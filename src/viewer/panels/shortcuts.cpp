@@ -5,28 +5,32 @@
 
 #include <GLFW/glfw3.h>
 
+#include <array>
+#include <utility>
+
 namespace cdr::viewer {
 
 namespace {
 
-void toggleComparison(ViewSettings& settings) {
-    if (settings.second) {
-        settings.second.reset();
+void toggleComparison(ViewerModel& model, const Pressed&) {
+    if (model.settings.second) {
+        model.settings.second.reset();
     } else {
-        settings.second = depth::parseTechnique("anchored");
+        model.settings.second = depth::parseTechnique("anchored");
     }
 }
 
-void stepView(ViewSettings& settings, std::size_t steps) {
-    const auto now = static_cast<std::size_t>(settings.view);
-    settings.view = kViewKinds[(now + steps) % kViewKinds.size()];
+void stepView(ViewerModel& model, const Pressed& pressed) {
+    const auto now = static_cast<std::size_t>(model.settings.view);
+    const std::size_t steps = pressed.shift ? kViewKinds.size() - 1 : 1;
+    model.settings.view = kViewKinds[(now + steps) % kViewKinds.size()];
 }
 
-void toggleMotion(CameraModel& camera, Motion motion) {
-    camera.motion = camera.motion == motion ? Motion::free : motion;
+void toggleScenePath(ViewerModel& model, const Pressed&) {
+    model.camera.motion = model.camera.motion == Motion::scenePath ? Motion::free : Motion::scenePath;
 }
 
-void toggleAnimation(ViewerModel& model) {
+void toggleAnimation(ViewerModel& model, const Pressed&) {
     model.camera.playback.isPlaying = !model.camera.playback.isPlaying;
     const bool hasAny = model.picture.shown != nullptr &&
                         model.picture.shown->sceneName == model.settings.scene &&
@@ -34,6 +38,141 @@ void toggleAnimation(ViewerModel& model) {
     if (hasAny && !model.settings.choice.framesPerSecond) {
         model.settings.choice = withAnimation(model.settings.choice, 0);
     }
+}
+
+void togglePanels(ViewerModel& model, const Pressed&) {
+    model.interface.showsPanel = !model.interface.showsPanel;
+}
+
+void toggleHelp(ViewerModel& model, const Pressed&) {
+    model.interface.showsHelp = !model.interface.showsHelp;
+}
+
+void takeScreenshot(ViewerModel& model, const Pressed& pressed) {
+    model.actions.push_back(pressed.shift ? Action::screenshotWindow : Action::screenshotPicture);
+}
+
+void showPanel(ViewerModel& model, const Pressed& pressed) {
+    model.interface.panelKeys = PanelKeys{.panel = pressed.place};
+    model.interface.showsPanel = true;
+}
+
+void choosePreset(ViewerModel& model, const Pressed& pressed) {
+    const std::size_t side = pressed.shift && model.settings.second ? 1 : 0;
+    model.settings = withPreset(model.settings, side, pressed.place + 1);
+}
+
+void toggleOrbit(ViewerModel& model, const Pressed&) {
+    if (model.camera.orbits) {
+        model.camera.orbits = false;
+    } else {
+        beginOrbit(model.camera, model.picture.measuring);
+    }
+}
+
+void chooseEyes(ViewerModel& model, const Pressed& pressed) {
+    model.settings = pressed.shift ? withOtherEyes(std::move(model.settings))
+                                   : withNextStereo(std::move(model.settings), model.camera.surfaceView);
+}
+
+/// Gives the keys of a panel back, or else closes what lies over the picture.
+void escape(ViewerModel& model) {
+    if (model.interface.panelKeys) {
+        model.interface.panelKeys.reset();
+    } else {
+        model.interface.showsHelp = false;
+        model.interface.firstSteps.end();
+    }
+}
+
+template <Action Chosen>
+void take(ViewerModel& model, const Pressed&) {
+    model.actions.push_back(Chosen);
+}
+
+constexpr std::array kMoving{
+    Shortcut{"W S, up down",
+             "fly ahead and back, a share of the way to what you look at: you never fly through it"},
+    Shortcut{"A D, left right", "fly sideways"},
+    Shortcut{"E Q, page up down", "rise and sink in the picture"},
+    Shortcut{"shift, ctrl", "eight times faster, eight times slower"},
+    Shortcut{"drag left", "look about; on an orbit, turn the scene"},
+    Shortcut{"drag right", "look about, on an orbit too; keys fly meanwhile"},
+    Shortcut{"drag middle", "go round what was last clicked; with shift, shift the view"},
+    Shortcut{"wheel", "go nearer or farther"},
+    Shortcut{"F", "look at what was last clicked so that it fills the picture", take<Action::frameSelected>,
+             GLFW_KEY_F},
+    Shortcut{"O, double click", "orbit what was last clicked; O flies again", toggleOrbit, GLFW_KEY_O},
+    Shortcut{"home", "back to the scene's own camera", take<Action::sceneCamera>, GLFW_KEY_HOME},
+    Shortcut{"gamepad", "left stick moves, right stick looks, bumpers rise and sink, triggers zoom"},
+};
+
+constexpr std::array kLens{
+    Shortcut{"alt + wheel", "narrow or widen the lens, 90 to 0.001 degrees, toward the cursor"},
+};
+
+constexpr std::array kComparing{
+    Shortcut{"1 to 6", "standard, cdr, log, logcdr, reversed, anchored", choosePreset, GLFW_KEY_1,
+             kPresetKeys},
+    Shortcut{"shift + 1 to 6", "the same for the right side of a split screen"},
+    Shortcut{"C", "split the screen, or join it", toggleComparison, GLFW_KEY_C},
+    Shortcut{"drag the divider", "wipe from one technique to the other"},
+    Shortcut{"V",
+             "next view: shaded, cascades, distance, ids, wrong pixels, flips; with shift, the one before",
+             stepView, GLFW_KEY_V},
+};
+
+constexpr std::array kEyes{
+    Shortcut{"G", "two eyes side by side, then as an anaglyph, then one; with shift, parallel or toed-in",
+             chooseEyes, GLFW_KEY_G},
+};
+
+constexpr std::array kMeasuring{
+    Shortcut{"click", "name what is there, its place and distance; a second click measures from the first"},
+    Shortcut{"X", "forget both", take<Action::forgetMeasuring>, GLFW_KEY_X},
+};
+
+constexpr std::array kKeeping{
+    Shortcut{"T", "a tour: from a space station's window to a runway's number", take<Action::tour>,
+             GLFW_KEY_T},
+    Shortcut{"space", "follow the scene's own camera path, or stop", toggleScenePath, GLFW_KEY_SPACE},
+    Shortcut{"K", "play a file's animation, or pause; the panel Camera chooses one", toggleAnimation,
+             GLFW_KEY_K},
+    Shortcut{"R", "record the camera's path, or end the recording", take<Action::record>, GLFW_KEY_R},
+    Shortcut{"P", "play what was recorded", take<Action::playRecording>, GLFW_KEY_P},
+    Shortcut{"F11", "record what is shown as a video, both sides beside each other, or end it",
+             take<Action::video>, GLFW_KEY_F11},
+    Shortcut{"F12", "write the picture to a file; with shift, the whole window", takeScreenshot,
+             GLFW_KEY_F12},
+    Shortcut{"ctrl + C",
+             "copy the command line that renders this picture without a window, or one for each side",
+             take<Action::copyCommandLine>, GLFW_KEY_C, 1, GLFW_MOD_CONTROL},
+    Shortcut{"drop a file", "open a .gltf or .glb scene"},
+    Shortcut{"tab", "show or hide the panels", togglePanels, GLFW_KEY_TAB},
+    Shortcut{"F2 to F6",
+             "choose in a panel by arrows, enter and space; esc gives the keys back to the camera", showPanel,
+             GLFW_KEY_F2, kPanels.size()},
+    Shortcut{"F1", "show or hide this help", toggleHelp, GLFW_KEY_F1},
+    Shortcut{"ctrl + Q", "close the window", take<Action::quit>, GLFW_KEY_Q, 1, GLFW_MOD_CONTROL},
+};
+
+constexpr std::array kSections{
+    ShortcutSection{"Moving", kMoving},       ShortcutSection{"Lens", kLens},
+    ShortcutSection{"Comparing", kComparing}, ShortcutSection{"Eyes", kEyes},
+    ShortcutSection{"Measuring", kMeasuring}, ShortcutSection{"Keeping", kKeeping},
+};
+
+/// The shortcut of a key; null where it has none.
+const Shortcut* shortcutOf(int key, int modifiers) {
+    for (const ShortcutSection& section : kSections) {
+        for (const Shortcut& shortcut : section.shortcuts) {
+            if (shortcut.act != nullptr && shortcut.modifiers == modifiers && key >= shortcut.key &&
+                key < shortcut.key + static_cast<int>(shortcut.count)) {
+                return &shortcut;
+            }
+        }
+    }
+    return nullptr;
 }
 
 } // namespace
@@ -56,95 +195,25 @@ bool isForEveryPlace(const KeyInput& key) {
            (key.modifiers & GLFW_MOD_CONTROL) != 0;
 }
 
+std::span<const ShortcutSection> shortcuts() {
+    return kSections;
+}
+
 void applyShortcut(const KeyInput& key, ViewerModel& model) {
     if (!key.pressed || key.repeated) {
         return;
     }
-    const bool shift = (key.modifiers & GLFW_MOD_SHIFT) != 0;
-    const bool control = (key.modifiers & GLFW_MOD_CONTROL) != 0;
-    if (key.key >= GLFW_KEY_1 && key.key < GLFW_KEY_1 + static_cast<int>(kPresetKeys)) {
-        const std::size_t side = shift && model.settings.second ? 1 : 0;
-        model.settings = withPreset(model.settings, side, static_cast<std::size_t>(key.key - GLFW_KEY_1) + 1);
+    if (key.key == GLFW_KEY_ESCAPE) {
+        escape(model);
         return;
     }
-    if (key.key >= GLFW_KEY_F2 && key.key < GLFW_KEY_F2 + static_cast<int>(kPanels.size())) {
-        model.interface.panelKeys = PanelKeys{.panel = static_cast<std::size_t>(key.key - GLFW_KEY_F2)};
-        model.interface.showsPanel = true;
-        return;
+    const Shortcut* shortcut = shortcutOf(key.key, key.modifiers & GLFW_MOD_CONTROL);
+    if (shortcut == nullptr) {
+        shortcut = shortcutOf(key.key, 0);
     }
-    switch (key.key) {
-    case GLFW_KEY_F1:
-        model.interface.showsHelp = !model.interface.showsHelp;
-        break;
-    case GLFW_KEY_ESCAPE:
-        if (model.interface.panelKeys) {
-            model.interface.panelKeys.reset();
-        } else {
-            model.interface.showsHelp = false;
-            model.interface.firstSteps.end();
-        }
-        break;
-    case GLFW_KEY_TAB:
-        model.interface.showsPanel = !model.interface.showsPanel;
-        break;
-    case GLFW_KEY_C:
-        if (control) {
-            model.actions.push_back(Action::copyCommandLine);
-        } else {
-            toggleComparison(model.settings);
-        }
-        break;
-    case GLFW_KEY_Q:
-        if (control) {
-            model.actions.push_back(Action::quit);
-        }
-        break;
-    case GLFW_KEY_V:
-        stepView(model.settings, shift ? kViewKinds.size() - 1 : 1);
-        break;
-    case GLFW_KEY_G:
-        model.settings = shift ? withOtherEyes(std::move(model.settings))
-                               : withNextStereo(std::move(model.settings), model.camera.surfaceView);
-        break;
-    case GLFW_KEY_O:
-        if (model.camera.orbits) {
-            model.camera.orbits = false;
-        } else {
-            beginOrbit(model.camera, model.picture.measuring);
-        }
-        break;
-    case GLFW_KEY_SPACE:
-        toggleMotion(model.camera, Motion::scenePath);
-        break;
-    case GLFW_KEY_K:
-        toggleAnimation(model);
-        break;
-    case GLFW_KEY_HOME:
-        model.actions.push_back(Action::sceneCamera);
-        break;
-    case GLFW_KEY_F:
-        model.actions.push_back(Action::frameSelected);
-        break;
-    case GLFW_KEY_T:
-        model.actions.push_back(Action::tour);
-        break;
-    case GLFW_KEY_R:
-        model.actions.push_back(Action::record);
-        break;
-    case GLFW_KEY_P:
-        model.actions.push_back(Action::playRecording);
-        break;
-    case GLFW_KEY_X:
-        model.actions.push_back(Action::forgetMeasuring);
-        break;
-    case GLFW_KEY_F11:
-        model.actions.push_back(Action::video);
-        break;
-    case GLFW_KEY_F12:
-        model.actions.push_back(shift ? Action::screenshotWindow : Action::screenshotPicture);
-        break;
-    default:
-        break;
+    if (shortcut != nullptr) {
+        shortcut->act(model, {.place = static_cast<std::size_t>(key.key - shortcut->key),
+                              .shift = (key.modifiers & GLFW_MOD_SHIFT) != 0});
     }
 }
 

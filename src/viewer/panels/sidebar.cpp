@@ -1,6 +1,5 @@
 #include "panels.h"
-
-#include <viewer/state/help_text.h>
+#include "shortcuts.h"
 
 #include <imgui.h>
 
@@ -95,10 +94,10 @@ void drawHelp(InterfaceModel& interface) {
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings);
     ImGui::PushTextWrapPos(0.9f * window.x - 2.0f * ImGui::GetFontSize() - ImGui::GetStyle().ScrollbarSize);
-    for (const HelpSection& section : helpText()) {
+    for (const ShortcutSection& section : shortcuts()) {
         ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%.*s",
                            static_cast<int>(section.title.size()), section.title.data());
-        for (const HelpLine& line : section.lines) {
+        for (const Shortcut& line : section.shortcuts) {
             ImGui::TextUnformatted(line.keys.data(), line.keys.data() + line.keys.size());
             ImGui::SameLine(ImGui::GetFontSize() * 11.0f);
             ImGui::TextDisabled("%.*s", static_cast<int>(line.meaning.size()), line.meaning.data());

@@ -1,5 +1,4 @@
 #include <viewer/state/explanations.h>
-#include <viewer/state/help_text.h>
 #include <viewer/state/view_settings.h>
 
 #include <gtest/gtest.h>
@@ -76,20 +75,6 @@ TEST(Explanations, EachChoiceHasASentenceOfItsOwn) {
         expectSentence(explain(view));
     }
     expectSentence(explainThreads());
-}
-
-TEST(HelpText, NamesEachKeyOnce) {
-    std::set<std::string_view> keys;
-    for (const HelpSection& section : helpText()) {
-        EXPECT_FALSE(section.title.empty());
-        for (const HelpLine& line : section.lines) {
-            EXPECT_TRUE(keys.insert(line.keys).second) << line.keys;
-            EXPECT_GT(line.meaning.size(), 8u) << line.keys;
-            EXPECT_FALSE(line.meaning.ends_with('.')) << line.keys;
-        }
-    }
-    EXPECT_TRUE(keys.contains("F1"));
-    EXPECT_TRUE(keys.contains("1 to 6"));
 }
 
 } // namespace
