@@ -82,16 +82,20 @@ enum class TextureContent : std::uint8_t {
 /// alias; the one whose texels come closest to pixels; or a blend of the two around that.
 enum class TextureLevels : std::uint8_t { none, nearest, blended };
 
+/// What a texture shows beyond its edges.
+enum class WrapMode : std::uint8_t { clampToEdge, repeat, mirroredRepeat };
+
+/// Whether a texture is read as its nearest texel, or as a blend of the four around a place.
+enum class Filter : std::uint8_t { nearest, linear };
+
 /// An image that a material reads. What draws it makes its smaller levels, each half the size of the one before.
 struct Texture {
-    std::string name{};         ///< for messages and captures
-    image::ImageRgba8 pixels{}; ///< of `content`
-    bool repeatU = true;        ///< beyond its edges; else the edge goes on
-    bool repeatV = true;        ///< beyond its edges; else the edge goes on
-    bool mirrorU = false;       ///< where it repeats, every other copy is mirrored
-    bool mirrorV = false;       ///< where it repeats, every other copy is mirrored
-    bool nearest = false;       ///< shows single texels, where larger than pixels; else blends
-    bool nearestSmall = false;  ///< the same where texels, of a level, are smaller than pixels
+    std::string name{};                             ///< for messages and captures
+    image::ImageRgba8 pixels{};                     ///< of `content`
+    WrapMode wrapU = WrapMode::repeat;              ///< beyond the edges where u is 0 and 1
+    WrapMode wrapV = WrapMode::repeat;              ///< beyond the edges where v is 0 and 1
+    Filter magFilter = Filter::linear;              ///< where texels are larger than pixels
+    Filter minFilter = Filter::linear;              ///< where texels, of a level, are smaller than pixels
     TextureLevels levels = TextureLevels::blended;  ///< read where texels are smaller than pixels
     TextureContent content = TextureContent::color; ///< what its channels are
     /// Colours of smaller levels count by their alpha: of a base colour's texture whose material blends or is masked.

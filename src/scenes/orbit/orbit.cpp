@@ -23,7 +23,7 @@ constexpr double kMoonRight = 9.0;
 std::uint32_t addBlueMarble(SceneBuilder& builder, image::ImageRgba8 color) {
     scene::Scene& scene = builder.scene();
     scene.textures.push_back(
-        {.name = "blue marble", .pixels = std::move(color), .repeatU = true, .repeatV = false});
+        {.name = "blue marble", .pixels = std::move(color), .wrapV = scene::WrapMode::clampToEdge});
     return builder.addMaterial(scene::Material{
         .name = "earth", .baseColorTexture = static_cast<std::uint32_t>(scene.textures.size() - 1)});
 }

@@ -187,7 +187,7 @@ TEST(SampleTexture, IsBilinearInLinearLightAndWraps) {
     EXPECT_NEAR(sampleTexture(texture, {0.75, 0.3}).r, 1.0, 1e-12);
     EXPECT_NEAR(sampleTexture(texture, {0.5, 0.3}).g, 0.5 * linear188, 1e-12);
     EXPECT_NEAR(sampleTexture(texture, {1.0, 0.3}).a, 0.5, 1e-12); // half-way to the first again
-    texture.repeatU = false;
+    texture.wrapU = scene::WrapMode::clampToEdge;
     EXPECT_NEAR(sampleTexture(texture, {1.0, 0.3}).a, 1.0, 1e-12);
     EXPECT_NEAR(sampleTexture(texture, {-3.0, 0.3}).a, 0.0, 1e-12);
 }

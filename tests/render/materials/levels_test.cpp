@@ -75,9 +75,8 @@ class LevelsTest : public RenderTest {
 
 TEST_F(LevelsTest, SmallTexelsAreAveragedInLinearLight) {
     for (const auto levels : {scene::TextureLevels::blended, scene::TextureLevels::nearest}) {
-        for (const bool showsTexels : {false, true}) {
-            const scene::Texture texture{
-                .pixels = chequered(), .nearestSmall = showsTexels, .levels = levels};
+        for (const scene::Filter filter : {scene::Filter::linear, scene::Filter::nearest}) {
+            const scene::Texture texture{.pixels = chequered(), .minFilter = filter, .levels = levels};
             EXPECT_TRUE(areGrey(redsOf(squareWith(texture), true)));
         }
     }
@@ -95,16 +94,17 @@ TEST_F(LevelsTest, DataIsAveragedAsItIs) {
 TEST_F(LevelsTest, WithoutLevelsSmallTexelsAlias) {
     scene::Texture texture{.pixels = chequered(), .levels = scene::TextureLevels::none};
     EXPECT_FALSE(areGrey(redsOf(squareWith(texture), true)));
-    texture.nearestSmall = true;
+    texture.minFilter = scene::Filter::nearest;
     const std::set<int> single = redsOf(squareWith(texture), true);
     EXPECT_TRUE(std::all_of(single.begin(), single.end(), [](int red) { return red == 0 || red == 255; }));
 }
 
 TEST_F(LevelsTest, LargeTexelsHaveAFilterOfTheirOwn) {
-    scene::Texture texture{.pixels = chequered(), .nearest = true};
+    scene::Texture texture{.pixels = chequered(), .magFilter = scene::Filter::nearest};
     const std::set<int> single = redsOf(squareWith(texture), false);
     EXPECT_TRUE(std::all_of(single.begin(), single.end(), [](int red) { return red == 0 || red == 255; }));
-    texture = {.pixels = chequered(), .nearestSmall = true, .levels = scene::TextureLevels::none};
+    texture = {
+        .pixels = chequered(), .minFilter = scene::Filter::nearest, .levels = scene::TextureLevels::none};
     EXPECT_GT(redsOf(squareWith(texture), false).size(), 2u);
 }
 

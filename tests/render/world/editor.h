@@ -368,7 +368,8 @@ class Editor {
         }
         const scene::Texture texture{.name = "made",
                                      .pixels = pixels,
-                                     .repeatU = below(2) == 0,
+                                     .wrapU = below(2) == 0 ? scene::WrapMode::repeat
+                                                            : scene::WrapMode::clampToEdge,
                                      .content = static_cast<scene::TextureContent>(below(2))};
         m_expected.textures[m_expected.nextKey++] = {m_world.addTexture(texture), texture};
     }

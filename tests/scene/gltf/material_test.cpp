@@ -105,7 +105,8 @@ TEST_F(Gltf, PicturesInTheBuffer) {
     EXPECT_EQ(scene.materials[0].baseColorTexture, 0u);
     EXPECT_EQ(scene.textures[0].name, "picture");
     EXPECT_EQ(scene.textures[0].pixels.at(1, 0), (image::Rgba8{40, 50, 60, 70}));
-    EXPECT_TRUE(scene.textures[0].repeatU && scene.textures[0].repeatV);
+    EXPECT_EQ(scene.textures[0].wrapU, WrapMode::repeat);
+    EXPECT_EQ(scene.textures[0].wrapV, WrapMode::repeat);
     EXPECT_EQ(scene.meshes[0].vertices[2].uv, glm::vec2(1, 1));
 }
 
@@ -147,8 +148,8 @@ TEST_F(Gltf, OnePictureWrappedInTwoWaysIsTwoTextures) {
     document.root["meshes"][0]["primitives"].push_back(second);
     const Scene scene = load(document).scene;
     ASSERT_EQ(scene.textures.size(), 2u);
-    EXPECT_TRUE(scene.textures[scene.materials[0].baseColorTexture.value()].repeatU);
-    EXPECT_FALSE(scene.textures[scene.materials[1].baseColorTexture.value()].repeatU);
+    EXPECT_EQ(scene.textures[scene.materials[0].baseColorTexture.value()].wrapU, WrapMode::repeat);
+    EXPECT_EQ(scene.textures[scene.materials[1].baseColorTexture.value()].wrapU, WrapMode::clampToEdge);
 }
 
 TEST_F(Gltf, WrappingOfSamplers) {
@@ -156,10 +157,8 @@ TEST_F(Gltf, WrappingOfSamplers) {
     document.root["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}}};
     document.root["textures"][0]["sampler"] = 0;
     const GltfImport result = load(document);
-    EXPECT_FALSE(result.scene.textures[0].repeatU);
-    EXPECT_TRUE(result.scene.textures[0].repeatV);
-    EXPECT_TRUE(result.scene.textures[0].mirrorV);
-    EXPECT_FALSE(result.scene.textures[0].mirrorU);
+    EXPECT_EQ(result.scene.textures[0].wrapU, WrapMode::clampToEdge);
+    EXPECT_EQ(result.scene.textures[0].wrapV, WrapMode::mirroredRepeat);
     EXPECT_TRUE(result.ignored.empty());
     document.root["samplers"][0]["wrapS"] = 3;
     expectSays(refusal(document), "wrap mode 3 does not exist");
@@ -168,7 +167,7 @@ TEST_F(Gltf, WrappingOfSamplers) {
 }
 
 TEST_F(Gltf, FiltersOfSamplersAreKept) {
-    using Filters = std::tuple<bool, bool, TextureLevels>;
+    using Filters = std::tuple<Filter, Filter, TextureLevels>;
     Document document = textured();
     document.root["textures"][0]["sampler"] = 0;
     const auto filters = [&](const json& sampler) -> Filters {
@@ -176,18 +175,24 @@ TEST_F(Gltf, FiltersOfSamplersAreKept) {
         const GltfImport result = load(document);
         EXPECT_TRUE(result.ignored.empty());
         const Texture& texture = result.scene.textures.at(0);
-        return {texture.nearest, texture.nearestSmall, texture.levels};
+        return {texture.magFilter, texture.minFilter, texture.levels};
     };
-    EXPECT_EQ(filters(json::object()), Filters(false, false, TextureLevels::blended));
-    EXPECT_EQ(filters({{"magFilter", 9729}}), Filters(false, false, TextureLevels::blended));
-    EXPECT_EQ(filters({{"magFilter", 9728}}), Filters(true, false, TextureLevels::blended));
-    EXPECT_EQ(filters({{"minFilter", 9728}}), Filters(false, true, TextureLevels::none));
-    EXPECT_EQ(filters({{"minFilter", 9729}}), Filters(false, false, TextureLevels::none));
-    EXPECT_EQ(filters({{"minFilter", 9984}}), Filters(false, true, TextureLevels::nearest));
-    EXPECT_EQ(filters({{"minFilter", 9985}}), Filters(false, false, TextureLevels::nearest));
-    EXPECT_EQ(filters({{"minFilter", 9986}}), Filters(false, true, TextureLevels::blended));
-    EXPECT_EQ(filters({{"minFilter", 9987}}), Filters(false, false, TextureLevels::blended));
-    EXPECT_EQ(filters({{"minFilter", 5}}), Filters(false, false, TextureLevels::blended));
+    EXPECT_EQ(filters(json::object()), Filters(Filter::linear, Filter::linear, TextureLevels::blended));
+    EXPECT_EQ(filters({{"magFilter", 9729}}),
+              Filters(Filter::linear, Filter::linear, TextureLevels::blended));
+    EXPECT_EQ(filters({{"magFilter", 9728}}),
+              Filters(Filter::nearest, Filter::linear, TextureLevels::blended));
+    EXPECT_EQ(filters({{"minFilter", 9728}}), Filters(Filter::linear, Filter::nearest, TextureLevels::none));
+    EXPECT_EQ(filters({{"minFilter", 9729}}), Filters(Filter::linear, Filter::linear, TextureLevels::none));
+    EXPECT_EQ(filters({{"minFilter", 9984}}),
+              Filters(Filter::linear, Filter::nearest, TextureLevels::nearest));
+    EXPECT_EQ(filters({{"minFilter", 9985}}),
+              Filters(Filter::linear, Filter::linear, TextureLevels::nearest));
+    EXPECT_EQ(filters({{"minFilter", 9986}}),
+              Filters(Filter::linear, Filter::nearest, TextureLevels::blended));
+    EXPECT_EQ(filters({{"minFilter", 9987}}),
+              Filters(Filter::linear, Filter::linear, TextureLevels::blended));
+    EXPECT_EQ(filters({{"minFilter", 5}}), Filters(Filter::linear, Filter::linear, TextureLevels::blended));
 }
 
 TEST_F(Gltf, OnePictureFilteredInTwoWaysIsTwoTextures) {

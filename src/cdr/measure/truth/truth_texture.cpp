@@ -11,18 +11,12 @@ namespace cdr::measure {
 
 namespace {
 
-/// What lies beyond the edges of a texture, along one axis; the edge itself unless it repeats.
-struct Beyond {
-    bool repeats = false;
-    bool mirrors = false; ///< every second repeat
-};
-
 /// Where a texel beyond an edge is found.
-std::uint32_t wrapped(std::int64_t i, std::int64_t size, const Beyond& beyond) {
-    if (!beyond.repeats) {
+std::uint32_t wrapped(std::int64_t i, std::int64_t size, scene::WrapMode mode) {
+    if (mode == scene::WrapMode::clampToEdge) {
         return static_cast<std::uint32_t>(std::clamp<std::int64_t>(i, 0, size - 1));
     }
-    const std::int64_t period = beyond.mirrors ? 2 * size : size;
+    const std::int64_t period = mode == scene::WrapMode::mirroredRepeat ? 2 * size : size;
     const std::int64_t inPeriod = ((i % period) + period) % period;
     return static_cast<std::uint32_t>(inPeriod < size ? inPeriod : period - 1 - inPeriod);
 }
@@ -38,15 +32,14 @@ glm::dvec4 linearOf(const image::Rgba8& texel, scene::TextureContent content) {
 /// A picture of a texture, the first or a smaller one, at a place.
 /// @param texelAt (x, y) inside of the picture.
 template <typename TexelAt>
-glm::dvec4 readAt(const scene::Texture& texture, const glm::dvec2& size, bool showsTexels,
+glm::dvec4 readAt(const scene::Texture& texture, const glm::dvec2& size, scene::Filter filter,
                   const glm::dvec2& uv, TexelAt texelAt) {
     const auto at = [&](double x, double y) -> glm::dvec4 {
-        return texelAt(wrapped(static_cast<std::int64_t>(x), static_cast<std::int64_t>(size.x),
-                               {.repeats = texture.repeatU, .mirrors = texture.mirrorU}),
-                       wrapped(static_cast<std::int64_t>(y), static_cast<std::int64_t>(size.y),
-                               {.repeats = texture.repeatV, .mirrors = texture.mirrorV}));
+        return texelAt(
+            wrapped(static_cast<std::int64_t>(x), static_cast<std::int64_t>(size.x), texture.wrapU),
+            wrapped(static_cast<std::int64_t>(y), static_cast<std::int64_t>(size.y), texture.wrapV));
     };
-    if (showsTexels) {
+    if (filter == scene::Filter::nearest) {
         const glm::dvec2 texel = glm::floor(uv * size);
         return at(texel.x, texel.y);
     }
@@ -58,9 +51,9 @@ glm::dvec4 readAt(const scene::Texture& texture, const glm::dvec2& size, bool sh
                     share.y);
 }
 
-glm::dvec4 readFirst(const scene::Texture& texture, bool showsTexels, const glm::dvec2& uv) {
+glm::dvec4 readFirst(const scene::Texture& texture, scene::Filter filter, const glm::dvec2& uv) {
     return readAt(
-        texture, {texture.pixels.width, texture.pixels.height}, showsTexels, uv,
+        texture, {texture.pixels.width, texture.pixels.height}, filter, uv,
         [&](std::uint32_t x, std::uint32_t y) { return linearOf(texture.pixels.at(x, y), texture.content); });
 }
 
@@ -180,7 +173,7 @@ double levelOf(const scene::Texture& texture, const UvSteps& steps) {
 } // namespace
 
 glm::dvec4 sampleTexture(const scene::Texture& texture, const glm::dvec2& uv) {
-    return readFirst(texture, texture.nearest, uv);
+    return readFirst(texture, texture.magFilter, uv);
 }
 
 TruthTextures::TruthTextures(const scene::Scene& scene) {
@@ -193,10 +186,10 @@ glm::dvec4 TruthTextures::sampleLevel(const Filtered& filtered, std::size_t leve
                                       const glm::dvec2& uv) const {
     const scene::Texture& texture = *filtered.texture;
     if (level == 0) {
-        return readFirst(texture, texture.nearestSmall, uv);
+        return readFirst(texture, texture.minFilter, uv);
     }
     const Level& picture = filtered.levels[level - 1];
-    return readAt(texture, {picture.width, picture.height}, texture.nearestSmall, uv,
+    return readAt(texture, {picture.width, picture.height}, texture.minFilter, uv,
                   [&](std::uint32_t x, std::uint32_t y) { return glm::dvec4(picture.at(x, y)); });
 }
 

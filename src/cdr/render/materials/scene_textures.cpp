@@ -42,8 +42,20 @@ bool isMoved(const scene::TextureUse& use) {
     return use.transform != scene::TextureUse{}.transform;
 }
 
-vk::Filter filterOf(bool showsTexels) {
-    return showsTexels ? vk::Filter::eNearest : vk::Filter::eLinear;
+vk::Filter filterOf(scene::Filter filter) {
+    return filter == scene::Filter::nearest ? vk::Filter::eNearest : vk::Filter::eLinear;
+}
+
+vk::SamplerAddressMode addressModeOf(scene::WrapMode mode) {
+    switch (mode) {
+    case scene::WrapMode::clampToEdge:
+        return vk::SamplerAddressMode::eClampToEdge;
+    case scene::WrapMode::mirroredRepeat:
+        return vk::SamplerAddressMode::eMirroredRepeat;
+    case scene::WrapMode::repeat:
+        break;
+    }
+    return vk::SamplerAddressMode::eRepeat;
 }
 
 /// The largest level of detail of a texture without levels, so that a minified one still takes its own filter. A quarter
@@ -51,20 +63,14 @@ vk::Filter filterOf(bool showsTexels) {
 constexpr float kFirstLevelAlone = 0.25f;
 
 vk::UniqueSampler makeSampler(const gpu::Device& device, const scene::Texture& texture) {
-    const auto mode = [](bool repeat, bool mirror) {
-        if (!repeat) {
-            return vk::SamplerAddressMode::eClampToEdge;
-        }
-        return mirror ? vk::SamplerAddressMode::eMirroredRepeat : vk::SamplerAddressMode::eRepeat;
-    };
     return vk::Device(device.handle())
         .createSamplerUnique(
-            {.magFilter = filterOf(texture.nearest),
-             .minFilter = filterOf(texture.nearestSmall),
+            {.magFilter = filterOf(texture.magFilter),
+             .minFilter = filterOf(texture.minFilter),
              .mipmapMode = texture.levels == scene::TextureLevels::blended ? vk::SamplerMipmapMode::eLinear
                                                                            : vk::SamplerMipmapMode::eNearest,
-             .addressModeU = mode(texture.repeatU, texture.mirrorU),
-             .addressModeV = mode(texture.repeatV, texture.mirrorV),
+             .addressModeU = addressModeOf(texture.wrapU),
+             .addressModeV = addressModeOf(texture.wrapV),
              .maxLod = texture.levels == scene::TextureLevels::none ? kFirstLevelAlone : VK_LOD_CLAMP_NONE});
 }
 

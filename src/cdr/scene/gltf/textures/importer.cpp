@@ -21,19 +21,25 @@ using nlohmann::json;
 constexpr std::uint64_t kMaxTextureBytes = 1366ull << 20;
 
 /// glTF's numbers for how a texture goes on beyond its edge.
-enum Wrap { kClampToEdge = 33071, kMirroredRepeat = 33648, kRepeat = 10497 };
+enum GltfWrap { kClampToEdge = 33071, kMirroredRepeat = 33648, kRepeat = 10497 };
 
 /// A sampler's wrap mode; glTF's default repeats.
-int wrapOf(const json& sampler, const char* key, int texture) {
+WrapMode wrapOf(const json& sampler, const char* key, int texture) {
     const int wrap = indexMember(sampler, key).value_or(kRepeat);
-    if (wrap != kMirroredRepeat && wrap != kRepeat && wrap != kClampToEdge) {
+    switch (wrap) {
+    case kClampToEdge:
+        return WrapMode::clampToEdge;
+    case kMirroredRepeat:
+        return WrapMode::mirroredRepeat;
+    case kRepeat:
+        return WrapMode::repeat;
+    default:
         refuse("texture {}: wrap mode {} does not exist", texture, wrap);
     }
-    return wrap;
 }
 
 /// glTF's numbers for filters.
-enum Filter {
+enum GltfFilter {
     kNearest = 9728,
     kLinear = 9729,
     kNearestMipmapNearest = 9984,
@@ -45,22 +51,22 @@ enum Filter {
 /// How a sampler reads texels that are smaller than pixels. What it leaves open, and numbers that glTF does not have,
 /// blend between texels and levels.
 struct SmallFilter {
-    bool showsTexels = false;
+    Filter filter = Filter::linear;
     TextureLevels levels = TextureLevels::blended;
 };
 
 SmallFilter smallFilterOf(const json& sampler) {
     switch (indexMember(sampler, "minFilter").value_or(kLinearMipmapLinear)) {
     case kNearest:
-        return {.showsTexels = true, .levels = TextureLevels::none};
+        return {.filter = Filter::nearest, .levels = TextureLevels::none};
     case kLinear:
-        return {.showsTexels = false, .levels = TextureLevels::none};
+        return {.filter = Filter::linear, .levels = TextureLevels::none};
     case kNearestMipmapNearest:
-        return {.showsTexels = true, .levels = TextureLevels::nearest};
+        return {.filter = Filter::nearest, .levels = TextureLevels::nearest};
     case kLinearMipmapNearest:
-        return {.showsTexels = false, .levels = TextureLevels::nearest};
+        return {.filter = Filter::linear, .levels = TextureLevels::nearest};
     case kNearestMipmapLinear:
-        return {.showsTexels = true, .levels = TextureLevels::blended};
+        return {.filter = Filter::nearest, .levels = TextureLevels::blended};
     default:
         return {};
     }
@@ -90,24 +96,23 @@ std::optional<std::uint32_t> TextureImporter::use(int index, TextureContent cont
     const std::optional<int> samplerIndex = indexMember(source, "sampler");
     const json defaults = json::object();
     const json& sampler = samplerIndex ? itemAt(root, "samplers", *samplerIndex, "sampler") : defaults;
-    const int wrapU = wrapOf(sampler, "wrapS", index);
-    const int wrapV = wrapOf(sampler, "wrapT", index);
-    const bool nearest = indexMember(sampler, "magFilter").value_or(kLinear) == kNearest;
+    const WrapMode wrapU = wrapOf(sampler, "wrapS", index);
+    const WrapMode wrapV = wrapOf(sampler, "wrapT", index);
+    const bool isNearest = indexMember(sampler, "magFilter").value_or(kLinear) == kNearest;
+    const Filter magFilter = isNearest ? Filter::nearest : Filter::linear;
     const SmallFilter small = smallFilterOf(sampler);
     const auto [found, isNew] = m_imported.try_emplace(
-        {*image, wrapU, wrapV, nearest, small.showsTexels, small.levels, content, alpha.weighs, alpha.cutoff},
+        {*image, wrapU, wrapV, magFilter, small.filter, small.levels, content, alpha.weighs, alpha.cutoff},
         static_cast<std::uint32_t>(m_scene.textures.size()));
     if (isNew) {
         Shown& shown = shownOf(*image);
         shown.textures.push_back(found->second);
         m_needs.push_back({.size = shown.source.size, .hasLevels = small.levels != TextureLevels::none});
         m_scene.textures.push_back({.name = shown.source.name,
-                                    .repeatU = wrapU != kClampToEdge,
-                                    .repeatV = wrapV != kClampToEdge,
-                                    .mirrorU = wrapU == kMirroredRepeat,
-                                    .mirrorV = wrapV == kMirroredRepeat,
-                                    .nearest = nearest,
-                                    .nearestSmall = small.showsTexels,
+                                    .wrapU = wrapU,
+                                    .wrapV = wrapV,
+                                    .magFilter = magFilter,
+                                    .minFilter = small.filter,
                                     .levels = small.levels,
                                     .content = content,
                                     .alphaWeighs = alpha.weighs,

@@ -51,10 +51,10 @@ class TextureImporter {
     /// Gives a picture to the textures that show it.
     void fill(const Shown& shown, const std::vector<std::uint32_t>& dropped);
 
-    /// Image, how it goes on along u and v, whether single texels show where large and where small, levels, what its
-    /// channels are, and both members of AlphaUse.
-    using Key =
-        std::tuple<int, int, int, bool, bool, TextureLevels, TextureContent, bool, std::optional<float>>;
+    /// Image, how it goes on along u and v, the filters of large and of small texels, levels, what its channels are, and
+    /// both members of AlphaUse.
+    using Key = std::tuple<int, WrapMode, WrapMode, Filter, Filter, TextureLevels, TextureContent, bool,
+                           std::optional<float>>;
 
     Sources m_sources;
     Scene& m_scene;
