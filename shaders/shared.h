@@ -31,13 +31,13 @@ CDR_CONST kCascadeMask = 0x3fu; // after a shift by kIdBits
 CDR_CONST kIdUnlit = 0x80000000u;
 CDR_CONST kIdEmits = 0x40000000u; // of a pixel: the emission buffer holds something of it
 
-// What a material has beside base colour and shine; sums of these are a specialisation constant of pipelines.
-CDR_CONST kDetailShine = 1u;     // a texture of metallic and roughness
-CDR_CONST kDetailNormal = 2u;    // a normal texture
-CDR_CONST kDetailOcclusion = 4u; // an occlusion texture
-CDR_CONST kDetailEmissive = 8u;  // an emissive texture
-CDR_CONST kDetailEmits = 16u;    // it emits light, textured or not
-CDR_CONST kDetailMoved = 32u;    // some of its textures are read elsewhere than at a vertex' places
+// What a material has beside base colour, metallic and roughness; sums of these are a specialisation constant of pipelines.
+CDR_CONST kDetailMetallicRoughness = 1u; // a texture of metallic and roughness
+CDR_CONST kDetailNormal = 2u;            // a normal texture
+CDR_CONST kDetailOcclusion = 4u;         // an occlusion texture
+CDR_CONST kDetailEmissive = 8u;          // an emissive texture
+CDR_CONST kDetailEmits = 16u;            // it emits light, textured or not
+CDR_CONST kDetailMoved = 32u;            // some of its textures are read elsewhere than at a vertex' places
 CDR_CONST kDetailShared =
     64u; // occlusion is the red of the texture of metallic and roughness, at the same place
 CDR_CONST kDetailMasks = 128u; // how many sums there are
@@ -45,12 +45,12 @@ CDR_CONST kDetailMasks = 128u; // how many sums there are
 // Textures of a material's detail: those of the first parts above, in their order.
 CDR_CONST kDetailTextures = 4u;
 
-// How a surface shines, in one byte: 0 is matt, else 1 + metallic * kRoughnessSteps + roughness, both as
+// Metallic and roughness in one byte: 0 is matt, else 1 + metallic * kRoughnessSteps + roughness, both as
 // steps of their range [0, 1]. Roughness is kept in fiftieths, since highlights show it; metallic in
 // quarters, since most materials are all metal or none.
 CDR_CONST kMetallicSteps = 5u;
 CDR_CONST kRoughnessSteps = 51u;
-CDR_CONST kShineMask = 0xffu;
+CDR_CONST kMetallicRoughnessMask = 0xffu;
 
 // What is done to lit colours on their way to the picture.
 CDR_CONST kFinishNone = 0u;
@@ -62,8 +62,8 @@ CDR_CONST kCascadeSlots = 64u;
 
 // A material's detail, in a uniform buffer.
 struct DetailRecord {
-    vec4 emissionAndNormalScale; // linear emission; the normal texture's scale
-    vec4 shineAndOcclusion;      // metallic, roughness, occlusion strength; unused
+    vec4 emissionAndNormalScale;        // linear emission; the normal texture's scale
+    vec4 metallicRoughnessAndOcclusion; // metallic, roughness, occlusion strength; unused
     uint
         secondPlaces; // of which textures, as a sum of the above, a vertex' second place in textures is meant
     uint unused0;
@@ -79,8 +79,9 @@ struct DrawRecord {
     vec4 up;    // the same for view-space y
     vec4 ahead; // the same for the view distance beyond the anchor: w - anchorView, formed in float64
     uint id;    // object index + 1, and kIdUnlit
-    uint cutoffAndShine; // the bits of a float, its lowest byte replaced by the shine (kShineMask)
-    uint baseColorRg;    // linear base colour factor as four halves
+    uint
+        cutoffAndMetallicRoughness; // the bits of a float, its lowest byte replaced by metallic and roughness (kMetallicRoughnessMask)
+    uint baseColorRg; // linear base colour factor as four halves
     uint baseColorBa;
 };
 
@@ -200,7 +201,7 @@ struct ShadingHeader {
 };
 
 #ifdef __cplusplus
-static_assert(kMetallicSteps * kRoughnessSteps <= kShineMask);
+static_assert(kMetallicSteps * kRoughnessSteps <= kMetallicRoughnessMask);
 static_assert(sizeof(DrawRecord) == 64);
 static_assert(sizeof(CascadePush) == 48);
 static_assert(kPushedRecordOffset % 16 == 0 && kPushedRecordOffset >= sizeof(CascadePush));

@@ -34,7 +34,7 @@ void writeRecords(uint instance, uint landing) {
     record.up = vec4(turned(view.up, look), float(along(view.up, sphere)));
     record.ahead = vec4(turned(view.ahead, look), 0.0);
     record.id = look.id;
-    record.cutoffAndShine = material.cutoffAndShine;
+    record.cutoffAndMetallicRoughness = material.cutoffAndMetallicRoughness;
     record.baseColorRg = material.baseColorRg;
     record.baseColorBa = material.baseColorBa;
     for (uint c = 0u; c < landingCascades(landing); ++c) {

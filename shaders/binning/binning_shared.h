@@ -35,7 +35,7 @@ struct InstanceLook {
 };
 
 struct MaterialRecord {
-    uint cutoffAndShine; // the words of a DrawRecord
+    uint cutoffAndMetallicRoughness; // the words of a DrawRecord
     uint baseColorRg;
     uint baseColorBa;
     uint occludes; // 0: fragments may be missing, or lie nearer

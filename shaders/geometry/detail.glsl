@@ -1,12 +1,12 @@
-// What a material has beside base colour and shine, read from its textures. Define DETAIL_SET and DETAIL_CONSTANT first.
+// What a material has beside its factors, read from its textures. Define DETAIL_SET and DETAIL_CONSTANT first.
 #ifndef CDR_SHADERS_DETAIL_GLSL
 #define CDR_SHADERS_DETAIL_GLSL
 
 #include "shading/cheap_division.glsl"
 
-layout(constant_id = DETAIL_CONSTANT) const uint kDetail = 0u; // kDetailShine and its siblings
+layout(constant_id = DETAIL_CONSTANT) const uint kDetail = 0u; // kDetailMetallicRoughness and its siblings
 
-layout(set = DETAIL_SET, binding = 0) uniform sampler2D shineTexture;
+layout(set = DETAIL_SET, binding = 0) uniform sampler2D metallicRoughnessTexture;
 layout(set = DETAIL_SET, binding = 1) uniform sampler2D normalTexture;
 layout(set = DETAIL_SET, binding = 2) uniform sampler2D occlusionTexture;
 layout(set = DETAIL_SET, binding = 3) uniform sampler2D emissiveTexture;
@@ -18,7 +18,7 @@ bool has(uint part) { return (kDetail & part) != 0u; }
 vec2 placeOf(uint part, vec4 places) {
     vec2 place = (detail.secondPlaces & part) != 0u ? places.zw : places.xy;
     if (has(kDetailMoved)) {
-        uint texture = part == kDetailShine ? 0u : part == kDetailNormal ? 1u : part == kDetailOcclusion ? 2u : 3u;
+        uint texture = part == kDetailMetallicRoughness ? 0u : part == kDetailNormal ? 1u : part == kDetailOcclusion ? 2u : 3u;
         vec4 turn = detail.turns[texture];
         place = turn.xy * place.x + turn.zw * place.y + detail.offsets[texture].xy;
     }
@@ -38,14 +38,17 @@ vec3 detailNormal(vec3 normal, vec4 tangent, vec4 places) {
 }
 
 // Metallic and roughness, each in [0, 1].
-vec2 detailShine(vec4 places) {
-    vec2 shine = detail.shineAndOcclusion.xy;
-    return has(kDetailShine) ? shine * texture(shineTexture, placeOf(kDetailShine, places)).bg : shine;
+vec2 detailMetallicRoughness(vec4 places) {
+    vec2 metallicRoughness = detail.metallicRoughnessAndOcclusion.xy;
+    if (!has(kDetailMetallicRoughness)) {
+        return metallicRoughness;
+    }
+    return metallicRoughness * texture(metallicRoughnessTexture, placeOf(kDetailMetallicRoughness, places)).bg;
 }
 
 // As the G-buffer has it, in the last byte.
-uint shineCode(vec2 shine) {
-    uvec2 steps = uvec2(round(shine * vec2(float(kMetallicSteps - 1u), float(kRoughnessSteps - 1u))));
+uint metallicRoughnessCode(vec2 metallicRoughness) {
+    uvec2 steps = uvec2(round(metallicRoughness * vec2(float(kMetallicSteps - 1u), float(kRoughnessSteps - 1u))));
     return 1u + steps.x * kRoughnessSteps + steps.y;
 }
 
@@ -55,9 +58,9 @@ float detailOpenness(vec4 places) {
         return 1.0;
     }
     // The compiler merges two reads of one texture at one place.
-    float share = has(kDetailShared) ? texture(shineTexture, placeOf(kDetailShine, places)).r
+    float share = has(kDetailShared) ? texture(metallicRoughnessTexture, placeOf(kDetailMetallicRoughness, places)).r
                                      : texture(occlusionTexture, placeOf(kDetailOcclusion, places)).r;
-    return mix(1.0, share, detail.shineAndOcclusion.z);
+    return mix(1.0, share, detail.metallicRoughnessAndOcclusion.z);
 }
 
 // Linear light that the surface sends by itself.

@@ -8,7 +8,7 @@ layout(constant_id = 0) const uint kDepthForm = kDepthFormLinear;
 layout(constant_id = 1) const uint kTextured = 0u;
 layout(constant_id = 2) const uint kMasked = 0u;
 layout(constant_id = 3) const uint kWide = 0u;
-layout(constant_id = 4) const uint kShiny = 0u;
+layout(constant_id = 4) const uint kMetallicRoughness = 0u;
 
 layout(set = 0, binding = 0) uniform sampler2D baseColorTexture;
 layout(push_constant) uniform Push { CascadePush cascade; };
@@ -26,7 +26,7 @@ layout(location = 4) in vec4 inTangent;
 #else
 layout(location = 2) in vec2 inUv;
 #endif
-layout(location = 3) flat in uvec2 inIdAndCutoff; // id, and DrawRecord::cutoffAndShine
+layout(location = 3) flat in uvec2 inIdAndCutoff; // id, and DrawRecord::cutoffAndMetallicRoughness
 #endif
 
 layout(location = 0) out uvec4 outTexel;
@@ -65,12 +65,12 @@ void main() {
     }
 #ifdef DETAILED
     vec3 front = detailNormal(inNormalAhead.xyz, inTangent, inUv);
-    uint shine = has(kDetailShine) ? shineCode(detailShine(inUv)) : inIdAndCutoff.y;
+    uint metallicRoughness = has(kDetailMetallicRoughness) ? metallicRoughnessCode(detailMetallicRoughness(inUv)) : inIdAndCutoff.y;
     bool emits = has(kDetailOcclusion | kDetailEmits);
     outEmission = emits ? encodeEmission(detailEmission(inUv), detailOpenness(inUv)) : 0u;
 #else
     vec3 front = inNormalAhead.xyz;
-    uint shine = inIdAndCutoff.y;
+    uint metallicRoughness = inIdAndCutoff.y;
 #endif
 #endif
     // Clipping would round to the size of the triangle. cdrInsideWide() says how cascades overlap here.
@@ -80,13 +80,13 @@ void main() {
 #ifdef FACETED
     outTexel = uvec4(inFacet.xy, floatBitsToUint(ahead), inFacet.z);
 #else
-    if (kMasked != 0u && baseColor.a < uintBitsToFloat(inIdAndCutoff.y & ~kShineMask)) {
+    if (kMasked != 0u && baseColor.a < uintBitsToFloat(inIdAndCutoff.y & ~kMetallicRoughnessMask)) {
         discard;
     }
     // Of a double-sided surface the side that faces the camera is lit.
     outTexel = encodeTexel(baseColor.rgb, gl_FrontFacing ? front : -front, ahead, inIdAndCutoff.x);
-    if (kShiny != 0u) {
-        outTexel.x = withShine(outTexel.x, shine);
+    if (kMetallicRoughness != 0u) {
+        outTexel.x = withMetallicRoughness(outTexel.x, metallicRoughness);
     }
 #ifdef DETAILED
     if (emits) {

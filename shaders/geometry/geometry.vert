@@ -4,7 +4,7 @@
 #include "geometry/depth_mapping.glsl"
 #include "targets/gbuffer.glsl"
 
-layout(constant_id = 4) const uint kShiny = 0u;
+layout(constant_id = 4) const uint kMetallicRoughness = 0u;
 
 #ifdef PUSHED_RECORD
 layout(push_constant) uniform Push {
@@ -32,7 +32,7 @@ layout(location = 1) in vec2 inNormal;
 layout(location = 2) in vec2 inUv;
 layout(location = 3) in vec4 inColor;
 #endif
-// DETAILED: materials with more than base colour and shine.
+// DETAILED: materials with more than base colour, metallic and roughness.
 #ifdef DETAILED
 layout(location = 9) in vec4 inTangent; // octahedral, and how the bitangent points
 layout(location = 10) in vec2 inSecondUv;
@@ -52,7 +52,7 @@ layout(location = 4) out vec4 outTangent;
 #else
 layout(location = 2) out vec2 outUv;
 #endif
-layout(location = 3) flat out uvec2 outIdAndCutoff; // id, and DrawRecord::cutoffAndShine
+layout(location = 3) flat out uvec2 outIdAndCutoff; // id, and DrawRecord::cutoffAndMetallicRoughness
 #endif
 
 #ifdef DETAILED
@@ -94,7 +94,7 @@ void main() {
 #ifdef FACETED
     outAhead = ahead;
     uint albedo = encodeAlbedo(baseColor.rgb);
-    albedo = kShiny != 0u ? withShine(albedo, record.cutoffAndShine) : albedo;
+    albedo = kMetallicRoughness != 0u ? withMetallicRoughness(albedo, record.cutoffAndMetallicRoughness) : albedo;
     outFacet = uvec3(albedo, encodeNormal(turned), id);
 #else
     outNormalAhead = vec4(turned, ahead);
@@ -105,7 +105,7 @@ void main() {
 #else
     outUv = inUv;
 #endif
-    outIdAndCutoff = uvec2(id, record.cutoffAndShine);
+    outIdAndCutoff = uvec2(id, record.cutoffAndMetallicRoughness);
 #endif
 #endif
 }

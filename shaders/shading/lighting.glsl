@@ -6,7 +6,7 @@
 #define CDR_SHADERS_LIGHTING_GLSL
 
 #include "shading/lighting_buffer.glsl"
-#include "shading/shine.glsl"
+#include "shading/metallic_roughness.glsl"
 #include "shading/sky.glsl"
 
 // Whether light from all around is that of a sky; else it is alike from everywhere.
@@ -117,22 +117,22 @@ vec3 lightOn(LitPoint point) {
     return light;
 }
 
-// Light that a shiny surface sends to the camera.
-vec3 shinyLight(Shine shine, LitPoint point) {
+// Light that a metallic-roughness surface sends to the camera.
+vec3 glossyLight(MetallicRoughness metallicRoughness, LitPoint point) {
     vec3 toCamera = normalize(vec3(-point.ray, 1.0));
     float facing = facingOf(point.normal, toCamera);
     vec3 light;
     if (kSky != 0u) {
-        AmbientShares shares = skyShares(shine, facing);
+        AmbientShares shares = skyShares(metallicRoughness, facing);
         vec3 mirrored = reflect(-toCamera, point.normal);
         // An interpolated normal may face away from the camera; what it would mirror is behind the surface (Russell 2013).
         float horizon = 1.0 + min(dot(point.normal, toCamera), 0.0);
         // A rough lobe leans from there to the normal; the mean of its directions need not be unit.
-        vec3 seen = mix(mirrored, point.normal, shine.roughness * shine.roughness);
-        vec3 sky = skyMirrored(seen, shine.roughness) * (horizon * horizon);
+        vec3 seen = mix(mirrored, point.normal, metallicRoughness.roughness * metallicRoughness.roughness);
+        vec3 sky = skyMirrored(seen, metallicRoughness.roughness) * (horizon * horizon);
         light = point.openness * (shares.diffuse * skyDiffuse(point.normal) + shares.mirrored * sky);
     } else {
-        light = point.openness * ambientLight() * ambientReflectance(shine, facing);
+        light = point.openness * ambientLight() * ambientReflectance(metallicRoughness, facing);
     }
     for (uint i = 0u; i < lightCount(); ++i) {
         LightRecord record = lightAt(i);
@@ -144,14 +144,14 @@ vec3 shinyLight(Shine shine, LitPoint point) {
             share *= shapeOf(record, direction, distanceSquared);
         }
         light += record.color.rgb * (share / (1.0 + distanceSquared * record.position.w)) *
-                 pointReflectance(shine, point.normal, toCamera, facing, direction);
+                 pointReflectance(metallicRoughness, point.normal, toCamera, facing, direction);
     }
     return min(light, kBrightest);
 }
 
-// What a surface of a base colour and a shine, as the G-buffer has it, sends to the camera.
-vec3 litColor(vec3 baseColor, uint shine, LitPoint point) {
-    return shine == 0u ? baseColor * lightOn(point) : shinyLight(decodeShine(shine, baseColor), point);
+// What a surface of a base colour and a metallic-roughness byte, as the G-buffer has it, sends to the camera.
+vec3 litColor(vec3 baseColor, uint metallicRoughness, LitPoint point) {
+    return metallicRoughness == 0u ? baseColor * lightOn(point) : glossyLight(decodeMetallicRoughness(metallicRoughness, baseColor), point);
 }
 
 #endif

@@ -14,7 +14,7 @@
 
 // Deferred shading of the final surfaces.
 layout(constant_id = 0) const uint kFoggy = 0u;
-layout(constant_id = 1) const uint kShiny = 0u;
+layout(constant_id = 1) const uint kMetallicRoughness = 0u;
 // Whether the mapping has anchor planes; without, none is read. 2 is in flat_lighting.glsl.
 layout(constant_id = 3) const uint kAnchored = 1u;
 // Whether the stencil test leaves out background, so that none comes here.
@@ -97,7 +97,7 @@ vec2 rayHere() { return rayAt(gl_FragCoord.xy, vec2(textureSize(gbuffer, 0))); }
 struct Surface {
     vec3 albedo;
     vec3 normal;
-    uint shine;
+    uint metallicRoughness;
     uint id;
     vec2 ray;
     vec2 anchor;
@@ -113,14 +113,14 @@ Surface surfaceOf(uvec4 texel) {
     uvec4 known = uvec4(facet.albedo, 0u, 0u, facet.id);
     vec2 anchor = anchorOf(known);
     vec3 normal = normalOf(facet);
-    return Surface(albedoOf(known), normal, shineOf(known), facet.id, ray, anchor, aheadOn(facet, normal, ray, anchor.x));
+    return Surface(albedoOf(known), normal, metallicRoughnessOf(known), facet.id, ray, anchor, aheadOn(facet, normal, ray, anchor.x));
 }
 #else
 bool isBackground(uvec4 texel) { return texel.w == 0u; }
 
 Surface surfaceOf(uvec4 texel) {
     vec2 ray = rayHere();
-    return Surface(albedoOf(texel), normalOf(texel), shineOf(texel), texel.w, ray, anchorOf(texel), aheadOf(texel));
+    return Surface(albedoOf(texel), normalOf(texel), metallicRoughnessOf(texel), texel.w, ray, anchorOf(texel), aheadOf(texel));
 }
 #endif
 
@@ -132,7 +132,7 @@ vec4 shade(ivec2 pixel, uvec4 texel, out float distanceView) {
     uint emission = (surface.id & kIdEmits) != 0u ? texelFetch(emissionBuffer, pixel, 0).x : 0xff000000u;
 #endif
     if ((surface.id & kIdUnlit) == 0u) {
-        uint shine = kShiny != 0u ? surface.shine : 0u;
+        uint metallicRoughness = kMetallicRoughness != 0u ? surface.metallicRoughness : 0u;
         float openness = opennessAt(pixel, texel, surface.normal);
 #ifdef EMISSION
         openness *= opennessOf(emission);
@@ -146,7 +146,7 @@ vec4 shade(ivec2 pixel, uvec4 texel, out float distanceView) {
 #ifdef SHADOWED
         point.reached = texelFetch(shadowMask, pixel, 0);
 #endif
-        color = litColor(color, shine, point);
+        color = litColor(color, metallicRoughness, point);
     }
 #ifdef EMISSION
     color = min(color + emissionOf(emission), kBrightest);

@@ -4,7 +4,7 @@
 #ifndef CDR_SHADERS_EMISSION_GLSL
 #define CDR_SHADERS_EMISSION_GLSL
 
-const float kMostEmission = 16.0; // kBrightest of shine.glsl
+const float kMostEmission = 16.0; // kBrightest of metallic_roughness.glsl
 
 uint encodeEmission(vec3 emission, float openness) {
     vec3 root = pow(clamp(emission / kMostEmission, 0.0, 1.0), vec3(1.0 / 3.0));

@@ -1,7 +1,7 @@
 // The G-buffer: 16 bytes a pixel in one image of four uints. On a software rasteriser, one wide store and one wide load
 // cost far less than four narrow ones.
 //   x: albedo, square root of linear, three unorm8 (a square root stands in for the sRGB curve); above it one byte: how the
-//      surface shines (shine.glsl), 0 is matt; where layers compute ambient occlusion, that byte is the occlusion, unorm8,
+//      surface reflects (metallic_roughness.glsl), 0 is matt; where layers compute ambient occlusion, that byte is the occlusion, unorm8,
 //      0 is open
 //   y: normal, view space, octahedral, two snorm16
 //   z: view distance beyond the cascade's anchor plane, float bits
@@ -32,8 +32,8 @@ vec3 normalOf(uvec4 texel) {
 float occlusionOf(uvec4 texel) { return unpackUnorm4x8(texel.x).a; }
 uint withOcclusion(uint albedo, float occlusion) { return (albedo & 0xffffffu) | (packUnorm4x8(vec4(occlusion, 0.0, 0.0, 0.0)) << 24); }
 
-uint shineOf(uvec4 texel) { return texel.x >> 24; }
-uint withShine(uint albedo, uint cutoffAndShine) { return albedo | (cutoffAndShine << 24); }
+uint metallicRoughnessOf(uvec4 texel) { return texel.x >> 24; }
+uint withMetallicRoughness(uint albedo, uint cutoffAndMetallicRoughness) { return albedo | (cutoffAndMetallicRoughness << 24); }
 
 float aheadOf(uvec4 texel) { return uintBitsToFloat(texel.z); }
 

@@ -29,7 +29,7 @@ layout(location = 0) out vec4 outNormalAhead;
 layout(location = 1) out vec4 outColor;
 layout(location = 3) flat out vec4 outCentreRange;
 layout(location = 4) flat out uint outId;
-layout(location = 5) flat out uint outShine;
+layout(location = 5) flat out uint outMetallicRoughness;
 
 // The same bits in every draw: an instance is drawn once for each cascade or slice of shadows that it is in, and each
 // fragment must be in one of them.
@@ -61,5 +61,5 @@ void main() {
 #endif
     outCentreRange = inCentreRange;
     outId = inLook.x;
-    outShine = inLook.w;
+    outMetallicRoughness = inLook.w;
 }

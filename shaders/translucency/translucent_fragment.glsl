@@ -13,7 +13,7 @@
 #include "shading/lighting.glsl"
 
 layout(constant_id = 0) const uint kTextured = 0u;
-layout(constant_id = 1) const uint kShiny = 0u;
+layout(constant_id = 1) const uint kMetallicRoughness = 0u;
 
 layout(set = 0, binding = 0) uniform sampler2D baseColorTexture;
 layout(set = 1, binding = 0) uniform usampler2D gbuffer; // the final opaque G-buffer
@@ -44,7 +44,7 @@ layout(location = 2) in vec2 inUv;
 #endif
 layout(location = 3) flat in vec4 inCentreRange;
 layout(location = 4) flat in uint inId;
-layout(location = 5) flat in uint inShine;
+layout(location = 5) flat in uint inMetallicRoughness;
 
 struct TranslucentFragment {
     vec4 color;        // lit, linear, straight alpha
@@ -63,19 +63,19 @@ bool isOccluded(vec2 distanceView) {
 struct Surface {
     vec4 baseColor; // linear, straight alpha
     vec3 front;     // normal of the front, of any length
-    uint shine;
+    uint metallicRoughness;
     float openness;
     vec3 emission;
 };
 
 Surface surfaceHere() {
-    Surface surface = Surface(inColor, inNormalAhead.xyz, inShine, 1.0, vec3(0.0));
+    Surface surface = Surface(inColor, inNormalAhead.xyz, inMetallicRoughness, 1.0, vec3(0.0));
     if (kTextured != 0u) {
         surface.baseColor *= texture(baseColorTexture, inUv.xy);
     }
 #ifdef DETAILED
     surface.front = detailNormal(inNormalAhead.xyz, inTangent, inUv);
-    surface.shine = has(kDetailShine) ? shineCode(detailShine(inUv)) : inShine;
+    surface.metallicRoughness = has(kDetailMetallicRoughness) ? metallicRoughnessCode(detailMetallicRoughness(inUv)) : inMetallicRoughness;
     surface.openness = detailOpenness(inUv);
     surface.emission = detailEmission(inUv);
 #endif
@@ -102,7 +102,7 @@ vec4 seenColor(Surface surface, float ahead) {
     vec2 ray = rayAt(gl_FragCoord.xy, vec2(textureSize(gbuffer, 0)));
     vec3 color = surface.baseColor.rgb;
     if ((inId & kIdUnlit) == 0u) {
-        uint shine = kShiny != 0u ? surface.shine : 0u;
+        uint metallicRoughness = kMetallicRoughness != 0u ? surface.metallicRoughness : 0u;
         vec3 normal = normalize(gl_FrontFacing ? surface.front : -surface.front);
 #ifdef SHADOWED
         vec4 reached = reachedBy(Receiver(inCentreRange.xy, ahead, normal), ray);
@@ -110,7 +110,7 @@ vec4 seenColor(Surface surface, float ahead) {
 #else
         LitPoint point = LitPoint(normal, ray, inCentreRange.xy, ahead, surface.openness);
 #endif
-        color = litColor(color, shine, point);
+        color = litColor(color, metallicRoughness, point);
     }
 #ifdef DETAILED
     color = min(color + surface.emission, kBrightest);

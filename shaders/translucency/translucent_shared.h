@@ -25,7 +25,7 @@ struct TranslucentRecord {
     uint id;          // object index + 1, and kIdUnlit
     uint baseColorRg; // linear base colour factor as four halves
     uint baseColorBa;
-    uint shine; // DrawRecord's
+    uint metallicRoughness; // DrawRecord's
 };
 
 // What the draws of one range share; push constants.

@@ -18,7 +18,7 @@ measure::DrawnFrame drawnFrame(const render::Frame& frame, const render::RenderO
                                std::uint32_t subPixelBits);
 
 /// Puts the repairs of a certificate into the frame that it is of: object, distance, normal, albedo and colour. A repaired
-/// pixel's G-buffer does not say how it shines; its colour has it.
+/// pixel's G-buffer does not have its metallic and roughness; its colour has it.
 void putRight(render::Frame& frame, const measure::Certificate& certificate);
 
 } // namespace cdr::output

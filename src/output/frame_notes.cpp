@@ -48,7 +48,7 @@ std::string_view noteOnLostEmission() {
            "lens with a focus keeps them";
 }
 
-std::string_view noteOnLostShine() {
+std::string_view noteOnLostMetallicRoughness() {
     return "surfaces are matt, since ambient occlusion per layer takes the bits that say how they shine";
 }
 

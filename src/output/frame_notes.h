@@ -16,7 +16,7 @@ std::string noteOn(const render::ListRefusal& refusal, std::string_view device, 
 /// What FrameStats::lostEmission means, in words.
 std::string_view noteOnLostEmission();
 
-/// What FrameStats::lostShine means, in words.
-std::string_view noteOnLostShine();
+/// What FrameStats::lostMetallicRoughness means, in words.
+std::string_view noteOnLostMetallicRoughness();
 
 } // namespace cdr::output

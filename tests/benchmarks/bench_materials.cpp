@@ -26,7 +26,7 @@ using namespace cdr;
 /// metallic and roughness, as in the original files of the helmet.
 enum Parts : unsigned {
     kNone = 0,
-    kShine = 1,
+    kMetallicRoughness = 1,
     kNormal = 2,
     kOcclusion = 4,
     kEmission = 8,
@@ -43,11 +43,12 @@ struct MaterialsCase {
 
 constexpr std::array kCases{
     MaterialsCase{"shine alone, lamps", scene::ModelLight::lamps, kNone},
-    MaterialsCase{"metallic and roughness, lamps", scene::ModelLight::lamps, kShine},
+    MaterialsCase{"metallic and roughness, lamps", scene::ModelLight::lamps, kMetallicRoughness},
     MaterialsCase{"normal, lamps", scene::ModelLight::lamps, kNormal},
     MaterialsCase{"occlusion, lamps", scene::ModelLight::lamps, kOcclusion},
     MaterialsCase{"emission, lamps", scene::ModelLight::lamps, kEmission},
-    MaterialsCase{"normal and packed, lamps", scene::ModelLight::lamps, kNormal | kShine | kPacked},
+    MaterialsCase{"normal and packed, lamps", scene::ModelLight::lamps,
+                  kNormal | kMetallicRoughness | kPacked},
     MaterialsCase{"five textures, lamps", scene::ModelLight::lamps},
     MaterialsCase{"five textures, sky", scene::ModelLight::sky}};
 
@@ -97,7 +98,7 @@ void giveTextures(scene::Scene& scene, unsigned parts) {
             }
         };
         scene::MaterialDetail& detail = material.detail;
-        give(kShine, detail.metallicRoughness, {255, 150, 90, 255}, scene::TextureContent::data);
+        give(kMetallicRoughness, detail.metallicRoughness, {255, 150, 90, 255}, scene::TextureContent::data);
         give(kNormal, detail.normal, {128, 128, 239, 255}, scene::TextureContent::data);
         give(kOcclusion, detail.occlusion, {200, 200, 200, 255}, scene::TextureContent::data);
         detail.occlusion = (parts & kPacked) != 0 ? detail.metallicRoughness : detail.occlusion;
@@ -127,7 +128,7 @@ void materials(benchmark::State& state) {
     scene::SceneSetup setup = scenes::openScene(modelFile(), scenes::kDefaultSeed, choice).setup;
     scene::Scene plain = setup.scene;
     for (scene::Material& material : plain.materials) {
-        material.shine.reset();
+        material.metallicRoughness.reset();
         material.detail = {};
     }
     giveTextures(setup.scene, drawn.textures);

@@ -163,7 +163,7 @@ TEST_F(LitSurfacesTest, SayWhyTheyCannotBe) {
     setup.scene.sky = scene::Sky{};
     expectRefusal(plain, "sky");
     setup.scene.sky.reset();
-    setup.scene.materials[0].shine = scene::Shine{};
+    setup.scene.materials[0].metallicRoughness = scene::MetallicRoughness{};
     expectRefusal(plain, "matt");
 }
 

@@ -54,7 +54,8 @@ std::vector<render::Submission> sample(const std::vector<render::Submission>& al
 scene::Scene withGlass(scene::Scene scene) {
     const scene::Material glass{.name = "glass",
                                 .baseColorFactor = glm::vec4(0.5f),
-                                .shine = scene::Shine{.metallic = 0.5f, .roughness = 0.4f},
+                                .metallicRoughness =
+                                    scene::MetallicRoughness{.metallic = 0.5f, .roughness = 0.4f},
                                 .alphaMode = scene::AlphaMode::blend};
     const glm::dvec3 where =
         scene.instances.size() > 0 ? scene.instances.position(0) : glm::dvec3(0.0, 0.0, -5.0);
@@ -133,15 +134,17 @@ TEST_F(SharedPipelinesTest, APreparedRendererKeepsItsPasses) {
         render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
         options.submission = submission;
         options.prepareFor = {
-            .shine = true, .blended = true, .emission = true, .lights = 7, .shapedLights = true};
+            .metallicRoughness = true, .blended = true, .emission = true, .lights = 7, .shapedLights = true};
         render::Renderer renderer(device(), onDevice, options);
         renderer.draw({});
         const auto color = renderer.surfaces().color.image;
         std::uint32_t object = 0;
         for (const scene::Material& material :
              {scene::Material{.baseColorFactor = glm::vec4(0.5f), .alphaMode = scene::AlphaMode::blend},
-              scene::Material{.shine = scene::Shine{.metallic = 0.5f, .roughness = 0.4f}},
-              scene::Material{.shine = scene::Shine{.metallic = 0.9f, .roughness = 0.2f},
+              scene::Material{.metallicRoughness =
+                                  scene::MetallicRoughness{.metallic = 0.5f, .roughness = 0.4f}},
+              scene::Material{.metallicRoughness =
+                                  scene::MetallicRoughness{.metallic = 0.9f, .roughness = 0.2f},
               .alphaMode = scene::AlphaMode::blend},
               scene::Material{.detail = {.emission = glm::vec3(0.5f)}}}) {
             const scene::InstanceHandle instance =
@@ -184,7 +187,7 @@ TEST_F(SharedPipelinesTest, ARendererThatIsPreparedForMaterialsMakesNone) {
         {.name = "glass", .alphaMode = scene::AlphaMode::blend},
         {.name = "lamp", .detail = {.emissive = use, .emission = glm::vec3(0.5f)}},
         {.name = "shining glass",
-         .shine = scene::Shine{.metallic = 0.5f, .roughness = 0.4f},
+         .metallicRoughness = scene::MetallicRoughness{.metallic = 0.5f, .roughness = 0.4f},
          .alphaMode = scene::AlphaMode::blend,
          .detail = {.normal = use}}};
     scene::Mesh round = scene::makeBox(glm::vec3(0.3f));

@@ -143,7 +143,7 @@ TEST_F(SurfacePathTest, MirroredShinyAndUnlitSurfacesLookTheSame) {
     scene::SceneSetup setup = scenes::makeRotation(5, 6'000);
     scene::Scene& scene = setup.scene;
     scene.meshes.push_back(scene::makeBox(glm::vec3(0.9f, 0.2f, 0.5f)));
-    scene.materials[0].shine = scene::Shine{.metallic = 1.0f, .roughness = 0.3f};
+    scene.materials[0].metallicRoughness = scene::MetallicRoughness{.metallic = 1.0f, .roughness = 0.3f};
     scene.materials.push_back(
         {.name = "unlit", .baseColorFactor = glm::vec4(0.2f, 0.5f, 0.9f, 1.0f), .unlit = true});
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {

@@ -23,7 +23,7 @@ const char* litRefusalOf(const DrawnScene& drawn, const RenderOptions& options) 
     if (options.shadows.isOn()) {
         return "shadows fall on surfaces that are shaded later";
     }
-    if (drawn.uploaded.isShiny() || preparedSurfaces(options.prepareFor).shine) {
+    if (drawn.uploaded.hasMetallicRoughness() || preparedSurfaces(options.prepareFor).metallicRoughness) {
         return "it draws matt surfaces";
     }
     if (drawn.scene.sky || drawn.scene.air) {

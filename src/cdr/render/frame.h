@@ -50,8 +50,8 @@ struct FrameStats {
     TranslucencyStats translucency; ///< of the blended ones
     OccluderStats occluders;        ///< where there is occlusion culling
     ShadowStats shadows;            ///< where lights cast them
-    /// Surfaces shine, but were drawn matt: ambient occlusion per layer takes the bits that say how.
-    bool lostShine = false;
+    /// Metallic-roughness surfaces were drawn matt: ambient occlusion per layer takes their bits.
+    bool lostMetallicRoughness = false;
     /// Surfaces emit light or have occlusion textures, and were drawn without: ambient occlusion per layer and a lens with a
     /// focus know neither.
     bool lostEmission = false;

@@ -93,7 +93,7 @@ class GpuScene::State {
     std::uint64_t m_verticesRevision = 0;
     SceneTextures m_textures;
     std::vector<MaterialWords> m_materials;
-    bool m_isShiny = false;
+    bool m_hasMetallicRoughness = false;
     bool m_hasBlended = false;
     bool m_hasEmission = false;
     std::vector<SurfaceKind> m_surfaces; ///< by material
@@ -210,8 +210,8 @@ VkBuffer GpuScene::details() const {
 const std::vector<MaterialWords>& GpuScene::materials() const {
     return m_state->m_materials;
 }
-bool GpuScene::isShiny() const {
-    return m_state->m_isShiny;
+bool GpuScene::hasMetallicRoughness() const {
+    return m_state->m_hasMetallicRoughness;
 }
 bool GpuScene::hasBlended() const {
     return m_state->m_hasBlended;
@@ -332,12 +332,12 @@ void GpuScene::State::readMaterials() {
     m_materials.clear();
     m_layers = layerPlaces(m_scene->materials);
     const std::vector<SurfaceKind> surfacesBefore = std::exchange(m_surfaces, {});
-    m_isShiny = false;
+    m_hasMetallicRoughness = false;
     m_hasBlended = false;
     m_hasEmission = false;
     for (const scene::Material& material : m_scene->materials) {
         m_materials.push_back(wordsOf(material));
-        m_isShiny = m_isShiny || shines(material);
+        m_hasMetallicRoughness = m_hasMetallicRoughness || isMetallicRoughness(material);
         m_hasEmission = m_hasEmission || scene::hasEmission(material);
         m_hasBlended = m_hasBlended || material.alphaMode == scene::AlphaMode::blend;
         m_surfaces.push_back(

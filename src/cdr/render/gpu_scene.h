@@ -102,8 +102,8 @@ class CDR_EXPORT GpuScene {
     VkBuffer details() const;
     /// The part of a draw record that the material decides, by material.
     const std::vector<MaterialWords>& materials() const;
-    /// Whether any material shines; a scene without is drawn by pipelines that know matt surfaces alone.
-    bool isShiny() const;
+    /// Whether any material has Material::metallicRoughness; a scene without is drawn by pipelines that know matt surfaces alone.
+    bool hasMetallicRoughness() const;
     /// Whether any material blends; a scene without is drawn without a pass for translucent surfaces.
     bool hasBlended() const;
     /// Whether shading must be told what opaque surfaces emit, and how much ambient light arrives there.

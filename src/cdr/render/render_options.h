@@ -24,16 +24,16 @@
 
 namespace cdr::render {
 
-/// What a world may come to hold, or what a scene without it is to be drawn as if it held. A first material that shines, blends
-/// or emits light has a renderer make its passes anew. The first draw of a kind of materials and meshes makes that kind's
+/// What a world may come to hold, or what a scene without it is to be drawn as if it held. A first material that is
+/// metallic-roughness, blends or emits light has a renderer make its passes anew. The first draw of a kind of materials and meshes makes that kind's
 /// pipelines. So does each further light the first time that there are as many. What is said here is made at the start instead.
-/// What shines, blends or emits costs time in each frame.
+/// What is metallic-roughness, blends or emits costs time in each frame.
 struct PrepareFor {
-    bool shine = false;        ///< materials with scene::Material::shine
-    bool blended = false;      ///< materials of scene::AlphaMode::blend
-    bool emission = false;     ///< materials that emit light or have occlusion textures
-    std::uint32_t lights = 0;  ///< so many point lights, at most kMostPreparedLights
-    bool shapedLights = false; ///< lights with a cone or a range; `lights` says how many there may be
+    bool metallicRoughness = false; ///< materials with scene::Material::metallicRoughness
+    bool blended = false;           ///< materials of scene::AlphaMode::blend
+    bool emission = false;          ///< materials that emit light or have occlusion textures
+    std::uint32_t lights = 0;       ///< so many point lights, at most kMostPreparedLights
+    bool shapedLights = false;      ///< lights with a cone or a range; `lights` says how many there may be
     /// Materials like these, of whatever colours and textures, on any mesh: they also say which of the above there may be.
     /// Of a texture only whether there is one matters.
     std::vector<scene::Material> materials{};

@@ -58,7 +58,7 @@ makeOwnTargets(const gpu::Device& device, const DrawnScene& drawn, const RenderO
                                                             .background = drawn.scene.background,
                                                             .fades = options.focus.blend,
                                                             .sky = drawn.scene.sky.has_value(),
-                                                            .shiny = kept.shine});
+                                                            .metallicRoughness = kept.metallicRoughness});
 }
 
 /// Whose G-buffer is the picture; null unless surfaces are lit while they are drawn.
@@ -86,7 +86,7 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
       litTargets(makeLitTargets(device, extent, options)),
       picture(device, pictureOptions(extent, options, needs.traits(), daylightIf(needs.sky || needs.air)),
               litTargets != nullptr ? &litTargets->gbuffer() : nullptr),
-      ownTargets(makeOwnTargets(device, drawn, options, {needs.shiny, needs.emission}, picture)),
+      ownTargets(makeOwnTargets(device, drawn, options, {needs.metallicRoughness, needs.emission}, picture)),
       targets(std::visit([](const auto& own) -> Targets& { return *own; }, ownTargets)),
       cutter(options, targets),
       shadows(options.shadows.isOn()
@@ -94,7 +94,7 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
                   : nullptr),
       shading(device, targets.gbuffer(), picture.lit(),
               {.effects = options.effects,
-               .shiny = needs.shiny,
+               .metallicRoughness = needs.metallicRoughness,
                .anchored = depth::isAnchored(options.technique.mapping),
                .sky = needs.sky,
                .air = needs.air,
@@ -147,7 +147,7 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
         live->keepLastVertices();
     }
     m_paths = std::make_unique<DrawPathFactory>(device, m_drawn, chooseFacets(m_drawn, options), options,
-                                                KeptSurfaces{m_needs.shiny, m_needs.emission});
+                                                KeptSurfaces{m_needs.metallicRoughness, m_needs.emission});
     makePasses();
 }
 
@@ -335,7 +335,8 @@ void Renderer::decide(Slot& slot, const scene::Camera& camera, const Delivery& d
         cull(slot.view);
     }
     slot.stats = {};
-    slot.stats.lostShine = m_drawn.uploaded.isShiny() && !keepsShine(m_options);
+    slot.stats.lostMetallicRoughness =
+        m_drawn.uploaded.hasMetallicRoughness() && !keepsMetallicRoughness(m_options);
     slot.stats.lostEmission = m_drawn.uploaded.hasEmission() && !keepsEmission(m_options);
     slot.stats.times.cullMs = watch.lap("cull");
     if (delivery.shared != nullptr) {

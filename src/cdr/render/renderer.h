@@ -131,7 +131,7 @@ class CDR_EXPORT Renderer {
     struct Delivery;
     /// What of the scene decides which passes and pipelines there are.
     struct Needs {
-        bool shiny = false;
+        bool metallicRoughness = false;
         bool blended = false;
         bool emission = false;
         bool sky = false;

@@ -109,23 +109,24 @@ TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const Rend
 }
 
 PreparedSurfaces preparedSurfaces(const PrepareFor& prepared) {
-    PreparedSurfaces surfaces{
-        .shine = prepared.shine, .blended = prepared.blended, .emission = prepared.emission};
+    PreparedSurfaces surfaces{.metallicRoughness = prepared.metallicRoughness,
+                              .blended = prepared.blended,
+                              .emission = prepared.emission};
     for (const scene::Material& material : prepared.materials) {
-        surfaces.shine = surfaces.shine || shines(material);
+        surfaces.metallicRoughness = surfaces.metallicRoughness || isMetallicRoughness(material);
         surfaces.blended = surfaces.blended || material.alphaMode == scene::AlphaMode::blend;
         surfaces.emission = surfaces.emission || scene::hasEmission(material);
     }
     return surfaces;
 }
 
-bool keepsShine(const RenderOptions& options) {
+bool keepsMetallicRoughness(const RenderOptions& options) {
     const Occlusion& occlusion = options.effects.occlusion;
     return !(occlusion.radius > 0.0 && occlusion.perLayer);
 }
 
 bool keepsEmission(const RenderOptions& options) {
-    return keepsShine(options) && !options.focus.isOn();
+    return keepsMetallicRoughness(options) && !options.focus.isOn();
 }
 
 std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions& options,

@@ -26,14 +26,14 @@ TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const Rend
 
 /// What a renderer is prepared for: by PrepareFor itself, and by its materials.
 struct PreparedSurfaces {
-    bool shine = false;
+    bool metallicRoughness = false;
     bool blended = false;
     bool emission = false;
 };
 PreparedSurfaces preparedSurfaces(const PrepareFor& prepared);
 
-/// Whether frames show how surfaces shine; else FrameStats::lostShine says so where a surface does.
-bool keepsShine(const RenderOptions& options);
+/// Whether frames show metallic and roughness; else FrameStats::lostMetallicRoughness says so where a surface has them.
+bool keepsMetallicRoughness(const RenderOptions& options);
 
 /// Whether frames show what surfaces emit; else FrameStats::lostEmission says so where a surface does.
 bool keepsEmission(const RenderOptions& options);

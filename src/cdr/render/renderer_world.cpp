@@ -10,7 +10,8 @@ namespace cdr::render {
 Renderer::Needs Renderer::needs() const {
     const GpuScene& uploaded = m_drawn.uploaded;
     const PreparedSurfaces prepared = preparedSurfaces(m_options.prepareFor);
-    return {.shiny = (uploaded.isShiny() || prepared.shine) && keepsShine(m_options),
+    return {.metallicRoughness = (uploaded.hasMetallicRoughness() || prepared.metallicRoughness) &&
+                                 keepsMetallicRoughness(m_options),
             .blended = uploaded.hasBlended() || prepared.blended,
             .emission = (uploaded.hasEmission() || prepared.emission) && keepsEmission(m_options),
             .sky = m_drawn.scene.sky.has_value(),
@@ -26,9 +27,11 @@ void Renderer::remake(const Needs& needs, const RenderOptions& options) {
     const bool snapsAnew = snaps && options != optionsBefore;
     std::unique_ptr<DrawPathFactory> paths;
     try {
-        if (needs.shiny != needsBefore.shiny || needs.emission != needsBefore.emission || snapsAnew) {
+        if (needs.metallicRoughness != needsBefore.metallicRoughness ||
+            needs.emission != needsBefore.emission || snapsAnew) {
             paths = std::make_unique<DrawPathFactory>(m_device, m_drawn, chooseFacets(m_drawn, m_options),
-                                                      m_options, KeptSurfaces{needs.shiny, needs.emission});
+                                                      m_options,
+                                                      KeptSurfaces{needs.metallicRoughness, needs.emission});
             std::swap(paths, m_paths);
         }
         makePasses();

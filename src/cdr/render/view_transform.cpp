@@ -48,7 +48,7 @@ shaders::DrawRecord DrawRecordMaker::make(const DrawSource& source, const Materi
             .up = glm::vec4(m_rows[1], static_cast<float>(along(m_up))),
             .ahead = glm::vec4(m_rows[2], static_cast<float>(along(m_ahead) - m_anchorView)),
             .id = source.id,
-            .cutoffAndShine = material.cutoffAndShine,
+            .cutoffAndMetallicRoughness = material.cutoffAndMetallicRoughness,
             .baseColorRg = material.baseColorRg,
             .baseColorBa = material.baseColorBa};
 }

@@ -116,11 +116,11 @@ inline image::LevelRules levelRulesOf(const Texture& texture) {
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
 /// The metallic-roughness material of glTF 2.0; both in [0, 1].
-struct Shine {
+struct MetallicRoughness {
     float metallic = 1.0f;  ///< 0 is a dielectric, 1 a metal, which reflects in its base colour
     float roughness = 1.0f; ///< perceptual: its square is the alpha of the microfacet distribution
 
-    bool operator==(const Shine&) const = default;
+    bool operator==(const MetallicRoughness&) const = default;
 };
 
 /// A texture, and at which place of a vertex it is read.
@@ -133,29 +133,30 @@ struct TextureUse {
     bool operator==(const TextureUse&) const = default;
 };
 
-/// What a material of glTF 2.0 has beside its base colour and its shine. Unlit ones are drawn with what they emit alone.
+/// What a material of glTF 2.0 has beside its base colour, metallic and roughness. Unlit ones are drawn with what they emit alone.
 struct MaterialDetail {
-    std::optional<TextureUse> metallicRoughness{}; ///< blue and green, of data, multiply Material::shine
-    std::optional<TextureUse> normal{};            ///< in tangent space, of data
-    std::optional<TextureUse> occlusion{};         ///< red, of data: the share of ambient light that arrives
-    std::optional<TextureUse> emissive{};          ///< of colour, multiplies `emission`
-    float normalScale = 1.0f;                      ///< of what a normal texture says of x and y
-    float occlusionStrength = 1.0f;                ///< in [0, 1]: 0 is no occlusion
-    glm::vec3 emission{0.0f};                      ///< linear, what the surface sends by itself, 0 or more
+    std::optional<TextureUse>
+        metallicRoughness{};               ///< blue and green, of data, multiply Material::metallicRoughness
+    std::optional<TextureUse> normal{};    ///< in tangent space, of data
+    std::optional<TextureUse> occlusion{}; ///< red, of data: the share of ambient light that arrives
+    std::optional<TextureUse> emissive{};  ///< of colour, multiplies `emission`
+    float normalScale = 1.0f;              ///< of what a normal texture says of x and y
+    float occlusionStrength = 1.0f;        ///< in [0, 1]: 0 is no occlusion
+    glm::vec3 emission{0.0f};              ///< linear, what the surface sends by itself, 0 or more
 
     bool operator==(const MaterialDetail&) const = default;
 };
 
 /// How a surface looks.
 struct Material {
-    std::string name{};                              ///< for messages and captures
-    glm::vec4 baseColorFactor{1.0f};                 ///< linear
-    std::optional<std::uint32_t> baseColorTexture{}; ///< index into Scene::textures
-    std::optional<Shine> shine{};                    ///< empty: Lambert's law alone
-    bool doubleSided = false;                        ///< else its back is not drawn
-    bool unlit = false;                              ///< shows its base colour and emission in any light
-    AlphaMode alphaMode = AlphaMode::opaque;         ///< what alpha does
-    float alphaCutoff = 0.5f;                        ///< with AlphaMode::mask: below it nothing is drawn
+    std::string name{};                                   ///< for messages and captures
+    glm::vec4 baseColorFactor{1.0f};                      ///< linear
+    std::optional<std::uint32_t> baseColorTexture{};      ///< index into Scene::textures
+    std::optional<MetallicRoughness> metallicRoughness{}; ///< empty: Lambert's law alone
+    bool doubleSided = false;                             ///< else its back is not drawn
+    bool unlit = false;                                   ///< shows its base colour and emission in any light
+    AlphaMode alphaMode = AlphaMode::opaque;              ///< what alpha does
+    float alphaCutoff = 0.5f;                             ///< with AlphaMode::mask: below it nothing is drawn
     /// Offset towards the camera, along the view distance, in scene units, finite; below 0 away from it. It decides
     /// which of two surfaces at the same place is seen, and moves nothing else. See src/cdr/render/README.md, "Layers".
     float layer = 0.0f;
@@ -181,7 +182,7 @@ void forEachTexture(AnyMaterial& material, const Visit& visit) {
     }
 }
 
-/// Whether a material is drawn with more than its base colour and its shine.
+/// Whether a material is drawn with more than its base colour, metallic and roughness.
 inline bool hasDetail(const Material& material) {
     return material.unlit ? material.detail.emission != glm::vec3(0.0f) : material.detail != MaterialDetail{};
 }

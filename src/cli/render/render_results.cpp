@@ -29,8 +29,9 @@ std::vector<std::string> notesOn(Command& command, std::size_t index, const Fram
     if (isFirst && frame.stats.lostEmission) {
         notes.push_back(fmt::format("not drawn as requested: {}", output::noteOnLostEmission()));
     }
-    if (isFirst && frame.stats.lostShine) {
-        notes.push_back(fmt::format("not drawn as requested: {}", output::noteOnLostShine()));
+    if (isFirst && frame.stats.lostMetallicRoughness) {
+        notes.push_back(
+            fmt::format("not drawn as requested: {}", output::noteOnLostMetallicRoughness()));
     }
     return notes;
 }

@@ -14,7 +14,7 @@ namespace cdr::experiments {
 
 namespace {
 
-/// What is left of a scene whose materials have base colour and the factors of shine alone.
+/// What is left of a scene whose materials have base colour and the factors of metallic and roughness alone.
 scene::Scene withoutDetail(scene::Scene scene) {
     for (scene::Material& material : scene.materials) {
         material.detail = {};

@@ -34,7 +34,7 @@ struct ModelResult {
     double flip = 0.0;            ///< mean FLIP over the picture
     double coveredFlip = 0.0;     ///< mean FLIP over the covered pixels
     double meanSteps = 0.0;    ///< over inner pixels: mean of the largest channel's difference, 8-bit steps
-    image::ImageRgba8 plain{}; ///< base colour and the factors of shine alone
+    image::ImageRgba8 plain{}; ///< base colour and the factors of metallic and roughness alone
     image::ImageRgba8 picture{};
     image::ImageRgba8 reference{};
     image::ImageRgba8 difference{}; ///< FLIP of each pixel, from black to white

@@ -88,9 +88,9 @@ TEST_F(FinishTest, SkiesLightAsInFloat64) {
         EXPECT_LE(largestStepTo(truth, {}, draw(scene, kCamera, options).color), most);
     };
     expectAlike(2);
-    scene.materials[0].shine = scene::Shine{.metallic = 0.0f, .roughness = 0.5f};
+    scene.materials[0].metallicRoughness = scene::MetallicRoughness{.metallic = 0.0f, .roughness = 0.5f};
     expectAlike(12);
-    scene.materials[0].shine = scene::Shine{.metallic = 1.0f, .roughness = 0.3f};
+    scene.materials[0].metallicRoughness = scene::MetallicRoughness{.metallic = 1.0f, .roughness = 0.3f};
     expectAlike(25);
 }
 

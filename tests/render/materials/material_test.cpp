@@ -30,7 +30,7 @@ scene::Mesh paintedSquare() {
 
 /// Four squares that differ by what their materials say: texture, mask, double-sided (seen from behind),
 /// plain.
-scene::Scene paintedScene(const std::optional<scene::Shine>& shine) {
+scene::Scene paintedScene(const std::optional<scene::MetallicRoughness>& metallicRoughness) {
     scene::Scene scene = boxScene();
     scene.meshes = {paintedSquare()};
     image::ImageRgba8 picture(8, 8);
@@ -49,7 +49,7 @@ scene::Scene paintedScene(const std::optional<scene::Shine>& shine) {
         {.name = "one side"}};
     const glm::mat3 turned(-1.0f, 0.0f, 0.2f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, -1.0f);
     for (std::uint32_t i = 0; i < 4; ++i) {
-        scene.materials[i].shine = shine;
+        scene.materials[i].metallicRoughness = metallicRoughness;
         scene::addInstance(scene, 0, i, i, {i % 2 == 0 ? -1.1 : 1.1, i < 2 ? 1.1 : -1.1, 0.05 * i},
                            i == 2 ? turned : glm::mat3(1.0f));
     }
@@ -86,13 +86,14 @@ class MaterialTest : public RenderTest {
 /// Textures, vertex colours, masks and sides, matt and shiny, beside a float64 ray cast that samples and cuts
 /// itself.
 TEST_F(MaterialTest, LooksAsTheTruthDoes) {
-    for (const std::optional<scene::Shine>& shine :
-         {std::optional<scene::Shine>(), std::optional(scene::Shine{.metallic = 1.0f, .roughness = 0.5f}),
-          std::optional(scene::Shine{.metallic = 0.0f, .roughness = 0.3f})}) {
-        const scene::Scene scene = paintedScene(shine);
+    for (const std::optional<scene::MetallicRoughness>& metallicRoughness :
+         {std::optional<scene::MetallicRoughness>(),
+          std::optional(scene::MetallicRoughness{.metallic = 1.0f, .roughness = 0.5f}),
+          std::optional(scene::MetallicRoughness{.metallic = 0.0f, .roughness = 0.3f})}) {
+        const scene::Scene scene = paintedScene(metallicRoughness);
         const render::Frame frame =
             draw(scene, kMaterialCamera, smallOptions(depth::parseTechnique("reversed")));
-        EXPECT_LT(offIn(frame, scene), 0.005) << (shine ? shine->metallic : -1.0f);
+        EXPECT_LT(offIn(frame, scene), 0.005) << (metallicRoughness ? metallicRoughness->metallic : -1.0f);
         // Each square shows, and through the mask the background.
         std::array<std::size_t, 5> pixels{};
         for (const std::uint32_t id : frame.ids().pixels) {

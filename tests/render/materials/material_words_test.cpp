@@ -12,73 +12,76 @@ namespace cdr::render {
 namespace {
 
 float cutoffOf(const MaterialWords& words) {
-    return std::bit_cast<float>(words.cutoffAndShine & ~shaders::kShineMask);
+    return std::bit_cast<float>(words.cutoffAndMetallicRoughness & ~shaders::kMetallicRoughnessMask);
 }
 
 /// The metallic and roughness that a code not 0 stands for.
-scene::Shine shineOfCode(std::uint32_t code) {
+scene::MetallicRoughness metallicRoughnessOfCode(std::uint32_t code) {
     const std::uint32_t metallicStep = (code - 1) / shaders::kRoughnessSteps;
     const std::uint32_t roughnessStep = (code - 1) % shaders::kRoughnessSteps;
     return {.metallic = static_cast<float>(metallicStep) / (shaders::kMetallicSteps - 1),
             .roughness = static_cast<float>(roughnessStep) / (shaders::kRoughnessSteps - 1)};
 }
 
-TEST(ShineCode, ZeroIsMattAlone) {
-    EXPECT_EQ(shineCode({}), 0u);
-    EXPECT_EQ(shineCode(scene::Shine{.metallic = 0.0f, .roughness = 0.0f}), 1u);
-    EXPECT_EQ(shineCode(scene::Shine{}), 255u);
+TEST(MetallicRoughnessCode, ZeroIsMattAlone) {
+    EXPECT_EQ(metallicRoughnessCode({}), 0u);
+    EXPECT_EQ(metallicRoughnessCode(scene::MetallicRoughness{.metallic = 0.0f, .roughness = 0.0f}), 1u);
+    EXPECT_EQ(metallicRoughnessCode(scene::MetallicRoughness{}), 255u);
 }
 
-TEST(ShineCode, IsWithinHalfAStepOfEveryValue) {
+TEST(MetallicRoughnessCode, IsWithinHalfAStepOfEveryValue) {
     for (int m = 0; m <= 100; ++m) {
         for (int r = 0; r <= 1000; ++r) {
-            const scene::Shine shine{.metallic = static_cast<float>(m) / 100.0f,
-                                     .roughness = static_cast<float>(r) / 1000.0f};
-            const std::uint32_t code = shineCode(shine);
+            const scene::MetallicRoughness metallicRoughness{.metallic = static_cast<float>(m) / 100.0f,
+                                                             .roughness = static_cast<float>(r) / 1000.0f};
+            const std::uint32_t code = metallicRoughnessCode(metallicRoughness);
             ASSERT_GE(code, 1u);
-            ASSERT_LE(code, shaders::kShineMask);
-            const scene::Shine kept = shineOfCode(code);
-            ASSERT_LE(std::abs(kept.metallic - shine.metallic), 0.125f + 1e-6f) << m;
-            ASSERT_LE(std::abs(kept.roughness - shine.roughness), 0.01f + 1e-6f) << r;
+            ASSERT_LE(code, shaders::kMetallicRoughnessMask);
+            const scene::MetallicRoughness kept = metallicRoughnessOfCode(code);
+            ASSERT_LE(std::abs(kept.metallic - metallicRoughness.metallic), 0.125f + 1e-6f) << m;
+            ASSERT_LE(std::abs(kept.roughness - metallicRoughness.roughness), 0.01f + 1e-6f) << r;
         }
     }
 }
 
-TEST(ShineCode, EachCodeIsItsOwn) {
-    for (std::uint32_t code = 1; code <= shaders::kShineMask; ++code) {
-        EXPECT_EQ(shineCode(shineOfCode(code)), code);
+TEST(MetallicRoughnessCode, EachCodeIsItsOwn) {
+    for (std::uint32_t code = 1; code <= shaders::kMetallicRoughnessMask; ++code) {
+        EXPECT_EQ(metallicRoughnessCode(metallicRoughnessOfCode(code)), code);
     }
 }
 
-TEST(ShineCode, TenthsOfRoughnessAreExact) {
+TEST(MetallicRoughnessCode, TenthsOfRoughnessAreExact) {
     for (int tenth = 0; tenth <= 10; ++tenth) {
-        const scene::Shine shine{.metallic = 0.5f, .roughness = static_cast<float>(tenth) / 10.0f};
-        EXPECT_NEAR(shineOfCode(shineCode(shine)).roughness, shine.roughness, 1e-7f);
-        EXPECT_EQ(shineOfCode(shineCode(shine)).metallic, 0.5f);
+        const scene::MetallicRoughness metallicRoughness{.metallic = 0.5f,
+                                                         .roughness = static_cast<float>(tenth) / 10.0f};
+        EXPECT_NEAR(metallicRoughnessOfCode(metallicRoughnessCode(metallicRoughness)).roughness,
+                    metallicRoughness.roughness, 1e-7f);
+        EXPECT_EQ(metallicRoughnessOfCode(metallicRoughnessCode(metallicRoughness)).metallic, 0.5f);
     }
 }
 
-TEST(ShineCode, WhatLiesOutsideCountsAsTheEnds) {
-    EXPECT_EQ(shineCode(scene::Shine{.metallic = -3.0f, .roughness = 7.0f}),
-              shineCode(scene::Shine{.metallic = 0.0f, .roughness = 1.0f}));
+TEST(MetallicRoughnessCode, WhatLiesOutsideCountsAsTheEnds) {
+    EXPECT_EQ(metallicRoughnessCode(scene::MetallicRoughness{.metallic = -3.0f, .roughness = 7.0f}),
+              metallicRoughnessCode(scene::MetallicRoughness{.metallic = 0.0f, .roughness = 1.0f}));
 }
 
-TEST(MaterialWords, HoldTheCutoffBesideTheShine) {
+TEST(MaterialWords, HoldTheCutoffBesideMetallicAndRoughness) {
     for (const float cutoff : {0.0f, 0.25f, 0.5f, 1.0f, 0.4f, 1e-3f, 17.0f, INFINITY}) {
         scene::Material material{.name = "mask", .alphaCutoff = cutoff};
-        EXPECT_EQ(wordsOf(material).cutoffAndShine & shaders::kShineMask, 0u);
-        material.shine = scene::Shine{};
+        EXPECT_EQ(wordsOf(material).cutoffAndMetallicRoughness & shaders::kMetallicRoughnessMask, 0u);
+        material.metallicRoughness = scene::MetallicRoughness{};
         const MaterialWords words = wordsOf(material);
-        EXPECT_EQ(words.cutoffAndShine & shaders::kShineMask, 255u);
+        EXPECT_EQ(words.cutoffAndMetallicRoughness & shaders::kMetallicRoughnessMask, 255u);
         EXPECT_LE(cutoffOf(words), cutoff);
         EXPECT_GE(cutoffOf(words), cutoff * (1.0f - 0x1p-15f));
     }
     EXPECT_EQ(cutoffOf(wordsOf({.name = "half", .alphaCutoff = 0.5f})), 0.5f);
 }
 
-TEST(MaterialWords, UnlitDoesNotShine) {
-    EXPECT_EQ(wordsOf({.name = "unlit", .shine = scene::Shine{}, .unlit = true}).cutoffAndShine &
-                  shaders::kShineMask,
+TEST(MaterialWords, UnlitCountsAsMatt) {
+    EXPECT_EQ(wordsOf({.name = "unlit", .metallicRoughness = scene::MetallicRoughness{}, .unlit = true})
+                      .cutoffAndMetallicRoughness &
+                  shaders::kMetallicRoughnessMask,
               0u);
 }
 

@@ -46,7 +46,9 @@ class PlacesTest : public RenderTest {
             scene.meshes[0].details.push_back({.uv = kWay * glm::vec3(corner, 1.0f)});
         }
         scene.textures = {{.name = "uneven", .pixels = uneven(), .content = scene::TextureContent::data}};
-        scene.materials = {{.name = "placed", .shine = scene::Shine{.metallic = 0.5f, .roughness = 0.6f}}};
+        scene.materials = {
+            {.name = "placed",
+             .metallicRoughness = scene::MetallicRoughness{.metallic = 0.5f, .roughness = 0.6f}}};
         scene.materials[0].detail.emission = glm::vec3(use == &scene::MaterialDetail::emissive ? 0.5f : 0.0f);
         scene.materials[0].detail.*use = as;
         scene::addInstance(scene, 0, 0, 0, glm::dvec3(0.0), glm::mat3(1.0f));

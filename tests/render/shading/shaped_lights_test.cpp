@@ -26,9 +26,10 @@ scene::Scene room(const glm::dvec3& centre) {
     scene::Scene scene = boxScene();
     scene.ambient = glm::vec3(0.05f);
     scene.lights.clear();
-    scene.materials.push_back({.name = "shiny",
-                               .baseColorFactor = glm::vec4(0.64f, 0.36f, 0.16f, 1.0f),
-                               .shine = scene::Shine{.metallic = 0.5f, .roughness = 0.4f}});
+    scene.materials.push_back(
+        {.name = "shiny",
+         .baseColorFactor = glm::vec4(0.64f, 0.36f, 0.16f, 1.0f),
+         .metallicRoughness = scene::MetallicRoughness{.metallic = 0.5f, .roughness = 0.4f}});
     scene.materials.push_back({.name = "glass",
                                .baseColorFactor = glm::vec4(0.3f, 0.5f, 0.9f, 0.4f),
                                .alphaMode = scene::AlphaMode::blend});

@@ -52,7 +52,7 @@ TEST_F(TruthShadingTest, ColorsLightsAndStretchedBoxesToo) {
 }
 
 /// Metals and dielectrics, smooth and rough, lit from so near that highlights lie on flat faces.
-scene::Scene shinyScene(const glm::dvec3& centre) {
+scene::Scene glossyScene(const glm::dvec3& centre) {
     scene::Scene scene = boxScene();
     scene.materials.clear();
     scene.ambient = glm::vec3(0.1f, 0.15f, 0.2f);
@@ -63,10 +63,11 @@ scene::Scene shinyScene(const glm::dvec3& centre) {
         for (const float roughness : {0.0f, 0.3f, 0.5f, 1.0f}) {
             const auto i = static_cast<std::uint32_t>(scene.materials.size());
             // What the G-buffer keeps as it is; every other box is not shaded by facets.
-            scene.materials.push_back({.name = "shiny",
-                                       .baseColorFactor = glm::vec4(0.64f, 0.36f, 0.16f, 1.0f),
-                                       .shine = scene::Shine{.metallic = metallic, .roughness = roughness},
-                                       .doubleSided = i % 2 == 1});
+            scene.materials.push_back(
+                {.name = "shiny",
+                 .baseColorFactor = glm::vec4(0.64f, 0.36f, 0.16f, 1.0f),
+                 .metallicRoughness = scene::MetallicRoughness{.metallic = metallic, .roughness = roughness},
+                 .doubleSided = i % 2 == 1});
             scene::addInstance(scene, 0, i, i, centre + glm::dvec3((i % 4) - 1.5, (i / 4) - 1.0, 0.1 * i),
                                glm::mat3(0.95f));
         }
@@ -75,7 +76,7 @@ scene::Scene shinyScene(const glm::dvec3& centre) {
 }
 
 TEST_F(TruthShadingTest, ShinyBoxesToo) {
-    const scene::Scene scene = shinyScene(glm::dvec3(0.0));
+    const scene::Scene scene = glossyScene(glm::dvec3(0.0));
     // The last sees a light mirrored at a grazing angle.
     for (const glm::dvec3 eye :
          {glm::dvec3(0.5, 0.2, 6.0), glm::dvec3(-3.0, 2.0, 4.0), glm::dvec3(4.0, 2.0, 1.8)}) {
@@ -86,7 +87,7 @@ TEST_F(TruthShadingTest, ShinyBoxesToo) {
 
 TEST_F(TruthShadingTest, HighlightsAMillionUnitsAwayToo) {
     const glm::dvec3 centre(123'456.75, -7'654.5, 9'876.25);
-    const scene::Scene scene = shinyScene(centre);
+    const scene::Scene scene = glossyScene(centre);
     const scene::Camera camera{
         .position = centre + glm::dvec3(0.0, 0.0, 1e6), .fovY = 3.2e-6, .nearView = 0.001, .farView = 2e6};
     expectAlike(draw(scene, camera, smallOptions(depth::parseTechnique("anchored"))), scene, camera);

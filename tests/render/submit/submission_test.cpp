@@ -32,10 +32,11 @@ scene::SceneSetup patchwork(std::uint32_t objects) {
     scene::SceneSetup setup = scenes::makeRotation(5, objects);
     scene::Scene& scene = setup.scene;
     scene.meshes.push_back(scene::makeBox(glm::vec3(0.9f, 0.2f, 0.5f)));
-    scene.materials[0].shine = scene::Shine{.metallic = 1.0f, .roughness = 0.3f};
-    scene.materials.push_back({.name = "both sides",
-                               .shine = scene::Shine{.metallic = 0.0f, .roughness = 0.5f},
-                               .doubleSided = true});
+    scene.materials[0].metallicRoughness = scene::MetallicRoughness{.metallic = 1.0f, .roughness = 0.3f};
+    scene.materials.push_back(
+        {.name = "both sides",
+         .metallicRoughness = scene::MetallicRoughness{.metallic = 0.0f, .roughness = 0.5f},
+         .doubleSided = true});
     scene.materials.push_back({.name = "matt"});
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         scene.instances.mesh[i] = i % 3 == 0 ? 1 : 0;

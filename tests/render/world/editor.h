@@ -322,7 +322,7 @@ class Editor {
             made.unlit = below(4) == 0;
             made.alphaMode = static_cast<scene::AlphaMode>(below(3));
             if (below(3) == 0) {
-                made.shine = scene::Shine{.metallic = 0.5f, .roughness = 0.4f};
+                made.metallicRoughness = scene::MetallicRoughness{.metallic = 0.5f, .roughness = 0.4f};
             }
             made.baseColorTexture = randomTexture();
             if (below(2) == 0) {

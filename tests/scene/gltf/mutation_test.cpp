@@ -123,9 +123,12 @@ bool loads(const Bytes& file) {
     try {
         for (const Material& material :
              gltf::importGltf(gltf::ByteSource(file), "/nowhere/a.glb", limits).scene.materials) {
-            const Shine shine = material.shine.value_or(Shine{});
-            EXPECT_TRUE(shine.metallic >= 0.0f && shine.metallic <= 1.0f) << shine.metallic;
-            EXPECT_TRUE(shine.roughness >= 0.0f && shine.roughness <= 1.0f) << shine.roughness;
+            const MetallicRoughness metallicRoughness =
+                material.metallicRoughness.value_or(MetallicRoughness{});
+            EXPECT_TRUE(metallicRoughness.metallic >= 0.0f && metallicRoughness.metallic <= 1.0f)
+                << metallicRoughness.metallic;
+            EXPECT_TRUE(metallicRoughness.roughness >= 0.0f && metallicRoughness.roughness <= 1.0f)
+                << metallicRoughness.roughness;
         }
         return true;
     } catch (const base::InputError& error) {

@@ -191,7 +191,7 @@ TEST_F(GltfPoints, WithoutNormalsTheyAreUnlitAndWithThemLit) {
     const GltfImport unlit = load(document, sized());
     ASSERT_EQ(unlit.scene.materials.size(), 2u);
     EXPECT_TRUE(unlit.scene.materials[0].unlit);
-    EXPECT_FALSE(unlit.scene.materials[0].shine.has_value());
+    EXPECT_FALSE(unlit.scene.materials[0].metallicRoughness.has_value());
     EXPECT_FALSE(unlit.scene.materials[0].doubleSided) << "a solid is closed";
     EXPECT_EQ(unlit.scene.materials[0].baseColorFactor, glm::vec4(0.5f, 0.25f, 1, 1));
     EXPECT_EQ(unlit.scene.materials[0].detail, MaterialDetail{.emission = glm::vec3(1, 0, 0)});
@@ -203,7 +203,7 @@ TEST_F(GltfPoints, WithoutNormalsTheyAreUnlitAndWithThemLit) {
         document.addAccessor(std::vector<float>{0, 2, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1}, "VEC3", kFloat);
     const GltfImport lit = load(document, sized());
     EXPECT_FALSE(lit.scene.materials[0].unlit);
-    EXPECT_TRUE(lit.scene.materials[0].shine.has_value());
+    EXPECT_TRUE(lit.scene.materials[0].metallicRoughness.has_value());
     EXPECT_EQ(lit.scene.materials[0].detail.emission, glm::vec3(1, 0, 0));
     EXPECT_TRUE(lit.ignored.empty());
     for (std::size_t i = 0; i < 6; ++i) {

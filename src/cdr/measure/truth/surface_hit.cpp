@@ -96,10 +96,10 @@ void addLitDetail(const SurfacePoint& point, const glm::dmat3& basis, double sid
     if (detail.normal) {
         hit.normal = side * point.bumped(side * hit.normal, basis);
     }
-    if (detail.metallicRoughness && hit.shine) {
+    if (detail.metallicRoughness && hit.metallicRoughness) {
         const glm::dvec4 texel = point.sample(*detail.metallicRoughness);
-        hit.shine->metallic *= static_cast<float>(texel.b);
-        hit.shine->roughness *= static_cast<float>(texel.g);
+        hit.metallicRoughness->metallic *= static_cast<float>(texel.b);
+        hit.metallicRoughness->roughness *= static_cast<float>(texel.g);
     }
     if (detail.occlusion) {
         hit.openness = 1.0 + detail.occlusionStrength * (point.sample(*detail.occlusion).r - 1.0);
@@ -168,7 +168,7 @@ void appendHits(const scene::Scene& scene, const TruthTextures& textures, const 
                          .facet = side * glm::normalize(toWorldNormal * facet),
                          .normal = side * glm::normalize(toWorldNormal * normal),
                          .baseColor = baseColor,
-                         .shine = material.shine};
+                         .metallicRoughness = material.metallicRoughness};
         if (scene::hasDetail(material)) {
             found.emission = emissionAt(point);
         }

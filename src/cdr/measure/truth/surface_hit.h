@@ -20,13 +20,13 @@ struct SurfaceHit {
     std::uint32_t id = 0;   ///< object index + 1
     bool isBlended = false; ///< else it ends the ray
     bool isUnlit = false;
-    bool isOnEdge = false;             ///< of its triangle, to the last bit
-    glm::dvec3 facet{0.0};             ///< the triangle's own normal, world axes, unit, towards the camera
-    glm::dvec3 normal{0.0};            ///< the one that is lit, world axes, unit, of the side that is seen
-    glm::dvec4 baseColor{1.0};         ///< linear, straight alpha, texture and vertex colour included
-    std::optional<scene::Shine> shine; ///< textures included
-    double openness = 1.0;             ///< share of ambient light that arrives
-    glm::dvec3 emission{0.0};          ///< linear
+    bool isOnEdge = false;     ///< of its triangle, to the last bit
+    glm::dvec3 facet{0.0};     ///< the triangle's own normal, world axes, unit, towards the camera
+    glm::dvec3 normal{0.0};    ///< the one that is lit, world axes, unit, of the side that is seen
+    glm::dvec4 baseColor{1.0}; ///< linear, straight alpha, texture and vertex colour included
+    std::optional<scene::MetallicRoughness> metallicRoughness; ///< textures included
+    double openness = 1.0;                                     ///< share of ambient light that arrives
+    glm::dvec3 emission{0.0};                                  ///< linear
 };
 
 /// A pixel's ray, and those of its neighbours.

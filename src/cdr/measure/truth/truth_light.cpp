@@ -1,6 +1,6 @@
 #include <cdr/image/srgb.h>
 #include <cdr/measure/truth/truth_light.h>
-#include <cdr/measure/truth/truth_shine.h>
+#include <cdr/measure/truth/truth_metallic_roughness.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,12 +51,12 @@ glm::dvec3 skyOnMatt(const scene::Sky& sky, const glm::dvec3& normal) {
     return sum / static_cast<double>(kSkyDirections);
 }
 
-/// What a shiny surface sends of a sky. Directions are even under a cosine, or what microfacets mirror. Each is
+/// What a metallic-roughness surface sends of a sky. Directions are even under a cosine, or what microfacets mirror. Each is
 /// weighted by how likely either kind is to choose it (Veach and Guibas 1995, the balance heuristic).
-glm::dvec3 skyOnShiny(const scene::Sky& sky, const ShinyPoint& point) {
+glm::dvec3 skyOnGlossy(const scene::Sky& sky, const GlossyPoint& point) {
     const Frame frame(point.normal);
     const double alpha =
-        std::pow(std::max(static_cast<double>(point.shine.roughness), kLeastTruthRoughness), 2.0);
+        std::pow(std::max(static_cast<double>(point.metallicRoughness.roughness), kLeastTruthRoughness), 2.0);
     glm::dvec3 sum(0.0);
     const auto take = [&](const glm::dvec3& direction) {
         const double lambert = glm::dot(point.normal, direction);
@@ -130,13 +130,13 @@ glm::dvec3 lightOnMatt(const scene::Scene& scene, const scene::Camera& camera, c
     return surface.baseColor * (surface.openness * around + lamps);
 }
 
-glm::dvec3 lightOnShiny(const scene::Scene& scene, const scene::Camera& camera, const LitSurface& surface) {
-    const ShinyPoint point{.baseColor = surface.baseColor,
-                           .shine = *surface.shine,
-                           .normal = surface.normal,
-                           .toCamera = -glm::normalize(surface.fromCamera)};
+glm::dvec3 lightOnGlossy(const scene::Scene& scene, const scene::Camera& camera, const LitSurface& surface) {
+    const GlossyPoint point{.baseColor = surface.baseColor,
+                            .metallicRoughness = *surface.metallicRoughness,
+                            .normal = surface.normal,
+                            .toCamera = -glm::normalize(surface.fromCamera)};
     const glm::dvec3 around =
-        scene.sky ? skyOnShiny(*scene.sky, point) : glm::dvec3(scene.ambient) * ambientShare(point);
+        scene.sky ? skyOnGlossy(*scene.sky, point) : glm::dvec3(scene.ambient) * ambientShare(point);
     const glm::dvec3 lamps =
         sumLights(scene, camera, surface, [&](const glm::dvec3& toLight, double distance) {
             return pointShare(point, toLight / distance);
@@ -147,8 +147,8 @@ glm::dvec3 lightOnShiny(const scene::Scene& scene, const scene::Camera& camera, 
 } // namespace
 
 glm::dvec3 lightFrom(const scene::Scene& scene, const scene::Camera& camera, const LitSurface& surface) {
-    return surface.emission +
-           (surface.shine ? lightOnShiny(scene, camera, surface) : lightOnMatt(scene, camera, surface));
+    return surface.emission + (surface.metallicRoughness ? lightOnGlossy(scene, camera, surface)
+                                                         : lightOnMatt(scene, camera, surface));
 }
 
 glm::dvec3 lightFrom(const scene::Scene& scene, const scene::Camera& camera, const SurfaceHit& hit,
@@ -159,7 +159,7 @@ glm::dvec3 lightFrom(const scene::Scene& scene, const scene::Camera& camera, con
     }
     return lightFrom(scene, camera,
                      {.baseColor = baseColor,
-                      .shine = hit.shine,
+                      .metallicRoughness = hit.metallicRoughness,
                       .fromCamera = fromCamera,
                       .normal = hit.normal,
                       .openness = hit.openness,

@@ -21,7 +21,7 @@ struct Box {
     glm::dmat3 worldToObject;
     glm::dvec3 halfSides;
     glm::dvec3 baseColor; ///< linear
-    std::optional<scene::Shine> shine;
+    std::optional<scene::MetallicRoughness> metallicRoughness;
 };
 
 Box boxOf(const scene::Scene& scene, const scene::Camera& camera, std::size_t i) {
@@ -45,7 +45,7 @@ Box boxOf(const scene::Scene& scene, const scene::Camera& camera, std::size_t i)
             .worldToObject = inverse->worldToObject,
             .halfSides = glm::dvec3(*halfSides),
             .baseColor = glm::dvec3(material.baseColorFactor),
-            .shine = material.shine};
+            .metallicRoughness = material.metallicRoughness};
 }
 
 /// By object index; empty where the scene has no such object.
@@ -81,7 +81,7 @@ image::Rgba8 shade(const scene::Scene& scene, const scene::Camera& camera, const
     const glm::dvec3 fromCamera = box.objectToWorld * (ray.direction * distanceView);
     const glm::dvec3 color = lightFrom(scene, camera,
                                        {.baseColor = box.baseColor,
-                                        .shine = box.shine,
+                                        .metallicRoughness = box.metallicRoughness,
                                         .fromCamera = fromCamera,
                                         .normal = normalAt(box, point)});
     return encode(throughAir(scene, camera.position, fromCamera, color));

@@ -17,7 +17,7 @@ void FacetPass::record(vk::CommandBuffer commands, const DrawJob& job, const Rec
     const visibility::DrawLists& lists = recording.lists;
     const FacetCounts& most = m_meshes.most();
     FacetStreams streams = recording.streams;
-    streams.shiny = m_pipelines.options().shiny;
+    streams.metallicRoughness = m_pipelines.options().metallicRoughness;
     const std::size_t first = job.draws.begin;
     streams.vertices += first * most.vertices;
     streams.indices += first * most.indices;

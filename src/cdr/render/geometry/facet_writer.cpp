@@ -71,8 +71,9 @@ void FacetWriter::turnFacet(std::size_t index, const glm::dmat3& basis, const sh
         std::sqrt(glm::dot(basis[0], basis[0]) + glm::dot(basis[1], basis[1]) + glm::dot(basis[2], basis[2]));
     m_turned.records[index] = {.normal = glm::vec2(encodeOctahedral(m_toView * normal)),
                                .extent = static_cast<float>(scale * static_cast<double>(facet.extent)),
-                               .albedo = encodeAlbedo(baseColor) |
-                                         (m_into.shiny ? record.cutoffAndShine << 24 : 0u),
+                               .albedo =
+                                   encodeAlbedo(baseColor) |
+                                   (m_into.metallicRoughness ? record.cutoffAndMetallicRoughness << 24 : 0u),
                                .x = 0.0f,
                                .y = 0.0f,
                                .ahead = 0.0f,

@@ -30,9 +30,9 @@ struct FacetStreams {
     std::uint32_t* indices = nullptr; ///< from 0, the writer's first vertex
     /// Null where facets are lit while they are drawn; else `lit` is.
     shaders::FacetRecord* facets = nullptr;
-    std::uint32_t firstFacet = 0; ///< index of the first among all of the frame's
-    glm::vec3* lit = nullptr;     ///< FacetLight::stride() for each vertex
-    bool shiny = false;           ///< GeometryOptions::shiny: `facets` hold how surfaces shine
+    std::uint32_t firstFacet = 0;   ///< index of the first among all of the frame's
+    glm::vec3* lit = nullptr;       ///< FacetLight::stride() for each vertex
+    bool metallicRoughness = false; ///< GeometryOptions::metallicRoughness: `facets` hold it
 };
 
 /// Transforms solids into one cascade's vertices, and records of the facets that face the camera. Camera and

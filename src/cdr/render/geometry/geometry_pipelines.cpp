@@ -244,7 +244,7 @@ gpu::Pipeline GeometryPipelines::makeSurfaces(const gpu::Device& device, std::ui
                  .vertexSpirv = vertexShader(m_options.batching, shaderKind),
                  .fragmentSpirv = fragmentShader(shaderKind, depthBy),
                  .constants = {form, variant & kTexturedVariant ? 1u : 0u, variant & kMaskedVariant ? 1u : 0u,
-                               cutsFragments ? 1u : 0u, m_options.shiny ? 1u : 0u,
+                               cutsFragments ? 1u : 0u, m_options.metallicRoughness ? 1u : 0u,
                                std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
                                std::bit_cast<std::uint32_t>(m_options.snapSteps.y),
                                std::bit_cast<std::uint32_t>(layerSlope(m_options.subPixelBits)),

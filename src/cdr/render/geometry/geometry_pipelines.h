@@ -29,8 +29,8 @@ struct GeometryOptions {
     GeometryOutput output = GeometryOutput::surfaces;
     depth::Technique technique;
     Batching batching = Batching::instanced;
-    bool shiny = false;    ///< whether surfaces keep how they shine; else all are matt
-    bool emission = false; ///< whether surfaces keep what they emit, in an emission buffer
+    bool metallicRoughness = false; ///< whether surfaces keep it; else all are matt
+    bool emission = false;          ///< whether surfaces keep what they emit, in an emission buffer
     /// Vertices in front of the camera are rounded to multiples of 1 / snapSteps of half a picture; 0: not.
     glm::vec2 snapSteps{0.0f};
     glm::vec2 subPixels{0.0f};      ///< in half a picture, of Snapping::inPlane; 0: by the device

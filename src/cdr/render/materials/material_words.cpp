@@ -21,23 +21,25 @@ std::uint32_t stepOf(float value, std::uint32_t steps) {
 
 MaterialWords wordsOf(const scene::Material& material) {
     const glm::vec4& color = material.baseColorFactor;
-    const std::uint32_t shine = material.unlit ? 0 : shineCode(material.shine);
-    return {.cutoffAndShine =
-                (std::bit_cast<std::uint32_t>(material.alphaCutoff) & ~shaders::kShineMask) | shine,
+    const std::uint32_t metallicRoughness =
+        material.unlit ? 0 : metallicRoughnessCode(material.metallicRoughness);
+    return {.cutoffAndMetallicRoughness =
+                (std::bit_cast<std::uint32_t>(material.alphaCutoff) & ~shaders::kMetallicRoughnessMask) |
+                metallicRoughness,
             .baseColorRg = glm::packHalf2x16(glm::vec2(color.r, color.g)),
             .baseColorBa = glm::packHalf2x16(glm::vec2(color.b, color.a))};
 }
 
-bool shines(const scene::Material& material) {
-    return (wordsOf(material).cutoffAndShine & shaders::kShineMask) != 0;
+bool isMetallicRoughness(const scene::Material& material) {
+    return (wordsOf(material).cutoffAndMetallicRoughness & shaders::kMetallicRoughnessMask) != 0;
 }
 
-std::uint32_t shineCode(const std::optional<scene::Shine>& shine) {
-    if (!shine) {
+std::uint32_t metallicRoughnessCode(const std::optional<scene::MetallicRoughness>& metallicRoughness) {
+    if (!metallicRoughness) {
         return 0;
     }
-    return 1 + stepOf(shine->metallic, shaders::kMetallicSteps) * shaders::kRoughnessSteps +
-           stepOf(shine->roughness, shaders::kRoughnessSteps);
+    return 1 + stepOf(metallicRoughness->metallic, shaders::kMetallicSteps) * shaders::kRoughnessSteps +
+           stepOf(metallicRoughness->roughness, shaders::kRoughnessSteps);
 }
 
 } // namespace cdr::render

@@ -9,19 +9,19 @@ namespace cdr::render {
 
 /// shaders::DrawRecord's words of a material.
 struct MaterialWords {
-    std::uint32_t cutoffAndShine = 0;
+    std::uint32_t cutoffAndMetallicRoughness = 0;
     std::uint32_t baseColorRg = 0;
     std::uint32_t baseColorBa = 0;
 };
 
-/// The alpha cutoff loses the last 8 bits of its mantissa, towards 0. An unlit material does not shine.
+/// The alpha cutoff loses the last 8 bits of its mantissa, towards 0. An unlit material counts as matt.
 MaterialWords wordsOf(const scene::Material& material);
 
 /// Whether a surface of it does.
-bool shines(const scene::Material& material);
+bool isMetallicRoughness(const scene::Material& material);
 
-/// A shine as the G-buffer has it (shaders::kMetallicSteps): 0 for matt, at most shaders::kShineMask. Values
+/// Metallic and roughness as the G-buffer has them (shaders::kMetallicSteps): 0 for matt, at most shaders::kMetallicRoughnessMask. Values
 /// outside [0, 1] count as its ends.
-std::uint32_t shineCode(const std::optional<scene::Shine>& shine);
+std::uint32_t metallicRoughnessCode(const std::optional<scene::MetallicRoughness>& metallicRoughness);
 
 } // namespace cdr::render

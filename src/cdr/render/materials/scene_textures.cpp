@@ -27,7 +27,7 @@ struct DetailPart {
     std::uint32_t part;
 };
 constexpr std::array<DetailPart, shaders::kDetailTextures> kDetailParts{
-    DetailPart{&scene::MaterialDetail::metallicRoughness, shaders::kDetailShine},
+    DetailPart{&scene::MaterialDetail::metallicRoughness, shaders::kDetailMetallicRoughness},
     DetailPart{&scene::MaterialDetail::normal, shaders::kDetailNormal},
     DetailPart{&scene::MaterialDetail::occlusion, shaders::kDetailOcclusion},
     DetailPart{&scene::MaterialDetail::emissive, shaders::kDetailEmissive},
@@ -83,16 +83,18 @@ std::uint32_t levelsOf(const scene::Texture& texture) {
 
 shaders::DetailRecord recordOf(const scene::Material& material) {
     const scene::MaterialDetail& detail = material.detail;
-    const scene::Shine shine = material.shine.value_or(scene::Shine{.metallic = 0.0f, .roughness = 1.0f});
-    shaders::DetailRecord record{
-        .emissionAndNormalScale = glm::vec4(detail.emission, detail.normalScale),
-        .shineAndOcclusion = {shine.metallic, shine.roughness, detail.occlusionStrength, 0.0f},
-        .secondPlaces = 0,
-        .unused0 = 0,
-        .unused1 = 0,
-        .unused2 = 0,
-        .turns = {},
-        .offsets = {}};
+    const scene::MetallicRoughness metallicRoughness =
+        material.metallicRoughness.value_or(scene::MetallicRoughness{.metallic = 0.0f, .roughness = 1.0f});
+    shaders::DetailRecord record{.emissionAndNormalScale = glm::vec4(detail.emission, detail.normalScale),
+                                 .metallicRoughnessAndOcclusion = {metallicRoughness.metallic,
+                                                                   metallicRoughness.roughness,
+                                                                   detail.occlusionStrength, 0.0f},
+                                 .secondPlaces = 0,
+                                 .unused0 = 0,
+                                 .unused1 = 0,
+                                 .unused2 = 0,
+                                 .turns = {},
+                                 .offsets = {}};
     for (std::size_t i = 0; i < kDetailParts.size(); ++i) {
         const scene::TextureUse use = (detail.*kDetailParts[i].use).value_or(scene::TextureUse{});
         record.secondPlaces |= use.second ? kDetailParts[i].part : 0u;

@@ -69,7 +69,7 @@ class SceneTextures {
     std::vector<Detail> m_details;    ///< by material
 };
 
-/// Which parts of a material's detail its pipelines read: a sum of shaders::kDetailShine and its siblings; 0 for a
+/// Which parts of a material's detail its pipelines read: a sum of shaders::kDetailMetallicRoughness and its siblings; 0 for a
 /// material without detail.
 std::uint32_t detailPartsOf(const scene::Material& material);
 

@@ -88,7 +88,7 @@ FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shadi
         .fragmentSpirv = {},
         .bindings = {kImage, kBuffer},
         .format = format,
-        .constants = {effects.fog.visibility > 0.0 ? 1u : 0u, shading.shiny ? 1u : 0u, lightForm,
+        .constants = {effects.fog.visibility > 0.0 ? 1u : 0u, shading.metallicRoughness ? 1u : 0u, lightForm,
                       shading.anchored ? 1u : 0u, shading.marks != nullptr ? 1u : 0u, finish, exposure,
                       shading.sky ? 1u : 0u, shading.air ? 1u : 0u}};
     if (shading.marks != nullptr) {

@@ -49,7 +49,7 @@ std::uint32_t lightFormOf(const scene::Scene& scene);
 /// What a ShadingPass is made for.
 struct ShadingOptions {
     Effects effects;
-    bool shiny = false;                   ///< whether the surfaces hold how they shine
+    bool metallicRoughness = false;       ///< whether the surfaces hold it
     bool anchored = false;                ///< whether the mapping has anchor planes
     bool sky = false;                     ///< whether the scene has one
     bool air = false;                     ///< whether the scene has some; then without marks

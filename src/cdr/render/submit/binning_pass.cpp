@@ -276,7 +276,7 @@ BinningPass::Tables BinningPass::tables() const {
         const MaterialWords& words = m_drawn.uploaded.materials()[i];
         const bool occludes = visibility::canOcclude(m_drawn.scene.materials[i]);
         made.materials.push_back(
-            {words.cutoffAndShine, words.baseColorRg, words.baseColorBa, occludes ? 1u : 0u});
+            {words.cutoffAndMetallicRoughness, words.baseColorRg, words.baseColorBa, occludes ? 1u : 0u});
     }
     for (const LevelRange& level : m_drawn.uploaded.levels()) {
         made.levels.push_back({level.firstIndex, level.indexCount, level.error});

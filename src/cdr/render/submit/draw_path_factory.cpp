@@ -42,7 +42,7 @@ DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& sc
     const GeometryOptions geometry{.technique = options.technique,
                                    // What the device lists, nobody pushes a record for.
                                    .batching = m_binning != nullptr ? Batching::instanced : options.batching,
-                                   .shiny = kept.shine,
+                                   .metallicRoughness = kept.metallicRoughness,
                                    .emission = kept.emission,
                                    .snapSteps = options.snapBits > 0 ? subPixelsIn(options, options.snapBits)
                                                                      : glm::vec2(0.0f),

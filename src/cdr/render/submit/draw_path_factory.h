@@ -18,8 +18,8 @@ namespace cdr::render {
 
 /// What surfaces keep for shading beside the G-buffer's colour, normal, distance and id.
 struct KeptSurfaces {
-    bool shine = false;    ///< GeometryOptions::shiny
-    bool emission = false; ///< GeometryOptions::emission
+    bool metallicRoughness = false; ///< GeometryOptions::metallicRoughness
+    bool emission = false;          ///< GeometryOptions::emission
 };
 
 /// Makes the draw paths of a renderer's frame slots, all by one submission, and owns what they share.

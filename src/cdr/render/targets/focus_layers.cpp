@@ -45,7 +45,7 @@ std::vector<std::uint32_t> lightConstants(const FocusLayersOptions& focus) {
     constexpr std::uint32_t kAnyLights = 0;
     const auto [finish, exposure] = finishConstants({ToneMap::none}, daylightIf(focus.sky));
     return {drawsFog(focus.effects) ? 1u : 0u,
-            focus.shiny ? 1u : 0u,
+            focus.metallicRoughness ? 1u : 0u,
             kAnyLights,
             1u,
             0u,

@@ -23,10 +23,10 @@ class FocusInputs {
 /// How FocusLayers light and compose.
 struct FocusLayersOptions {
     Effects effects{};
-    glm::vec3 background{0.0f}; ///< linear, what is seen where nothing is
-    bool fades = false;         ///< lets cascades that overlap fade into each other
-    bool sky = false;           ///< whether the scene has one
-    bool shiny = false;         ///< whether the surfaces hold how they shine
+    glm::vec3 background{0.0f};     ///< linear, what is seen where nothing is
+    bool fades = false;             ///< lets cascades that overlap fade into each other
+    bool sky = false;               ///< whether the scene has one
+    bool metallicRoughness = false; ///< whether the surfaces hold it
 };
 
 /// Depth of field by per-cascade resolution (thesis chapter 3). Each cascade has a layer of the size that

@@ -13,7 +13,8 @@ namespace cdr::render {
 
 /// One pixel of the geometry buffer: 16 bytes, an image of four 32-bit unsigned integers.
 struct CDR_EXPORT GBufferPixel {
-    std::uint32_t albedo = 0; ///< square root of linear, three unorm8; above them shineCode() or occlusion
+    std::uint32_t albedo =
+        0; ///< square root of linear, three unorm8; above them metallicRoughnessCode() or occlusion
     std::uint32_t normal = 0; ///< view space, octahedral, two snorm16
     float ahead = 0.0f; ///< view distance beyond the cascade's anchor plane: metric, whatever the mapping
     std::uint32_t idAndCascade = 0; ///< the id in its lowest bits, above it the cascade; 0 is background

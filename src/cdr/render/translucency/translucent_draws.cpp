@@ -132,7 +132,8 @@ void TranslucentDraws::writeRecords(const scene::Camera& camera) {
                           .id = record.id,
                           .baseColorRg = record.baseColorRg,
                           .baseColorBa = record.baseColorBa,
-                          .shine = record.cutoffAndShine & shaders::kShineMask};
+                          .metallicRoughness =
+                              record.cutoffAndMetallicRoughness & shaders::kMetallicRoughnessMask};
         }
     }
     m_records.flush();

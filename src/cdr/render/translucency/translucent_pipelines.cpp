@@ -48,13 +48,14 @@ std::vector<vk::VertexInputAttributeDescription> attributes(std::uint32_t key) {
     return all;
 }
 
-/// In a key: some material of the scene shines.
-constexpr std::uint32_t kShinyKey = 2;
-static_assert((kTexturedVariant & kShinyKey) == 0 && kShinyKey < kDetailStep);
+/// In a key: some material of the scene is metallic-roughness.
+constexpr std::uint32_t kMetallicRoughnessKey = 2;
+static_assert((kTexturedVariant & kMetallicRoughnessKey) == 0 && kMetallicRoughnessKey < kDetailStep);
 
-/// What decides a pipeline: whether the kind is textured, whether anything shines, and the parts of the kind's detail.
-std::uint32_t keyOf(std::uint32_t variant, bool isShiny) {
-    return (variant & kTexturedVariant) + (isShiny ? kShinyKey : 0u) + variant / kDetailStep * kDetailStep;
+/// What decides a pipeline: whether the kind is textured, whether anything is metallic-roughness, and the parts of the kind's detail.
+std::uint32_t keyOf(std::uint32_t variant, bool hasMetallicRoughness) {
+    return (variant & kTexturedVariant) + (hasMetallicRoughness ? kMetallicRoughnessKey : 0u) +
+           variant / kDetailStep * kDetailStep;
 }
 
 } // namespace
@@ -89,8 +90,8 @@ TranslucentPipelines::TranslucentPipelines(const gpu::Device& device, const GpuS
         device, {sets, {{.stageFlags = kStages, .size = static_cast<std::uint32_t>(pushBytes)}}},
         options.name + " layout");
     for (const std::uint32_t variant : options.variants) {
-        for (const bool isShiny : {false, true}) { // a world may begin to shine
-            provide(keyOf(variant, isShiny));
+        for (const bool hasMetallicRoughness : {false, true}) { // a world may get the first such material
+            provide(keyOf(variant, hasMetallicRoughness));
         }
     }
     for (const std::uint32_t instance : scene.blended()) {
@@ -104,7 +105,7 @@ gpu::Pipeline TranslucentPipelines::make(std::uint32_t key) const {
         {.name = m_options.name,
          .vertexSpirv = isDetailed(key) ? gpu::Spirv(kTranslucentDetailedVert) : gpu::Spirv(kTranslucentVert),
          .fragmentSpirv = isDetailed(key) ? m_options.detailedSpirv : m_options.fragmentSpirv,
-         .constants = {key & kTexturedVariant, (key & kShinyKey) != 0 ? 1u : 0u,
+         .constants = {key & kTexturedVariant, (key & kMetallicRoughnessKey) != 0 ? 1u : 0u,
                        m_scene.scene().sky ? 1u : 0u, key / kDetailStep, m_scene.scene().air ? 1u : 0u},
          .layout = m_layout,
          .bindings = bindings(key),
@@ -114,7 +115,7 @@ gpu::Pipeline TranslucentPipelines::make(std::uint32_t key) const {
 }
 
 vk::Pipeline TranslucentPipelines::pipeline(const DrawKind& kind) const {
-    return provide(keyOf(kind.variant, m_scene.isShiny()));
+    return provide(keyOf(kind.variant, m_scene.hasMetallicRoughness()));
 }
 
 vk::Pipeline TranslucentPipelines::provide(std::uint32_t key) const {

@@ -48,7 +48,7 @@ FrameStats joinedStats(std::span<const Frame> views) {
             stats.translucency.method = own.translucency.method;
             stats.translucency.refusal = own.translucency.refusal;
         }
-        stats.lostShine = stats.lostShine || own.lostShine;
+        stats.lostMetallicRoughness = stats.lostMetallicRoughness || own.lostMetallicRoughness;
         stats.lostEmission = stats.lostEmission || own.lostEmission;
     }
     stats.duplication =

@@ -260,7 +260,8 @@ void requireUsable(const Material& material, std::size_t textures, const std::st
         refuseUse("{}: its layer must be finite", what);
     }
     const auto isShare = [](float value) { return value >= 0.0f && value <= 1.0f; };
-    if (material.shine && (!isShare(material.shine->metallic) || !isShare(material.shine->roughness))) {
+    if (material.metallicRoughness &&
+        (!isShare(material.metallicRoughness->metallic) || !isShare(material.metallicRoughness->roughness))) {
         refuseUse("{}: its metallic and roughness must lie in [0, 1]", what);
     }
     const MaterialDetail& detail = material.detail;

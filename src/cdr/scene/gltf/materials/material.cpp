@@ -86,7 +86,7 @@ void showOnSolid(Ground ground, Material& material, UvPlaces& uv) {
     }
     if (ground == Ground::solidAlone) {
         material.unlit = true;
-        material.shine.reset();
+        material.metallicRoughness.reset();
     }
 }
 
@@ -121,7 +121,7 @@ MaterialUse MaterialImporter::import(int index, Ground ground) {
     Material material;
     AskedPlaces asked;
     material.name = "default";
-    material.shine = Shine{}; // glTF's defaults
+    material.metallicRoughness = MetallicRoughness{}; // glTF's defaults
     if (index >= 0) {
         const json& source = itemAt(m_sources.document.root, "materials", index, "material");
         const std::string where = fmt::format("material '{}'", nameOf(source));
@@ -146,12 +146,13 @@ MaterialUse MaterialImporter::import(int index, Ground ground) {
             asked.baseColor = uvSourceOf(info);
         }
         if (!material.unlit) {
-            material.shine = Shine{.metallic = shareMember(factors, "metallicFactor", where),
-                                   .roughness = shareMember(factors, "roughnessFactor", where)};
+            material.metallicRoughness =
+                MetallicRoughness{.metallic = shareMember(factors, "metallicFactor", where),
+                                  .roughness = shareMember(factors, "roughnessFactor", where)};
             material.detail = ground == Ground::solidAlone ? emissionOnly(source, where, asked)
                                                            : detailOf(source, where, asked);
         } else {
-            material.shine.reset();
+            material.metallicRoughness.reset();
         }
         use.uv = place(asked, material.detail, where);
         material.layer = layerOf(source, where, m_sources.notes).value_or(0.0f);

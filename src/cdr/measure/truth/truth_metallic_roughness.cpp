@@ -1,4 +1,4 @@
-#include <cdr/measure/truth/truth_shine.h>
+#include <cdr/measure/truth/truth_metallic_roughness.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,11 @@ namespace {
 
 constexpr double kLeastFacing = 1e-3;
 
-double roughnessOf(const ShinyPoint& point) {
-    return std::max(static_cast<double>(point.shine.roughness), kLeastTruthRoughness);
+double roughnessOf(const GlossyPoint& point) {
+    return std::max(static_cast<double>(point.metallicRoughness.roughness), kLeastTruthRoughness);
 }
 
-double facingOf(const ShinyPoint& point) {
+double facingOf(const GlossyPoint& point) {
     return std::max(glm::dot(point.normal, point.toCamera), kLeastFacing);
 }
 
@@ -40,13 +40,13 @@ T fresnel(const T& atNormal, double cosine) {
 }
 
 /// glTF 2.0, appendix B.2: a surface is so much of a metal, and the rest a dielectric.
-glm::dvec3 mixed(const ShinyPoint& point, const glm::dvec3& dielectric, const glm::dvec3& metal) {
-    return glm::mix(dielectric, metal, static_cast<double>(point.shine.metallic));
+glm::dvec3 mixed(const GlossyPoint& point, const glm::dvec3& dielectric, const glm::dvec3& metal) {
+    return glm::mix(dielectric, metal, static_cast<double>(point.metallicRoughness.metallic));
 }
 
 } // namespace
 
-glm::dvec3 pointShare(const ShinyPoint& point, const glm::dvec3& toLight) {
+glm::dvec3 pointShare(const GlossyPoint& point, const glm::dvec3& toLight) {
     const double lambert = glm::dot(point.normal, toLight);
     if (lambert <= 0.0) {
         return glm::dvec3(0.0);
@@ -62,14 +62,14 @@ glm::dvec3 pointShare(const ShinyPoint& point, const glm::dvec3& toLight) {
                            fresnel(point.baseColor, cosine) * micro);
 }
 
-glm::dvec3 diffuseShare(const ShinyPoint& point, const glm::dvec3& toLight) {
+glm::dvec3 diffuseShare(const GlossyPoint& point, const glm::dvec3& toLight) {
     const double lambert = std::max(glm::dot(point.normal, toLight), 0.0);
     const glm::dvec3 halfway = glm::normalize(point.toCamera + toLight);
     const double glossy = fresnel(kDielectric, glm::dot(point.toCamera, halfway));
     return lambert * mixed(point, (1.0 - glossy) * point.baseColor, glm::dvec3(0.0));
 }
 
-glm::dvec3 ambientShare(const ShinyPoint& point) {
+glm::dvec3 ambientShare(const GlossyPoint& point) {
     const double rough = roughnessOf(point);
     const double smooth = 1.0 - rough;
     const double lobe =

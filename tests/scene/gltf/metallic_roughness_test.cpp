@@ -5,7 +5,7 @@
 namespace cdr::scene::test {
 namespace {
 
-using GltfShine = GltfFolder;
+using GltfMetallicRoughness = GltfFolder;
 
 /// A square whose material has these factors and textures.
 Document withFactors(const json& factors) {
@@ -31,33 +31,37 @@ image::ImageRgba8 twoTexels() {
     return picture;
 }
 
-TEST_F(GltfShine, FactorsAreKept) {
+TEST_F(GltfMetallicRoughness, FactorsAreKept) {
     const GltfImport result = load(withFactors({{"metallicFactor", 0.25}, {"roughnessFactor", 0.75}}));
-    EXPECT_EQ(result.scene.materials.at(0).shine, (Shine{.metallic = 0.25f, .roughness = 0.75f}));
+    EXPECT_EQ(result.scene.materials.at(0).metallicRoughness,
+              (MetallicRoughness{.metallic = 0.25f, .roughness = 0.75f}));
     EXPECT_TRUE(result.ignored.empty());
 }
 
-TEST_F(GltfShine, FactorsThatAreLeftOutAreOne) {
-    EXPECT_EQ(load(withFactors({{"metallicFactor", 0.25}})).scene.materials.at(0).shine,
-              (Shine{.metallic = 0.25f, .roughness = 1.0f}));
-    EXPECT_EQ(load(withFactors({{"roughnessFactor", 0.25}})).scene.materials.at(0).shine,
-              (Shine{.metallic = 1.0f, .roughness = 0.25f}));
+TEST_F(GltfMetallicRoughness, FactorsThatAreLeftOutAreOne) {
+    EXPECT_EQ(load(withFactors({{"metallicFactor", 0.25}})).scene.materials.at(0).metallicRoughness,
+              (MetallicRoughness{.metallic = 0.25f, .roughness = 1.0f}));
+    EXPECT_EQ(load(withFactors({{"roughnessFactor", 0.25}})).scene.materials.at(0).metallicRoughness,
+              (MetallicRoughness{.metallic = 1.0f, .roughness = 0.25f}));
     Document document = square();
     document.root["materials"] = {{{"name", "bare"}}};
     document.primitive()["material"] = 0;
-    EXPECT_EQ(load(document).scene.materials.at(0).shine, (Shine{.metallic = 1.0f, .roughness = 1.0f}));
+    EXPECT_EQ(load(document).scene.materials.at(0).metallicRoughness,
+              (MetallicRoughness{.metallic = 1.0f, .roughness = 1.0f}));
     // And of the material that is used where a primitive names none.
-    EXPECT_EQ(load(square()).scene.materials.at(0).shine, (Shine{.metallic = 1.0f, .roughness = 1.0f}));
+    EXPECT_EQ(load(square()).scene.materials.at(0).metallicRoughness,
+              (MetallicRoughness{.metallic = 1.0f, .roughness = 1.0f}));
 }
 
-TEST_F(GltfShine, FactorsAreClamped) {
-    EXPECT_EQ(
-        load(withFactors({{"metallicFactor", -2}, {"roughnessFactor", 1e300}})).scene.materials.at(0).shine,
-        (Shine{.metallic = 0.0f, .roughness = 1.0f}));
+TEST_F(GltfMetallicRoughness, FactorsAreClamped) {
+    EXPECT_EQ(load(withFactors({{"metallicFactor", -2}, {"roughnessFactor", 1e300}}))
+                  .scene.materials.at(0)
+                  .metallicRoughness,
+              (MetallicRoughness{.metallic = 0.0f, .roughness = 1.0f}));
 }
 
 /// The default would show another material than the file means.
-TEST_F(GltfShine, FactorsThatAreNoNumbersAreRefused) {
+TEST_F(GltfMetallicRoughness, FactorsThatAreNoNumbersAreRefused) {
     expectSays(refusal(withFactors({{"metallicFactor", "0.5"}})),
                "material 'paint': 'metallicFactor' is not a number");
     expectSays(refusal(withFactors({{"roughnessFactor", {0.5}}})), "'roughnessFactor' is not a number");
@@ -66,28 +70,28 @@ TEST_F(GltfShine, FactorsThatAreNoNumbersAreRefused) {
     expectSays(refusal(document), "'alphaCutoff' is not a number");
 }
 
-TEST_F(GltfShine, UnlitMaterialsHaveNone) {
+TEST_F(GltfMetallicRoughness, UnlitMaterialsHaveNone) {
     // What they would look like elsewhere is not read: the texture does not exist.
     Document document = withFactors({{"metallicFactor", 0.5}, {"metallicRoughnessTexture", {{"index", 9}}}});
     document.root["materials"][0]["extensions"] = {{"KHR_materials_unlit", json::object()}};
     const GltfImport result = load(document);
-    EXPECT_FALSE(result.scene.materials.at(0).shine);
+    EXPECT_FALSE(result.scene.materials.at(0).metallicRoughness);
     EXPECT_TRUE(result.scene.materials.at(0).unlit);
     EXPECT_TRUE(result.ignored.empty());
 }
 
-TEST_F(GltfShine, TexturesAreKeptAsDataBesideTheFactors) {
+TEST_F(GltfMetallicRoughness, TexturesAreKeptAsDataBesideTheFactors) {
     const GltfImport result =
         load(withTexture({{"metallicFactor", 0.5}, {"roughnessFactor", 0.25}}, twoTexels()));
     const Material& material = result.scene.materials.at(0);
-    EXPECT_EQ(material.shine, (Shine{.metallic = 0.5f, .roughness = 0.25f}));
+    EXPECT_EQ(material.metallicRoughness, (MetallicRoughness{.metallic = 0.5f, .roughness = 0.25f}));
     const Texture& texture = result.scene.textures.at(material.detail.metallicRoughness.value().texture);
     EXPECT_EQ(texture.content, TextureContent::data);
     EXPECT_EQ(texture.pixels.at(1, 0), (image::Rgba8{0, 102, 204, 0}));
     EXPECT_TRUE(result.ignored.empty());
 }
 
-TEST_F(GltfShine, OnePictureMayBeColorAndShine) {
+TEST_F(GltfMetallicRoughness, OnePictureMayBeColorAndData) {
     Document document = withTexture(json::object(), twoTexels());
     document.root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
     const Scene scene = load(document).scene;
@@ -98,16 +102,17 @@ TEST_F(GltfShine, OnePictureMayBeColorAndShine) {
               TextureContent::data);
 }
 
-TEST_F(GltfShine, TexturesThatOnlyAnExtensionSuppliesLeaveTheFactors) {
+TEST_F(GltfMetallicRoughness, TexturesThatOnlyAnExtensionSuppliesLeaveTheFactors) {
     Document document = withTexture({{"metallicFactor", 0.5}, {"roughnessFactor", 0.25}}, twoTexels());
     document.root["textures"] = {{{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}}};
     const GltfImport result = load(document);
-    EXPECT_EQ(result.scene.materials.at(0).shine, (Shine{.metallic = 0.5f, .roughness = 0.25f}));
+    EXPECT_EQ(result.scene.materials.at(0).metallicRoughness,
+              (MetallicRoughness{.metallic = 0.5f, .roughness = 0.25f}));
     EXPECT_TRUE(anySays(result.ignored, "supplied by an extension"));
     EXPECT_FALSE(result.scene.materials.at(0).detail.metallicRoughness);
 }
 
-TEST_F(GltfShine, UnsoundTexturesAreRefused) {
+TEST_F(GltfMetallicRoughness, UnsoundTexturesAreRefused) {
     const Document sound = withTexture(json::object(), twoTexels());
     Document document = sound;
     document.root["materials"][0]["pbrMetallicRoughness"]["metallicRoughnessTexture"]["index"] = 1;
