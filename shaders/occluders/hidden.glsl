@@ -62,8 +62,8 @@ bool isHidden(InstanceSphere sphere) {
     uvec4 pixels = uvec4(pixelOf(left, occluders.width), pixelOf(top, occluders.height),
                          pixelOf(right, occluders.width), pixelOf(bottom, occluders.height));
     double nearestView = near - radius;
-    const uint kMostAcross = 8u * kTileSide; // what is larger is looked at by squares
-    if (max(pixels.z - pixels.x, pixels.w - pixels.y) < kMostAcross) {
+    const uint kMaxAcross = 8u * kTileSide; // what is larger is looked at by squares
+    if (max(pixels.z - pixels.x, pixels.w - pixels.y) < kMaxAcross) {
         return hidesAll(pixels, kTileSide, 0u, occluders.columns, nearestView);
     }
     return hidesAll(pixels, kTileSide * kSquareSide, firstSquare(), squareColumns(), nearestView);

@@ -3,9 +3,9 @@
 #ifndef CDR_SHADERS_EDGE_ANTIALIAS_GLSL
 #define CDR_SHADERS_EDGE_ANTIALIAS_GLSL
 
-const float kLeastContrast = 1.0 / 24.0;       // below it no eye sees the stair
-const float kLeastRelativeContrast = 1.0 / 8.0; // of the brightest neighbour
-const float kMostSubpixel = 0.75;              // of a lone pixel's difference that is smoothed away
+const float kMinContrast = 1.0 / 24.0;       // below it no eye sees the stair
+const float kMinRelativeContrast = 1.0 / 8.0; // of the brightest neighbour
+const float kMaxSubpixel = 0.75;              // of a lone pixel's difference that is smoothed away
 const int kReach = 16;                         // pixels walked along an edge each way
 
 // Perceived brightness; a square root stands in for the sRGB curve.
@@ -40,7 +40,7 @@ vec3 smoothEdges(ivec2 pixel) {
     float middle = l[1][1];
     float brightest = max(middle, max(max(l[0][1], l[2][1]), max(l[1][0], l[1][2])));
     float contrast = brightest - min(middle, min(min(l[0][1], l[2][1]), min(l[1][0], l[1][2])));
-    if (contrast < max(kLeastContrast, kLeastRelativeContrast * brightest)) {
+    if (contrast < max(kMinContrast, kMinRelativeContrast * brightest)) {
         return litAt(pixel);
     }
 
@@ -70,7 +70,7 @@ vec3 smoothEdges(ivec2 pixel) {
 
     float around = 2.0 * (l[1][0] + l[0][1] + l[2][1] + l[1][2]) + l[0][0] + l[2][0] + l[0][2] + l[2][2];
     float lone = smoothstep(0.0, 1.0, min(abs(around / 12.0 - middle) / contrast, 1.0));
-    float blend = max(isCovered ? share : 0.0, kMostSubpixel * lone * lone);
+    float blend = max(isCovered ? share : 0.0, kMaxSubpixel * lone * lone);
     return mix(litAt(pixel), litAt(pixel + across), blend);
 }
 

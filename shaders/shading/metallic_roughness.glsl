@@ -11,7 +11,7 @@
 
 const float kDielectric = 0.04; // what a dielectric mirrors at normal incidence
 // Lights are points: what is smoother would show a highlight smaller than a pixel.
-const float kLeastRoughness = 0.08;
+const float kMinRoughness = 0.08;
 // Half floats, and their sums where surfaces blend, must hold what a surface sends.
 const float kBrightest = 16.0;
 
@@ -27,7 +27,7 @@ MetallicRoughness decodeMetallicRoughness(uint code, vec3 baseColor) {
     float metallic = float(steps / kRoughnessSteps) / float(kMetallicSteps - 1u);
     float roughness = float(steps % kRoughnessSteps) / float(kRoughnessSteps - 1u);
     return MetallicRoughness(baseColor * (1.0 - metallic), mix(vec3(kDielectric), baseColor, metallic),
-                 max(roughness, kLeastRoughness));
+                 max(roughness, kMinRoughness));
 }
 
 // Cosine between a normal and the way to the camera; above 0, since interpolated normals may face away a little.

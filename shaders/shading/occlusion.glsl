@@ -8,7 +8,7 @@
 
 const int kSamples = 12;
 const float kTurns = 5.0;         // of the spiral that the samples lie on; coprime to their number
-const float kMostPixels = 96.0;   // of the spiral's radius: what lies wider apart is too far in memory
+const float kMaxPixels = 96.0;   // of the spiral's radius: what lies wider apart is too far in memory
 const float kBias = 0.02;         // of the radius: a normal of 16 bits lets a flat surface rise by less
 const float kDistanceNoise = 3e-7; // a few steps of a float, of the view distance
 const float kStrength = 1.5;      // obscurance as it is usually shown
@@ -18,7 +18,7 @@ float occlusionAt(usampler2D gbuffer, ivec2 pixel, uvec4 texel, vec2 rayScale, f
     ivec2 size = textureSize(gbuffer, 0);
     vec2 perPixel = vec2(2.0, -2.0) * rayScale / vec2(size);
     float distance = distanceOf(texel);
-    float spiral = min(radius / (distance * abs(perPixel.y)), kMostPixels);
+    float spiral = min(radius / (distance * abs(perPixel.y)), kMaxPixels);
     if (spiral < 1.0) {
         return 0.0;
     }

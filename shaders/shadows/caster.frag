@@ -10,11 +10,11 @@ layout(location = 0) flat in float inRounding;
 // Texels towards the light per texel across and down; in z by how many texels the depth may be off.
 layout(location = 0) out vec4 outSlope;
 
-const float kMostSlope = 1000.0;
+const float kMaxSlope = 1000.0;
 
 void main() {
     float z = gl_FragCoord.z;
     float perTexel = depthPerTexel(push.lens, z);
     vec2 slope = vec2(dFdx(z), dFdy(z)) / max(perTexel, 1e-37);
-    outSlope = vec4(clamp(slope, -kMostSlope, kMostSlope), min(inRounding * gl_FragCoord.w / push.lens.texel, kMostSlope), 0.0);
+    outSlope = vec4(clamp(slope, -kMaxSlope, kMaxSlope), min(inRounding * gl_FragCoord.w / push.lens.texel, kMaxSlope), 0.0);
 }

@@ -8,7 +8,7 @@
 
 const float kRounding = 1.0 / 2097152.0; // of what a place and a depth are made from
 const float kHalf = 1.0 / 1024.0;        // of a number kept as a half
-const float kMostSlope = 1000.0;
+const float kMaxSlope = 1000.0;
 // Texels: what lies less before a surface casts no shadow on it. At the inner corners of thin paint all four texels near by may be
 // of the paint, which then seems to shadow the ground. A map cannot show so narrow a shadow in its place.
 const float kThin = 0.125;
@@ -49,7 +49,7 @@ vec3 alongLight(ReceiverPush map, vec3 v) { return vec3(dot(map.right.xyz, v), d
 vec2 slopeOf(ReceiverPush map, vec3 normalView, vec2 inView) {
     vec3 normal = alongLight(map, vec3(normalView.xy, -normalView.z));
     float facing = normal.z + map.lens.wPerUnit * dot(normal.xy, inView);
-    return clamp(normal.xy / (abs(facing) < 1e-4 ? 1e-4 : facing), -kMostSlope, kMostSlope);
+    return clamp(normal.xy / (abs(facing) < 1e-4 ? 1e-4 : facing), -kMaxSlope, kMaxSlope);
 }
 
 // Whether the light reaches a surface. What the map has of that surface lies in one plane with it. What it has of a

@@ -15,7 +15,7 @@ using ivec2 = glm::ivec2;
 #endif
 
 // A pixel's depth is the number of its slice over this. 16 bits of depth hold that exactly.
-CDR_CONST kMostSlices = 65535.0;
+CDR_CONST kMaxSlices = 65535.0;
 
 // One caster: object space to a light's view. Per instance.
 struct CasterRecord {

@@ -19,5 +19,5 @@ uint sliceOf(float distanceView) {
 
 void main() {
     Seen seen = seenHere(rayHere());
-    gl_FragDepth = seen.isSurface ? float(sliceOf(distanceOf(seen.receiver))) / kMostSlices : 0.0;
+    gl_FragDepth = seen.isSurface ? float(sliceOf(distanceOf(seen.receiver))) / kMaxSlices : 0.0;
 }

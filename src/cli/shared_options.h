@@ -53,7 +53,7 @@ struct OutputOptions {
 /// Most frames one call renders.
 using options::kMaxFrames;
 
-using options::kMostTranslucencyMiB;
+using options::kMaxTranslucencyMiB;
 
 // Each adds an option; what it refers to must live as long as the command.
 

@@ -98,7 +98,7 @@ void addTextureMemory(CLI::App& command, std::optional<std::uint64_t>& textureMi
     command
         .add_option("--texture-memory", textureMiB,
                     "Most MiB of a glTF file's textures, which are shown smaller to fit")
-        ->check(CLI::Range(std::uint64_t{1}, scene::kMostTextureMiB));
+        ->check(CLI::Range(std::uint64_t{1}, scene::kMaxTextureMiB));
 }
 
 void addPointRadius(CLI::App& command, std::optional<double>& radius) {
@@ -106,7 +106,7 @@ void addPointRadius(CLI::App& command, std::optional<double>& radius) {
         .add_option(
             "--points", radius,
             "Radius of a glTF file's points and lines, in scene units; else by how far they are apart")
-        ->check(numberFrom(scene::kLeastPointRadius, scene::kMostPointRadius));
+        ->check(numberFrom(scene::kMinPointRadius, scene::kMaxPointRadius));
 }
 
 void addSceneChoice(CLI::App& command, scene::GltfChoice& choice) {

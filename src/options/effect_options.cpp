@@ -64,7 +64,7 @@ void addEffectOptions(CLI::App& command, EffectArguments& arguments) {
             "colours (Khronos PBR Neutral); scene: neutral under a sky or through air, else none")
         ->capture_default_str();
     command.add_option("--exposure", arguments.exposure, "Stops by which the picture is brighter, -16 to 16")
-        ->check(CLI::Range(-render::kMostExposure, render::kMostExposure))
+        ->check(CLI::Range(-render::kMaxExposure, render::kMaxExposure))
         ->capture_default_str();
     command.add_option("--light", arguments.light,
                        "Of a glTF file: sky (a computed one, default), lamps or file (its own lights)");
@@ -78,7 +78,7 @@ void addEffectOptions(CLI::App& command, EffectArguments& arguments) {
                     "How the first four lights cast shadows: none, anchored or plain")
         ->capture_default_str();
     command.add_option("--shadow-texels", arguments.shadowTexels, "Most texels of a side of a shadow map")
-        ->check(CLI::Range(render::kLeastShadowTexels, render::kMostShadowTexels))
+        ->check(CLI::Range(render::kMinShadowTexels, render::kMaxShadowTexels))
         ->capture_default_str();
     command
         .add_option("--translucency", arguments.translucency,
@@ -87,7 +87,7 @@ void addEffectOptions(CLI::App& command, EffectArguments& arguments) {
     command
         .add_option("--translucency-memory", arguments.translucencyMiB,
                     "Most MiB for sorted fragments; frames that need more are drawn weighted")
-        ->check(CLI::Range(std::uint64_t{1}, kMostTranslucencyMiB))
+        ->check(CLI::Range(std::uint64_t{1}, kMaxTranslucencyMiB))
         ->capture_default_str();
 }
 
@@ -126,12 +126,12 @@ std::optional<scene::ModelLight> lightOf(const EffectArguments& arguments) {
 }
 
 render::Shadows shadowsOf(const EffectArguments& arguments) {
-    return {.method = render::parseShadowMethod(arguments.shadows), .mostTexels = arguments.shadowTexels};
+    return {.method = render::parseShadowMethod(arguments.shadows), .maxTexels = arguments.shadowTexels};
 }
 
 render::TranslucencyOptions translucencyOf(const EffectArguments& arguments) {
     return {.method = render::parseTranslucency(arguments.translucency),
-            .mostBytes = arguments.translucencyMiB << 20u};
+            .maxBytes = arguments.translucencyMiB << 20u};
 }
 
 } // namespace cdr::options

@@ -18,7 +18,7 @@ class App;
 namespace cdr::options {
 
 /// Most MiB that --translucency-memory takes: 4 TiB.
-inline constexpr std::uint64_t kMostTranslucencyMiB = std::uint64_t{1} << 22u;
+inline constexpr std::uint64_t kMaxTranslucencyMiB = std::uint64_t{1} << 22u;
 
 /// The effects and the translucency of a picture as a command line gives them.
 struct EffectArguments {
@@ -31,8 +31,8 @@ struct EffectArguments {
     std::string focus;     ///< DISTANCE:APERTURE or DISTANCE:APERTURE:blend
     std::string translucency = "weighted";
     std::string shadows = "none";
-    std::uint32_t shadowTexels = render::Shadows{}.mostTexels;
-    std::uint64_t translucencyMiB = render::TranslucencyOptions{}.mostBytes >> 20u;
+    std::uint32_t shadowTexels = render::Shadows{}.maxTexels;
+    std::uint64_t translucencyMiB = render::TranslucencyOptions{}.maxBytes >> 20u;
 };
 
 void addEffectOptions(CLI::App& command, EffectArguments& arguments);

@@ -50,11 +50,11 @@ const std::filesystem::path& checked(const std::filesystem::path& path, std::uin
 } // namespace
 
 void requireEncodable(std::uint32_t width, std::uint32_t height) {
-    constexpr std::uint32_t kMostSide = 16384;
+    constexpr std::uint32_t kMaxSide = 16384;
     const bool odd = width % 2 != 0 || height % 2 != 0;
-    if (width == 0 || height == 0 || width > kMostSide || height > kMostSide || odd) {
+    if (width == 0 || height == 0 || width > kMaxSide || height > kMaxSide || odd) {
         throw base::InputError(fmt::format("a video's sides must be even and 2 to {} pixels, not {}x{}",
-                                           kMostSide, width, height));
+                                           kMaxSide, width, height));
     }
     if (!program::isInstalled("ffmpeg")) {
         throw base::InputError("videos need ffmpeg, which is not installed (Debian, Ubuntu: ffmpeg)");

@@ -15,7 +15,7 @@ namespace cdr::ranks {
 namespace {
 
 /// As many as sched_getaffinity() has numbers for; without an answer it gives none.
-constexpr std::size_t kMostCpus = 1024;
+constexpr std::size_t kMaxCpus = 1024;
 
 /// In the memory that ranks share, behind SharedLife.
 constexpr std::size_t kLocksAt = 64;
@@ -96,14 +96,14 @@ MpiMachine::~MpiMachine() {
 }
 
 std::vector<Cpus> MpiMachine::cpusOfRanks() const {
-    std::bitset<kMostCpus> mine;
+    std::bitset<kMaxCpus> mine;
     for (const std::size_t cpu : host::allowedCpus()) {
         mine.set(cpu);
     }
     const auto all = gathered(m_ranks, m_count, mine);
     std::vector<Cpus> cpus(m_count);
     for (std::size_t rank = 0; rank < m_count; ++rank) {
-        for (std::size_t cpu = 0; cpu < kMostCpus; ++cpu) {
+        for (std::size_t cpu = 0; cpu < kMaxCpus; ++cpu) {
             if (all[rank].test(cpu)) {
                 cpus[rank].push_back(cpu);
             }

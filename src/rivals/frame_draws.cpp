@@ -16,7 +16,7 @@ namespace cdr::rivals {
 namespace {
 
 constexpr std::uint32_t kRecordBinding = 1;
-constexpr std::size_t kLeastRecords = 1024;
+constexpr std::size_t kMinRecords = 1024;
 
 /// Whether ids and distances of both may come from one draw command: materials do not matter.
 bool drawAlike(const render::DrawKind& one, const render::DrawKind& other) {
@@ -60,7 +60,7 @@ void FrameDraws::cut() {
 }
 
 void FrameDraws::makeRoom() {
-    const std::size_t draws = std::max(m_lists.draws(), kLeastRecords);
+    const std::size_t draws = std::max(m_lists.draws(), kMinRecords);
     if (m_records.size() / sizeof(shaders::VisibilityRecord) >= draws) {
         return;
     }

@@ -15,7 +15,7 @@ namespace cdr::runs {
 
 namespace {
 
-constexpr std::uintmax_t kMostStateBytes = std::uintmax_t{1} << 30u;
+constexpr std::uintmax_t kMaxStateBytes = std::uintmax_t{1} << 30u;
 constexpr std::string_view kStateName = "cdr state 1 ";
 constexpr std::size_t kDigits = 64; ///< of a SHA-256
 /// Of nested values; a writer of JSON goes down them by calls.
@@ -106,7 +106,7 @@ UnitStateFile::UnitStateFile(std::filesystem::path path, UnitRun run)
         host::requireWritable(m_path);
         return;
     }
-    const host::Bytes bytes = host::readFile(m_path, kMostStateBytes);
+    const host::Bytes bytes = host::readFile(m_path, kMaxStateBytes);
     m_state =
         readUnitState({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, m_run, m_path.string());
     m_file.open(m_path, std::ios::binary | std::ios::app);

@@ -16,7 +16,7 @@ namespace cdr::scenes {
 
 namespace {
 
-constexpr std::uint32_t kMostSubdivisions = 8;
+constexpr std::uint32_t kMaxSubdivisions = 8;
 constexpr double kNearest = 8.0;
 constexpr double kFarthest = 4000.0;
 /// Of the camera's circle; what is nearest stays in front of it.
@@ -155,9 +155,8 @@ void placeBoulder(scene::Scene& scene, std::uint32_t object, const scene::Camera
 } // namespace
 
 scene::Mesh makeBoulder(std::uint64_t seed, std::uint32_t subdivisions) {
-    if (subdivisions > kMostSubdivisions) {
-        throw base::InputError("a boulder has at most " + std::to_string(kMostSubdivisions) +
-                               " subdivisions");
+    if (subdivisions > kMaxSubdivisions) {
+        throw base::InputError("a boulder has at most " + std::to_string(kMaxSubdivisions) + " subdivisions");
     }
     Sphere sphere = icosahedron();
     for (std::uint32_t i = 0; i < subdivisions; ++i) {
@@ -184,11 +183,11 @@ scene::Mesh makeBoulder(std::uint64_t seed, std::uint32_t subdivisions) {
 }
 
 scene::SceneSetup makeBoulders(std::uint64_t seed, const BoulderOptions& options) {
-    constexpr std::uint32_t kMostBoulders = 1000; // more might find no room
-    constexpr std::uint32_t kMostShapes = 64;
-    if (options.boulders > kMostBoulders || options.shapes < 1 || options.shapes > kMostShapes) {
-        throw base::InputError("boulders: at most " + std::to_string(kMostBoulders) + ", of 1 to " +
-                               std::to_string(kMostShapes) + " shapes");
+    constexpr std::uint32_t kMaxBoulders = 1000; // more might find no room
+    constexpr std::uint32_t kMaxShapes = 64;
+    if (options.boulders > kMaxBoulders || options.shapes < 1 || options.shapes > kMaxShapes) {
+        throw base::InputError("boulders: at most " + std::to_string(kMaxBoulders) + ", of 1 to " +
+                               std::to_string(kMaxShapes) + " shapes");
     }
     scene::SceneSetup setup;
     scene::Scene& scene = setup.scene;

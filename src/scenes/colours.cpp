@@ -22,14 +22,14 @@ constexpr std::array<std::array<float, 3>, 7> kPalette{{{0.05f, 0.34f, 0.38f},
 constexpr std::uint32_t kGrey = 0;
 
 /// Objects in a row share a colour where there are many, since a run of one material is one draw.
-constexpr std::uint32_t kMostRuns = 4096;
+constexpr std::uint32_t kMaxRuns = 4096;
 
 void addPalette(scene::Scene& scene) {
     const auto first = static_cast<std::uint32_t>(scene.materials.size());
     for (const auto& [red, green, blue] : kPalette) {
         scene.materials.push_back({.name = "colour", .baseColorFactor = glm::vec4(red, green, blue, 1.0f)});
     }
-    const std::uint32_t run = 1 + scene.objectCount() / kMostRuns;
+    const std::uint32_t run = 1 + scene.objectCount() / kMaxRuns;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         std::uint32_t& material = scene.instances.material[i];
         if (material == kGrey) {

@@ -14,7 +14,7 @@ namespace cdr::scenes {
 
 namespace {
 
-constexpr std::size_t kMostShown = 60; ///< letters of what was given, in messages
+constexpr std::size_t kMaxShown = 60; ///< letters of what was given, in messages
 constexpr char kIndexSign = '#';
 
 /// Of "#N". base::InputError unless the scene has such a material.
@@ -24,7 +24,7 @@ std::size_t indexOf(const scene::Scene& scene, std::string_view material) {
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
     if (error != std::errc() || end != digits.data() + digits.size() || index >= scene.materials.size()) {
         throw base::InputError(fmt::format("no material '{}': the scene has {}, counted from #0",
-                                           material.substr(0, kMostShown), scene.materials.size()));
+                                           material.substr(0, kMaxShown), scene.materials.size()));
     }
     return index;
 }
@@ -35,10 +35,10 @@ std::ptrdiff_t countOf(const scene::Scene& scene, std::string_view name) {
 }
 
 base::InputError unknownMaterial(const scene::Scene& scene, std::string_view name) {
-    constexpr std::size_t kMostListed = 30;
+    constexpr std::size_t kMaxListed = 30;
     std::vector<std::string_view> known;
     for (const scene::Material& material : scene.materials) {
-        if (known.size() < kMostListed && !material.name.empty()) {
+        if (known.size() < kMaxListed && !material.name.empty()) {
             known.push_back(material.name);
         }
     }
@@ -51,12 +51,12 @@ LayerChoice parseLayer(std::string_view text) {
     const std::size_t equals = text.rfind('=');
     if (equals == 0 || equals == std::string_view::npos) {
         throw base::InputError(fmt::format("a layer must be MATERIAL=LAYER, such as paint=0.002, not '{}'",
-                                           text.substr(0, kMostShown)));
+                                           text.substr(0, kMaxShown)));
     }
     const auto layer = static_cast<float>(base::parseNumber("a layer", text.substr(equals + 1)));
     if (!std::isfinite(layer)) {
         throw base::InputError(
-            fmt::format("a layer must be a finite float, not '{}'", text.substr(equals + 1, kMostShown)));
+            fmt::format("a layer must be a finite float, not '{}'", text.substr(equals + 1, kMaxShown)));
     }
     return {.material = std::string(text.substr(0, equals)), .layer = layer};
 }

@@ -13,7 +13,7 @@ namespace cdr::scenes {
 
 namespace {
 
-constexpr std::uint32_t kMostTerrainCells = 2048;
+constexpr std::uint32_t kMaxTerrainCells = 2048;
 constexpr double kTerrainHalfSide = 20'000.0;
 constexpr double kTerrainCircle = 500.0;
 constexpr double kTerrainEyeHeight = 120.0; ///< over the ground below
@@ -88,8 +88,8 @@ scene::Mesh meshOf(const Hills& hills, std::uint32_t cells) {
 } // namespace
 
 scene::SceneSetup makeTerrain(std::uint64_t seed, std::uint32_t cells) {
-    if (cells < 1 || cells > kMostTerrainCells) {
-        throw base::InputError("terrain: 1 to " + std::to_string(kMostTerrainCells) +
+    if (cells < 1 || cells > kMaxTerrainCells) {
+        throw base::InputError("terrain: 1 to " + std::to_string(kMaxTerrainCells) +
                                " cells along each side, not " + std::to_string(cells));
     }
     Random random(seed);

@@ -114,9 +114,9 @@ Cost costOf(auto& side) {
 
 /// Times `side` with `other` in turns.
 void race(benchmark::State& state, auto& side, auto& other, const char* otherName) {
-    constexpr double kMost = std::numeric_limits<double>::infinity();
-    Cost least{kMost, kMost};
-    double otherLeastMs = kMost;
+    constexpr double kMax = std::numeric_limits<double>::infinity();
+    Cost least{kMax, kMax};
+    double otherLeastMs = kMax;
     std::vector<double> ratios;
     side.run();
     other.run();

@@ -60,12 +60,12 @@ TEST_P(FileFaults, EveryWriteMayFail) {
         GTEST_SKIP() << served.err; // a checkout or a machine without it
     }
     ASSERT_EQ(served.status, 0) << served.err;
-    constexpr long kMostCalls = 2000;
+    constexpr long kMaxCalls = 2000;
     std::size_t cases = 0;
     std::size_t failures = 0;
     for (const int error : {ENOSPC, EACCES, EIO, ENOENT}) {
         const long stride = takesAllCases() ? 1 : GetParam().stride;
-        for (long after = error % stride; after < kMostCalls; after += stride) {
+        for (long after = error % stride; after < kMaxCalls; after += stride) {
             const TemporaryFolder folder;
             const ProgramResult result = run(after, error, folder);
             SCOPED_TRACE(testing::Message() << GetParam().command << ": call " << after << ", " << error);

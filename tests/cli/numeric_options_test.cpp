@@ -225,7 +225,7 @@ const std::vector<Numbers> kNumbersOfCommands{
      {"--gltf-scene @", "--camera @"},
      "InspectMachine"}};
 
-constexpr int kMostSeconds = 4;
+constexpr int kMaxSeconds = 4;
 constexpr int kSanitizers = 30; ///< times as long
 
 std::string replaced(std::string text, const std::string& number) {
@@ -262,7 +262,7 @@ std::string quoted(const std::string& option) {
 /// which stand where the library of file faults would, are slower. A run that waits for nothing ends as well.
 std::string cpuLimit() {
     const bool isSanitized = std::string(CDR_FILE_FAULTS).empty();
-    return "ulimit -t " + std::to_string(isSanitized ? kMostSeconds * kSanitizers : kMostSeconds) +
+    return "ulimit -t " + std::to_string(isSanitized ? kMaxSeconds * kSanitizers : kMaxSeconds) +
            " && timeout 1000 ";
 }
 

@@ -40,11 +40,11 @@ class AnyNumbers {
         case 2:
             return Limits::max();
         case 3:
-            return kLeastView;
+            return kMinView;
         case 4:
-            return kMostView;
+            return kMaxView;
         default:
-            return logUniform(kLeastView, kMostView);
+            return logUniform(kMinView, kMaxView);
         }
     }
 
@@ -141,8 +141,8 @@ TEST(WholeRange, AdviceEndsInAnAnswerOrIsRefused) {
                                 .separationView = random.positive()};
         if (random.below(2) == 0) {
             // A range that is usable, so that the rest is reached.
-            question.scene.nearView = random.logUniform(kLeastView, 1.0);
-            question.scene.farView = random.logUniform(2.0, kMostView);
+            question.scene.nearView = random.logUniform(kMinView, 1.0);
+            question.scene.farView = random.logUniform(2.0, kMaxView);
             question.scene.atView = random.logUniform(question.scene.nearView, question.scene.farView);
         }
         SCOPED_TRACE(testing::Message()

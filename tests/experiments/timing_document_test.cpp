@@ -84,14 +84,14 @@ TEST(TimingDocument, IsRefusedInOneLineWhereAValueIsAnother) {
 }
 
 TEST(TimingDocument, IsBounded) {
-    EXPECT_NE(timingRefusal(std::string(kMostTimingBytes, ' ') + timingOfTwo().dump()).find("MiB"),
+    EXPECT_NE(timingRefusal(std::string(kMaxTimingBytes, ' ') + timingOfTwo().dump()).find("MiB"),
               std::string::npos);
     const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
     EXPECT_NE(timingRefusal(R"({"device": )" + deep + R"(, "results": []})").find("too deep"),
               std::string::npos);
     json many = timingOfTwo();
     many["results"] = json::array();
-    for (std::size_t row = 0; row <= kMostTimingRows; ++row) {
+    for (std::size_t row = 0; row <= kMaxTimingRows; ++row) {
         many["results"].push_back({{"name", "log"}, {"median_us", 1}});
     }
     EXPECT_NE(timingRefusal(many.dump()).find("list"), std::string::npos);

@@ -28,13 +28,13 @@ void light(const std::vector<cdr::scene::GltfLight>& lights) {
 
 /// Shows animations before, within and after their keyframes.
 void play(cdr::scene::GltfImport import) {
-    constexpr std::size_t kMostAnimations = 4;
+    constexpr std::size_t kMaxAnimations = 4;
     light(import.lights);
     if (import.animation == nullptr) {
         return;
     }
     cdr::host::WorkerPool workers(1);
-    const std::size_t count = std::min(import.animation->animations.size(), kMostAnimations);
+    const std::size_t count = std::min(import.animation->animations.size(), kMaxAnimations);
     for (std::size_t i = 0; i < count; ++i) {
         const double seconds = import.animation->animations[i].seconds;
         const cdr::scene::FrameClock clock{.start = 0.0, .framesPerSecond = 3.0 / std::max(seconds, 1e-6)};

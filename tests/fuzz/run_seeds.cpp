@@ -18,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 namespace {
 
 using Input = std::vector<std::uint8_t>;
-constexpr std::size_t kMostBytes = 4096; // larger seeds are run, but nothing is made of them
+constexpr std::size_t kMaxBytes = 4096; // larger seeds are run, but nothing is made of them
 
 std::vector<Input> readSeeds(int count, char** paths) {
     std::vector<std::filesystem::path> files;
@@ -76,7 +76,7 @@ class Mutator {
                 input[below(input.size())] = static_cast<std::uint8_t>(m_random());
             }
         }
-        input.resize(std::min(input.size(), kMostBytes));
+        input.resize(std::min(input.size(), kMaxBytes));
     }
 
     const std::vector<Input>& m_seeds;
@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
     for (const Input& seed : seeds) {
         LLVMFuzzerTestOneInput(seed.data(), seed.size());
     }
-    std::erase_if(seeds, [](const Input& seed) { return seed.size() > kMostBytes; });
+    std::erase_if(seeds, [](const Input& seed) { return seed.size() > kMaxBytes; });
     if (seeds.empty()) {
         std::fputs("no seeds\n", stderr);
         return 1;

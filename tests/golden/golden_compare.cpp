@@ -20,8 +20,8 @@ namespace {
 using namespace cdr;
 
 image::ImageRgba8 readPicture(const std::string& path) {
-    constexpr std::uintmax_t kMostBytes = 64 << 20;
-    return image::decodeImage(host::readFile(path, kMostBytes), path);
+    constexpr std::uintmax_t kMaxBytes = 64 << 20;
+    return image::decodeImage(host::readFile(path, kMaxBytes), path);
 }
 
 void writeSheet(const std::string& path, const image::ImageRgba8& golden, const image::ImageRgba8& render) {

@@ -13,11 +13,11 @@
 namespace cdr::gpu {
 namespace {
 
-constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t kMax = std::numeric_limits<std::uint64_t>::max();
 
 TEST(TimestampSteps, CountAClockThatBeginsAnew) {
     EXPECT_EQ(timestampSteps(3, 10, 64), 7u);
-    EXPECT_EQ(timestampSteps(kMost, 1, 64), 2u);
+    EXPECT_EQ(timestampSteps(kMax, 1, 64), 2u);
     const std::uint64_t last36 = (std::uint64_t{1} << 36u) - 1;
     EXPECT_EQ(timestampSteps(last36 - 1, 4, 36), 6u);
     EXPECT_EQ(timestampSteps(0, 1, 1), 1u);

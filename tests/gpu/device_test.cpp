@@ -97,7 +97,7 @@ TEST(Memory, AFilledBufferHoldsAllItsParts) {
     const Instance instance({.validate = true, .extensions = {}});
     {
         const Device device(instance, "");
-        constexpr std::size_t kWords = (2 * BufferFill::kMostBytes + 4096) / 4;
+        constexpr std::size_t kWords = (2 * BufferFill::kMaxBytes + 4096) / 4;
         std::vector<std::uint32_t> words(kWords);
         std::iota(words.begin(), words.end(), 1u);
         using Usage = vk::BufferUsageFlagBits;

@@ -206,7 +206,7 @@ TEST_F(AdversarialTest, APlanetOfPiecesHasNoCracks) {
 /// Points of a mesh where its pieces meet: ends and middles of edges between triangles of different clusters.
 std::vector<glm::dvec3> seamPoints(const scene::SourceMesh& mesh, double pieceRadius) {
     using Key = std::array<double, 3>;
-    const auto clusters = scene::clusterTriangles(mesh, pieceRadius, scene::kMostPieces);
+    const auto clusters = scene::clusterTriangles(mesh, pieceRadius, scene::kMaxPieces);
     std::map<std::pair<Key, Key>, std::size_t> clusterOf;
     std::vector<glm::dvec3> points;
     for (std::size_t c = 0; c < clusters.size(); ++c) {

@@ -229,7 +229,7 @@ TEST_F(SharedPipelinesTest, ARendererThatIsPreparedForMaterialsMakesNone) {
 
 TEST_F(SharedPipelinesTest, PreparingForTooManyLightsIsRefused) {
     render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
-    options.prepareFor.lights = render::kMostPreparedLights + 1;
+    options.prepareFor.lights = render::kMaxPreparedLights + 1;
     EXPECT_THROW(draw(boxScene(), {}, options), base::InputError);
 }
 

@@ -86,10 +86,10 @@ TEST_F(RenderTest, WholeRangeOfCamerasEndsInAFrameOrIsRefused) {
             SCOPED_TRACE(testing::Message() << technique << " case " << i);
             try {
                 const scene::Camera camera = random.next();
-                const bool isUsable =
-                    camera.nearView >= depth::kLeastView && camera.farView > camera.nearView &&
-                    camera.farView <= depth::kMostView && camera.fovY > 0.0 && camera.fovY < 3.2 &&
-                    std::isfinite(glm::length(camera.position / 1e200));
+                const bool isUsable = camera.nearView >= depth::kMinView &&
+                                      camera.farView > camera.nearView && camera.farView <= depth::kMaxView &&
+                                      camera.fovY > 0.0 && camera.fovY < 3.2 &&
+                                      std::isfinite(glm::length(camera.position / 1e200));
                 const render::Frame frame = renderer.render(camera);
                 ++drawn;
                 ASSERT_TRUE(isUsable)

@@ -13,7 +13,7 @@ namespace cdr::test {
 
 namespace {
 
-constexpr std::uint32_t kMostCells = 1024;
+constexpr std::uint32_t kMaxCells = 1024;
 
 /// Where the k-th of `cells` lines crosses an edge of the cube from -1 to 1, at even angles. It is exact at
 /// the ends and odd about the middle, so that faces meet in the same vertices.
@@ -51,8 +51,8 @@ void addFace(int axis, double side, double radius, std::uint32_t cells, scene::S
 } // namespace
 
 scene::SourceMesh globeMesh(double radius, std::uint32_t cells) {
-    if (cells < 1 || cells > kMostCells) {
-        throw base::InputError("a globe has 1 to " + std::to_string(kMostCells) + " cells along an edge");
+    if (cells < 1 || cells > kMaxCells) {
+        throw base::InputError("a globe has 1 to " + std::to_string(kMaxCells) + " cells along an edge");
     }
     scene::SourceMesh mesh;
     mesh.name = "globe";

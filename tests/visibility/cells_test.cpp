@@ -218,7 +218,7 @@ TEST_P(CellsTest, CamerasThatCullTogetherSeeWhatEachSeesAlone) {
         InstanceCells cells;
         cells.build(scene, workers);
         std::vector<SphereTest> tests;
-        std::vector<VisibleCells> together(seed % 2 == 0 ? 2 : 1 + random.below(kMostTogether));
+        std::vector<VisibleCells> together(seed % 2 == 0 ? 2 : 1 + random.below(kMaxTogether));
         std::vector<VisibleCells*> lists;
         for (VisibleCells& list : together) {
             const scene::Camera camera = random.camera();

@@ -49,8 +49,8 @@ double widestSpan(const AdviceQuestion& question) {
     if (fits(high)) {
         return high;
     }
-    constexpr int kMostBisections = 64; // more than float64's whole range takes
-    for (int i = 0; i < kMostBisections && high > 1.01 * low; ++i) {
+    constexpr int kMaxBisections = 64; // more than float64's whole range takes
+    for (int i = 0; i < kMaxBisections && high > 1.01 * low; ++i) {
         const double middle = std::sqrt(low * high);
         (fits(middle) ? low : high) = middle;
     }

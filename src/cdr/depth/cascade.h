@@ -30,11 +30,11 @@ inline constexpr std::size_t kMaxCascades = 64;
 
 /// The range of near and far planes. float32 in the shaders holds no more, and within it no formula of this
 /// library overflows or underflows float64.
-inline constexpr double kLeastView = 1e-40;
+inline constexpr double kMinView = 1e-40;
 /// The same at the other end.
-inline constexpr double kMostView = 1e40;
+inline constexpr double kMaxView = 1e40;
 
-/// Why these are no near and far plane: empty where kLeastView <= near < far <= kMostView.
+/// Why these are no near and far plane: empty where kMinView <= near < far <= kMaxView.
 CDR_EXPORT std::optional<base::Refusal> rangeProblem(double nearView, double farView);
 /// @throws base::InputError where there is a rangeProblem().
 CDR_EXPORT void requireRange(double nearView, double farView);

@@ -10,7 +10,7 @@ namespace {
 
 /// Bounds every bisection, whatever the numbers are. With usual numbers their tolerances end them long
 /// before.
-constexpr int kMostBisections = 200;
+constexpr int kMaxBisections = 200;
 
 /// Where a cascade begins: at a view distance within an occupied interval.
 struct Start {
@@ -71,7 +71,7 @@ struct Problem {
         const auto isFine = [&] {
             return !(high - low > 1e-12 * high && high - low > 1e-6 * (low - from.nearView));
         };
-        for (int i = 0; i < kMostBisections && !isFine(); ++i) {
+        for (int i = 0; i < kMaxBisections && !isFine(); ++i) {
             const double middle = 0.5 * (low + high);
             (meets(from.nearView, middle) ? low : high) = middle;
         }
@@ -175,7 +175,7 @@ StepTarget relaxToMeet(const StepModel& model, const StepTarget& target, std::sp
     const Cascade all{occupied.front().nearView, occupied.back().farView};
     double low = 0.0;
     double high = std::log2(worstStepShare(model, bare, all)) + 1e-9;
-    for (int i = 0; i < kMostBisections && high - low > 1e-3; ++i) {
+    for (int i = 0; i < kMaxBisections && high - low > 1e-3; ++i) {
         const double middle = 0.5 * (low + high);
         (canMeet(model, target.scaled(std::exp2(middle)), occupied, most) ? high : low) = middle;
     }

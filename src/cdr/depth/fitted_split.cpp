@@ -12,7 +12,7 @@ constexpr double kMargin = 1.0 / 128.0;
 
 /// Every step is a larger share of its distance, so a finer target changes nothing. It is above 0, so that a
 /// target can be relaxed by a factor.
-constexpr double kLeastShare = 1e-30;
+constexpr double kMinShare = 1e-30;
 
 /// Turning a float32 vertex loses about this share of the object's size, a few roundings of its radius.
 constexpr double kVertexRounding = 0x1p-22;
@@ -21,9 +21,9 @@ StepTarget targetOf(const SplitFitted& split, const SplitContext& view, double t
     StepTarget target{.leastUnitsView = kVertexRounding * thinnestView,
                       .leastShareView = distanceRounding(view.model.mapping)};
     if (split.unit == SplitFitted::Unit::pixels) {
-        target.shareView = std::max(split.target * view.footprintSlope, kLeastShare);
+        target.shareView = std::max(split.target * view.footprintSlope, kMinShare);
     } else {
-        target.unitsView = std::max(split.target, kLeastShare * view.nearView);
+        target.unitsView = std::max(split.target, kMinShare * view.nearView);
     }
     return target;
 }
@@ -90,8 +90,8 @@ constexpr Fit::Give kRoomy{.thickness = kMargin, .rounding = 1.0, .gap = 0.5};
 /// Never less: float32 distances to the anchor plane round to 2^-24 of the thickness.
 constexpr Fit::Give kSnug{.thickness = 0x1p-17, .rounding = 1.0, .gap = 0.5};
 /// Between these a previous end is kept.
-constexpr Fit::Give kLeast{.thickness = 0x1p-18, .rounding = 0.5, .gap = 0.25};
-constexpr Fit::Give kMost{.thickness = 2.0 * kMargin, .rounding = 2.0, .gap = 1.0};
+constexpr Fit::Give kMin{.thickness = 0x1p-18, .rounding = 0.5, .gap = 0.25};
+constexpr Fit::Give kMax{.thickness = 2.0 * kMargin, .rounding = 2.0, .gap = 1.0};
 
 Cascades withMargins(const Fit& fit) {
     Cascades cascades;
@@ -106,8 +106,8 @@ Cascades withMargins(const Fit& fit) {
 Cascades keepBounds(const Fit& fit, const Cascades& fresh, std::span<const Cascade> previous) {
     Cascades kept = fresh;
     for (std::size_t i = 0; i < kept.size(); ++i) {
-        const Cascade least = fit.widened(i, kLeast);
-        const Cascade most = fit.widened(i, kMost);
+        const Cascade least = fit.widened(i, kMin);
+        const Cascade most = fit.widened(i, kMax);
         const auto within = [](double value, double a, double b) { return value >= a && value <= b; };
         if (touches(fit.plan, i) ? touches(previous, i)
                                  : within(previous[i].nearView, most.nearView, least.nearView)) {
@@ -167,7 +167,7 @@ Cascades fitCascades(const SplitFitted& split, const SplitContext& context) {
 Cascades minimaxCascades(const SplitMinimax& split, const SplitContext& context) {
     const std::vector<Interval> whole{{context.nearView, context.farView}};
     // Far below any step, so that only relaxing decides.
-    const StepTarget target{.unitsView = kLeastShare * context.nearView};
+    const StepTarget target{.unitsView = kMinShare * context.nearView};
     const std::size_t count = std::clamp<std::size_t>(split.count, 1, kMaxCascades);
     return planOrOne(context.model, relaxToMeet(context.model, target, whole, count), whole, count);
 }

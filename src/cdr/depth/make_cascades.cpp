@@ -88,9 +88,9 @@ std::optional<base::Refusal> rangeProblem(double nearView, double farView) {
         return base::Refusal{
             base::concat("a split needs 0 < near < far, both finite, not near ", nearView, " far ", farView)};
     }
-    if (nearView < kLeastView || farView > kMostView) {
-        return base::Refusal{base::concat("near and far must lie from ", base::general(kLeastView), " to ",
-                                          base::general(kMostView), ", not near ", nearView, " far ",
+    if (nearView < kMinView || farView > kMaxView) {
+        return base::Refusal{base::concat("near and far must lie from ", base::general(kMinView), " to ",
+                                          base::general(kMaxView), ", not near ", nearView, " far ",
                                           farView)};
     }
     return std::nullopt;

@@ -24,8 +24,8 @@ unsigned depthRoundings(const DepthRange& range) {
 } // namespace
 
 double floatGap(double value) {
-    constexpr double kLeast = std::numeric_limits<float>::min();
-    return std::exp2(std::floor(std::log2(std::max(value, kLeast))) - 23.0);
+    constexpr double kMin = std::numeric_limits<float>::min();
+    return std::exp2(std::floor(std::log2(std::max(value, kMin))) - 23.0);
 }
 
 double snapGapView(unsigned subPixelBits, double footprintView, double slope) {

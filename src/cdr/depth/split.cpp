@@ -49,9 +49,9 @@ base::Result<Split> parseRatio(std::string_view text) {
 /// What follows "fitted:".
 base::Result<Split> parseFitted(std::string_view text) {
     SplitFitted split;
-    constexpr std::string_view kMost = ",max=";
-    if (const std::size_t comma = text.find(kMost); comma != std::string_view::npos) {
-        const auto most = parseCount("most cascades of a fitted split", text.substr(comma + kMost.size()));
+    constexpr std::string_view kMax = ",max=";
+    if (const std::size_t comma = text.find(kMax); comma != std::string_view::npos) {
+        const auto most = parseCount("most cascades of a fitted split", text.substr(comma + kMax.size()));
         if (!most) {
             return most.refusal();
         }

@@ -61,7 +61,7 @@ Buffer uploadBuffer(const Device& device, std::span<const std::byte> bytes, vk::
 void BufferFill::add(std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         if (m_staging.size() == 0) {
-            m_staging = Buffer(m_device, std::min<std::size_t>(kMostBytes, m_buffer.size() - m_written),
+            m_staging = Buffer(m_device, std::min<std::size_t>(kMaxBytes, m_buffer.size() - m_written),
                                vk::BufferUsageFlagBits::eTransferSrc, MemoryUse::hostWrites, "staging");
         }
         const std::size_t count = std::min<std::size_t>(bytes.size(), m_staging.size() - m_staged);

@@ -14,11 +14,11 @@ namespace cdr::gpu {
 Buffer uploadBuffer(const Device& device, std::span<const std::byte> bytes, vk::BufferUsageFlags usage,
                     const std::string& name);
 
-/// Fills a device-only buffer from its beginning, in parts of at most kMostBytes. So no second copy of a large buffer is in
+/// Fills a device-only buffer from its beginning, in parts of at most kMaxBytes. So no second copy of a large buffer is in
 /// memory.
 class BufferFill {
   public:
-    static constexpr std::size_t kMostBytes = std::size_t{32} << 20u;
+    static constexpr std::size_t kMaxBytes = std::size_t{32} << 20u;
 
     /// @param buffer made with vk::BufferUsageFlagBits::eTransferDst; nothing that was submitted reads it. It must outlive
     /// this.

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostLinks = 40; // as Linux has it
+constexpr int kMaxLinks = 40; // as Linux has it
 
 /// The descriptor that a name such as /dev/fd/1 or /proc/self/fd/1 stands for.
 std::optional<int> descriptorOf(const fs::path& path) {
@@ -43,7 +43,7 @@ std::optional<int> descriptorOf(const fs::path& path) {
 fs::path withLinksFollowed(const fs::path& path) {
     fs::path target = path;
     std::error_code error;
-    for (int i = 0; i < kMostLinks; ++i) {
+    for (int i = 0; i < kMaxLinks; ++i) {
         if (descriptorOf(target) || !fs::is_symlink(fs::symlink_status(target, error))) {
             return target;
         }

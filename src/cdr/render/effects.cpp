@@ -37,15 +37,15 @@ Antialias parseAntialias(std::string_view name) {
 }
 
 double Fog::extinction() const {
-    constexpr double kLeastContrast = 0.02;
-    return visibility > 0.0 ? -std::log(kLeastContrast) / visibility : 0.0;
+    constexpr double kMinContrast = 0.02;
+    return visibility > 0.0 ? -std::log(kMinContrast) / visibility : 0.0;
 }
 
 void requireUsable(const Effects& effects) {
     requireLength("the radius of ambient occlusion", effects.occlusion.radius);
     requireLength("the visibility in fog", effects.fog.visibility);
-    if (!(std::abs(effects.finish.exposure) <= kMostExposure)) {
-        throw base::InputError(fmt::format("exposure must lie in -{0} to {0} stops, not {1}", kMostExposure,
+    if (!(std::abs(effects.finish.exposure) <= kMaxExposure)) {
+        throw base::InputError(fmt::format("exposure must lie in -{0} to {0} stops, not {1}", kMaxExposure,
                                            effects.finish.exposure));
     }
     for (int i = 0; i < 3; ++i) {

@@ -44,7 +44,7 @@ CDR_EXPORT std::string_view nameOf(ToneMap toneMap);
 CDR_EXPORT ToneMap parseToneMap(std::string_view name);
 
 /// Most stops of exposure, either way.
-inline constexpr double kMostExposure = 16.0;
+inline constexpr double kMaxExposure = 16.0;
 
 /// How light becomes a picture.
 struct Finish {
@@ -87,7 +87,7 @@ struct Effects {
 
 /// Refuses effects that cannot be drawn.
 /// @throws base::InputError that names the value. Every length must be finite and not negative, exposure at
-///         most kMostExposure either way, and colours in [0, 1].
+///         most kMaxExposure either way, and colours in [0, 1].
 CDR_EXPORT void requireUsable(const Effects& effects);
 
 } // namespace cdr::render

@@ -33,7 +33,7 @@ std::uint32_t FocusLens::scaleOf(const depth::Cascade& range) const {
     }
     const double smallest = std::min(circleAt(range.nearView), circleAt(range.farView));
     std::uint32_t scale = 1;
-    while (scale < kMostFocusScale && 2.0 * scale <= smallest) {
+    while (scale < kMaxFocusScale && 2.0 * scale <= smallest) {
         scale *= 2;
     }
     return scale;
@@ -59,10 +59,10 @@ std::vector<double> FocusLens::boundaries() const {
     // A little wider, so that no rounding takes the cascade behind a boundary for a sharper one.
     constexpr double kWider = 1.0 + 1e-9;
     std::vector<double> distances;
-    for (std::uint32_t scale = kMostFocusScale; scale >= 2; scale /= 2) {
+    for (std::uint32_t scale = kMaxFocusScale; scale >= 2; scale /= 2) {
         distances.push_back(m_distance / (1.0 + kWider * scale / m_circleAtInfinity));
     }
-    for (std::uint32_t scale = 2; scale <= kMostFocusScale; scale *= 2) {
+    for (std::uint32_t scale = 2; scale <= kMaxFocusScale; scale *= 2) {
         if (kWider * scale < m_circleAtInfinity) {
             distances.push_back(m_distance / (1.0 - kWider * scale / m_circleAtInfinity));
         }

@@ -27,7 +27,7 @@ struct Focus {
 CDR_EXPORT void requireUsable(const Focus& focus);
 
 /// Fewest pixels a layer has: a sixteenth of the picture's along each side.
-inline constexpr std::uint32_t kMostFocusScale = 16;
+inline constexpr std::uint32_t kMaxFocusScale = 16;
 
 /// A focused lens as a picture sees it.
 /// @threads Any number at once: it does not change.
@@ -45,7 +45,7 @@ class CDR_EXPORT FocusLens {
     double circleAt(double distanceView) const;
 
     /// Pixels of the picture along the side of one pixel of a cascade's layer. It is the largest power of two
-    /// up to kMostFocusScale not above the smallest circle in the range. So nothing is blurred more than the
+    /// up to kMaxFocusScale not above the smallest circle in the range. So nothing is blurred more than the
     /// lens would.
     std::uint32_t scaleOf(const depth::Cascade& range) const;
 

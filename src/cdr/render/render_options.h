@@ -32,7 +32,7 @@ struct PrepareFor {
     bool metallicRoughness = false; ///< materials with scene::Material::metallicRoughness
     bool blended = false;           ///< materials of scene::AlphaMode::blend
     bool emission = false;          ///< materials that emit light or have occlusion textures
-    std::uint32_t lights = 0;       ///< so many point lights, at most kMostPreparedLights
+    std::uint32_t lights = 0;       ///< so many point lights, at most kMaxPreparedLights
     bool shapedLights = false;      ///< lights with a cone or a range; `lights` says how many there may be
     /// Materials like these, of whatever colours and textures, on any mesh: they also say which of the above there may be.
     /// Of a texture only whether there is one matters.
@@ -42,7 +42,7 @@ struct PrepareFor {
 };
 
 /// Most PrepareFor::lights.
-inline constexpr std::uint32_t kMostPreparedLights = 65'536;
+inline constexpr std::uint32_t kMaxPreparedLights = 65'536;
 
 /// What a renderer is made with.
 struct RenderOptions {

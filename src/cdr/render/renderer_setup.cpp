@@ -73,10 +73,10 @@ void requireShadows(const RenderOptions& options) {
     if (!options.shadows.isOn()) {
         return;
     }
-    const std::uint32_t texels = options.shadows.mostTexels;
-    if (texels < kLeastShadowTexels || texels > kMostShadowTexels) {
+    const std::uint32_t texels = options.shadows.maxTexels;
+    if (texels < kMinShadowTexels || texels > kMaxShadowTexels) {
         throw base::InputError(fmt::format("shadow maps have sides of {} to {} texels, not {}",
-                                           kLeastShadowTexels, kMostShadowTexels, texels));
+                                           kMinShadowTexels, kMaxShadowTexels, texels));
     }
     if (options.focus.isOn()) {
         throw base::InputError("a lens with a focus does without shadows");
@@ -159,9 +159,9 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
         throw base::InputError(fmt::format("vertices are rounded to 0 (not) to {} sub-pixel bits, not {}",
                                            kMaxSnapBits, options.snapBits));
     }
-    if (options.prepareFor.lights > kMostPreparedLights) {
+    if (options.prepareFor.lights > kMaxPreparedLights) {
         throw base::InputError(fmt::format("a renderer is prepared for at most {} lights, not {}",
-                                           kMostPreparedLights, options.prepareFor.lights));
+                                           kMaxPreparedLights, options.prepareFor.lights));
     }
     requireUsable(options.effects);
     if (options.part != CascadePart{}) {

@@ -9,7 +9,7 @@ namespace cdr::render {
 namespace {
 
 /// Of a difference of cosines; KHR_lights_punctual bounds how sharp a cone is.
-constexpr double kLeastFall = 1e-3;
+constexpr double kMinFall = 1e-3;
 
 float perSquare(double distance) {
     return std::min(static_cast<float>(1.0 / (distance * distance)), std::numeric_limits<float>::max());
@@ -17,7 +17,7 @@ float perSquare(double distance) {
 
 /// LightRecord::beam.
 glm::vec4 beamOf(const scene::LightCone& cone, const scene::Camera& camera) {
-    const double scale = 1.0 / std::max(std::cos(cone.inner) - std::cos(cone.outer), kLeastFall);
+    const double scale = 1.0 / std::max(std::cos(cone.inner) - std::cos(cone.outer), kMinFall);
     const auto along = [&](const glm::dvec3& axis) { return glm::dot(axis, cone.direction) * scale; };
     return {along(camera.right), along(camera.up), along(camera.back), -std::cos(cone.outer) * scale};
 }

@@ -39,7 +39,7 @@ class BoxTree {
         std::uint32_t count = 0; ///< a leaf's items; 0 for an inner node
     };
     /// Most nodes between the root and a leaf: 2^32 items are halved 32 times.
-    static constexpr std::size_t kMostDepth = 32;
+    static constexpr std::size_t kMaxDepth = 32;
 
     /// @param boxes of the items, fewer than 2^31; finite.
     explicit BoxTree(std::span<const Box> boxes);

@@ -45,9 +45,9 @@ glm::dvec3 unit(const glm::dvec3& v, const char* what) {
 
 /// Axes that were computed in float32 are unit ones too.
 void requireUnit(const glm::dvec3& axis, const char* name) {
-    constexpr double kMostOff = 1e-5;
+    constexpr double kMaxOff = 1e-5;
     const double length = glm::length(axis);
-    if (!(std::abs(length - 1.0) <= kMostOff)) {
+    if (!(std::abs(length - 1.0) <= kMaxOff)) {
         throw base::InputError(
             fmt::format("camera: its axis '{}' must have the length 1, not {}", name, length));
     }
@@ -92,8 +92,8 @@ Camera lookAlong(Camera camera, const glm::dvec3& eye, const glm::dvec3& forward
     if (std::abs(glm::dot(camera.up, camera.back)) > kUnitTolerance) {
         glm::dvec3 right = glm::cross(camera.up, camera.back);
         // Below this, roundings would decide the direction.
-        constexpr double kLeastSine = 1e-9;
-        if (glm::length(right) < kLeastSine) {
+        constexpr double kMinSine = 1e-9;
+        if (glm::length(right) < kMinSine) {
             throw base::InputError("camera: up lies along the view");
         }
         // Roundings are a large share of a short vector, so make it orthogonal once more.

@@ -61,7 +61,7 @@ CDR_EXPORT double radiansOf(double degrees);
 CDR_EXPORT double degreesOf(double radians);
 
 /// @throws base::InputError with the value unless the camera is usable: lens, position and axes finite,
-///         depth::kLeastView <= near < far <= depth::kMostView, 0 < fovY < pi, axes of length 1 to 1e-5. Whether axes are at right
+///         depth::kMinView <= near < far <= depth::kMaxView, 0 < fovY < pi, axes of length 1 to 1e-5. Whether axes are at right
 ///         angles is not looked at.
 CDR_EXPORT void requireUsable(const Camera& camera);
 

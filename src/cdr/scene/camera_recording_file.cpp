@@ -17,8 +17,8 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kFormat = "cdr camera path";
 constexpr int kFormatVersion = 1;
 /// A camera takes about 500 bytes.
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{kMaxRecordedCameras} * 640;
-constexpr std::size_t kMostSceneName = 4096;
+constexpr std::uintmax_t kMaxBytes = std::uintmax_t{kMaxRecordedCameras} * 640;
+constexpr std::size_t kMaxSceneName = 4096;
 /// How far axes may be from orthonormal: far above roundings, far below what can be seen.
 constexpr double kAxesTolerance = 1e-9;
 
@@ -101,7 +101,7 @@ CameraRecording recordingIn(const nlohmann::json& json) {
         throw base::InputError(fmt::format("must hold 1 to {} cameras", kMaxRecordedCameras));
     }
     CameraRecording recording{.scene = json.at("scene").get<std::string>(), .cameras = {}};
-    if (recording.scene.size() > kMostSceneName) {
+    if (recording.scene.size() > kMaxSceneName) {
         throw base::InputError("the scene's name is too long");
     }
     for (std::size_t i = 0; i < cameras.size(); ++i) {
@@ -135,7 +135,7 @@ void writeRecording(const std::filesystem::path& path, const CameraRecording& re
 }
 
 CameraRecording readRecording(const std::filesystem::path& path) {
-    const host::Bytes bytes = host::readFile(path, kMostBytes);
+    const host::Bytes bytes = host::readFile(path, kMaxBytes);
     try {
         return recordingIn(nlohmann::json::parse(bytes, refuseNesting));
     } catch (const base::InputError& error) {

@@ -57,9 +57,9 @@ std::array<Camera, 2> eyesOf(const StereoRig& rig) {
     requireRig(rig);
     const std::array<Camera, 2> eyes{eyeOf(rig, -1.0), eyeOf(rig, 1.0)};
     // Positions are rounded, so the distance of the eyes is off by up to half a step of both.
-    constexpr double kMostLost = 1e-3;
+    constexpr double kMaxLost = 1e-3;
     const double drawn = glm::length(eyes[1].position - eyes[0].position);
-    if (std::abs(drawn - rig.eyeDistance) > kMostLost * rig.eyeDistance) {
+    if (std::abs(drawn - rig.eyeDistance) > kMaxLost * rig.eyeDistance) {
         throw base::InputError(
             fmt::format("eye distance {} is lost in the rounding of the camera's position, which makes it {}",
                         rig.eyeDistance, drawn));

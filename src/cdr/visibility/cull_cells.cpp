@@ -23,7 +23,7 @@ struct CellAcross {
 
 /// Cameras, a bit each.
 using CameraBits = std::uint32_t;
-static_assert(kMostTogether <= std::numeric_limits<CameraBits>::digits);
+static_assert(kMaxTogether <= std::numeric_limits<CameraBits>::digits);
 
 /// Goes down the tree once for all cameras and lists for each the cells that are not wholly outside.
 class Descent {

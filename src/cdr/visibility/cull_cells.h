@@ -31,11 +31,11 @@ void cullCells(const InstanceCells& cells, const scene::Camera& camera, const sc
                host::WorkerPool& workers, VisibleCells& visible);
 
 /// Most cameras that cull together.
-inline constexpr std::size_t kMostTogether = 32;
+inline constexpr std::size_t kMaxTogether = 32;
 
 /// cullCells() of several cameras in one walk over the cells. A cell that none of them sees is not examined. Each
 /// camera gets the list that it would get alone.
-/// @param tests at most kMostTogether, a camera each. @param visible as many, overwritten.
+/// @param tests at most kMaxTogether, a camera each. @param visible as many, overwritten.
 void cullCells(const InstanceCells& cells, std::span<const SphereTest> tests, host::WorkerPool& workers,
                std::span<VisibleCells* const> visible);
 

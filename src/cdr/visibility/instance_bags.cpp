@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kDigitBits = 12;
 constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
 /// Below this the digits' places take longer than comparing.
-constexpr std::size_t kLeastSorted = 1024;
+constexpr std::size_t kMinSorted = 1024;
 
 void sortByDigit(const std::vector<std::uint32_t>& from, std::size_t shift, std::uint32_t* to) {
     const auto digitOf = [shift](std::uint32_t instance) { return instance >> shift & (kDigits - 1); };
@@ -50,7 +50,7 @@ void InstanceBags::merge(InstanceBags& other, std::size_t bucket) {
 
 void InstanceBags::drain(std::size_t bucket, std::size_t instances, std::uint32_t* out) {
     std::vector<std::uint32_t>& bag = m_bags[bucket];
-    if (bag.size() < kLeastSorted) {
+    if (bag.size() < kMinSorted) {
         std::sort(bag.begin(), bag.end());
         std::copy(bag.begin(), bag.end(), out);
     } else {

@@ -21,8 +21,7 @@ const VisibleCells& Occluders::choose(const scene::Scene& scene, const scene::Fr
     m_chosen.cells = visible.cells;
     m_chosen.test = visible.test;
     m_chosen.parts.clear();
-    const double perDistance =
-        frustum.footprintSlope * (m_last.empty() ? kLeastFirstOccluder : kLeastOccluder);
+    const double perDistance = frustum.footprintSlope * (m_last.empty() ? kMinFirstOccluder : kMinOccluder);
     auto last = m_last.begin();
     TestedSpheres tested;
     for (const VisibleCells::Part& part : visible.parts) { // by cell, ascending, as m_last is

@@ -12,8 +12,8 @@ namespace cdr::visibility {
 bool canOcclude(const scene::Material& material);
 
 /// Least radii of occluders in pixels: where a frame was before, and where there was none.
-inline constexpr double kLeastOccluder = 4.0;
-inline constexpr double kLeastFirstOccluder = 24.0;
+inline constexpr double kMinOccluder = 4.0;
+inline constexpr double kMinFirstOccluder = 24.0;
 
 /// Which of a frame's instances are drawn first, so that the rest can be tested against their depth. They are those that
 /// the last frame showed, if they are large enough in the picture to hide anything. Where no frame was before, all that

@@ -22,7 +22,7 @@ bool isPrintable(const Json& json) {
         return false;
     }
     const std::string& text = json.get_ref<const std::string&>();
-    return text.size() <= kMostText && std::none_of(text.begin(), text.end(), [](char c) {
+    return text.size() <= kMaxText && std::none_of(text.begin(), text.end(), [](char c) {
                return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
            });
 }
@@ -54,7 +54,7 @@ std::string written(const Json& text) {
 }
 
 bool isNotes(const Json& notes) {
-    return notes.size() <= kMostNotes && isListOf(notes, notes.size(), isPrintable);
+    return notes.size() <= kMaxNotes && isListOf(notes, notes.size(), isPrintable);
 }
 
 bool isRow(const Json& row, const FrameShape& frame) {

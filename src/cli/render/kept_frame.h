@@ -19,8 +19,8 @@ struct FrameShape {
 };
 
 /// Bounds of what is read. What `render` writes stays far below them.
-inline constexpr std::size_t kMostNotes = 64;
-inline constexpr std::size_t kMostText = 4096; ///< bytes of a text
+inline constexpr std::size_t kMaxNotes = 64;
+inline constexpr std::size_t kMaxText = 4096; ///< bytes of a text
 
 /// Whether RenderResults can take what a state holds. Each value has its type and range. No text but the label has a
 /// control character, since all are printed. Throws nothing, whatever `made` is.

@@ -15,7 +15,7 @@ namespace cdr::experiments {
 
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 1 << 20;
+constexpr std::uintmax_t kMaxBytes = 1 << 20;
 constexpr int kFormatVersion = 1;
 
 /// Everything the results depend on.
@@ -145,7 +145,7 @@ void FlickerStateFile::load(FlickerState& state) const {
     if (std::filesystem::status(m_path, error).type() == std::filesystem::file_type::not_found) {
         return;
     }
-    const host::Bytes bytes = host::readFile(m_path, kMostBytes);
+    const host::Bytes bytes = host::readFile(m_path, kMaxBytes);
     state =
         readState({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, m_run, state, m_path.string());
 }

@@ -28,7 +28,7 @@ namespace {
 
 using experiments::Inspection;
 
-constexpr std::uint32_t kMostViews = 10'000;
+constexpr std::uint32_t kMaxViews = 10'000;
 constexpr std::size_t kPairsShown = 10;
 constexpr std::size_t kPairsWritten = 1000;
 
@@ -206,7 +206,7 @@ void addOptions(CLI::App& command, InspectArguments& arguments) {
     addTechniques(command, options.techniques);
     command
         .add_option("--frames", arguments.views, "Views, spread over the camera path; around what has none")
-        ->check(CLI::Range(1u, kMostViews))
+        ->check(CLI::Range(1u, kMaxViews))
         ->capture_default_str();
     options::addCameraOptions(command, arguments.camera);
     options::addSceneChoice(command, arguments.choice);

@@ -22,8 +22,8 @@ namespace {
 
 constexpr const char* kModelSheet = "models_sheet.png";
 /// Each is a row of the sheet, and its four pictures stay in memory for that.
-constexpr std::size_t kMostModels = 256;
-constexpr std::uint64_t kMostPictureBytes = std::uint64_t{4} << 30u;
+constexpr std::size_t kMaxModels = 256;
+constexpr std::uint64_t kMaxPictureBytes = std::uint64_t{4} << 30u;
 
 struct ModelsArguments {
     std::vector<std::string> files;
@@ -67,8 +67,8 @@ std::string nameWithFolders(const std::string& file, std::size_t folders) {
 std::vector<std::string> pictureNames(const std::vector<std::string>& files) {
     std::vector<std::string> names(files.size());
     std::vector<std::size_t> folders(files.size(), 0);
-    constexpr std::size_t kMostFolders = 8;
-    for (std::size_t round = 0; round <= kMostFolders; ++round) {
+    constexpr std::size_t kMaxFolders = 8;
+    for (std::size_t round = 0; round <= kMaxFolders; ++round) {
         std::map<std::string, std::vector<std::size_t>> byName;
         for (std::size_t i = 0; i < files.size(); ++i) {
             names[i] = nameWithFolders(files[i], folders[i]);
@@ -93,8 +93,8 @@ std::vector<std::string> pictureNames(const std::vector<std::string>& files) {
 
 /// base::InputError for what is no model.
 void requireModels(const std::vector<std::string>& files) {
-    if (files.size() > kMostModels) {
-        throw base::InputError(fmt::format("{} models, {} are the most", files.size(), kMostModels));
+    if (files.size() > kMaxModels) {
+        throw base::InputError(fmt::format("{} models, {} are the most", files.size(), kMaxModels));
     }
     for (const std::string& file : files) {
         if (!scene::isGltfPath(file)) {
@@ -107,11 +107,11 @@ void requireModels(const std::vector<std::string>& files) {
 void requirePictureMemory(std::size_t models, const experiments::ModelsOptions& options) {
     const std::uint64_t bytes = models * experiments::kModelPictures * sizeof(image::Rgba8) *
                                 std::uint64_t{options.width} * options.height;
-    if (bytes > kMostPictureBytes) {
+    if (bytes > kMaxPictureBytes) {
         throw base::InputError(
             fmt::format("the pictures of {} models at {}x{} take {} MiB, {} are allowed: give "
                         "fewer models or a smaller --size",
-                        models, options.width, options.height, bytes >> 20u, kMostPictureBytes >> 20u));
+                        models, options.width, options.height, bytes >> 20u, kMaxPictureBytes >> 20u));
     }
 }
 

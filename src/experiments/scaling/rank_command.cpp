@@ -13,8 +13,8 @@ namespace cdr::cli {
 
 namespace {
 
-constexpr std::uint32_t kMostHeight = 16'384;
-constexpr std::size_t kMostProjected = 1'000'000;
+constexpr std::uint32_t kMaxHeight = 16'384;
+constexpr std::size_t kMaxProjected = 1'000'000;
 
 void requireSameImages(const std::vector<experiments::RankPoint>& points) {
     const auto differs =
@@ -45,8 +45,8 @@ void runRankSweep(Command& command, experiments::RankSweepOptions options,
                   const RankSweepArguments& arguments) {
     options.sizes.clear();
     for (const std::uint32_t height : arguments.heights) {
-        if (height < 1 || height > kMostHeight) {
-            throw base::InputError(fmt::format("--heights must be 1 to {}, not {}", kMostHeight, height));
+        if (height < 1 || height > kMaxHeight) {
+            throw base::InputError(fmt::format("--heights must be 1 to {}, not {}", kMaxHeight, height));
         }
         options.sizes.push_back({.width = (height * 16 + 8) / 9, .height = height});
     }
@@ -75,9 +75,9 @@ void runRankSweep(Command& command, experiments::RankSweepOptions options,
 void runProjection(Command& command, const experiments::FrameCostOptions& options,
                    const RankSweepArguments& arguments) {
     for (const std::size_t number : {arguments.nodes, arguments.frames}) {
-        if (number < 1 || number > kMostProjected) {
+        if (number < 1 || number > kMaxProjected) {
             throw base::InputError(
-                fmt::format("--project and --frames must be 1 to {}, not {}", kMostProjected, number));
+                fmt::format("--project and --frames must be 1 to {}, not {}", kMaxProjected, number));
         }
     }
     const auto [costs, run] = experiments::measureFrameCosts(command.device(), options, command.ranks());

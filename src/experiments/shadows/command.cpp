@@ -108,9 +108,8 @@ void addOptions(CLI::App& command, ShadowArguments& arguments) {
         ->delimiter(',')
         ->capture_default_str();
     command
-        .add_option("--shadow-texels", experiment.options.shadows.mostTexels,
-                    "Most texels of a side of a map")
-        ->check(CLI::Range(render::kLeastShadowTexels, render::kMostShadowTexels))
+        .add_option("--shadow-texels", experiment.options.shadows.maxTexels, "Most texels of a side of a map")
+        ->check(CLI::Range(render::kMinShadowTexels, render::kMaxShadowTexels))
         ->capture_default_str();
     command.add_option("--surface", arguments.surface, "gbuffer or visibility")->capture_default_str();
     options::addFrameOptions(command, arguments.camera);

@@ -62,7 +62,7 @@ void runShadows(const gpu::Device& device, const scene::SceneSetup& setup,
     const measure::TruthCaster shapes(scene, workers);
     const measure::ShadowTruthCaster caster(scene, shapes.shapes());
     const render::GpuScene gpuScene(device, scene);
-    const std::size_t lights = std::min(scene.lights.size(), render::kMostShadowLights);
+    const std::size_t lights = std::min(scene.lights.size(), render::kMaxShadowLights);
     std::vector<measure::ShadowImage> truths; // by frame and light
     const std::size_t steps = cameras.frames * (lights + variants.size());
     std::size_t done = 0;

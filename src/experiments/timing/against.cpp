@@ -68,7 +68,7 @@ TimingDocument documentIn(const fs::path& json, const fs::path& program) {
     if (!fs::exists(json, error)) {
         throw base::InputError(program.string() + " wrote no timing results");
     }
-    const host::Bytes bytes = host::readFile(json, kMostTimingBytes);
+    const host::Bytes bytes = host::readFile(json, kMaxTimingBytes);
     return readTimingDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, program.string());
 }
 

@@ -14,8 +14,8 @@ namespace cdr::experiments {
 
 namespace {
 
-constexpr unsigned kLeastCascades = 2;
-constexpr unsigned kMostCascades = 5;
+constexpr unsigned kMinCascades = 2;
+constexpr unsigned kMaxCascades = 5;
 
 /// Section 6.2: CDR and LogCDR with two to five divisions.
 constexpr double kThesisCdr[] = {3.4, 4.6, 5.7, 7.1};
@@ -31,11 +31,11 @@ TimingMode makeMode(std::string name, const char* preset, std::optional<double> 
     return mode;
 }
 
-void addCascaded(const char* preset, const double (&thesis)[kMostCascades - kLeastCascades + 1],
+void addCascaded(const char* preset, const double (&thesis)[kMaxCascades - kMinCascades + 1],
                  std::vector<TimingMode>& modes) {
-    for (unsigned count = kLeastCascades; count <= kMostCascades; ++count) {
+    for (unsigned count = kMinCascades; count <= kMaxCascades; ++count) {
         modes.push_back(makeMode(std::string(preset) + "-" + std::to_string(count), preset,
-                                 thesis[count - kLeastCascades]));
+                                 thesis[count - kMinCascades]));
         modes.back().technique.split = depth::SplitCount{count};
     }
 }

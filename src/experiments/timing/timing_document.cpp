@@ -17,7 +17,7 @@ constexpr int kDeepestDocument = 16; ///< of nested values
 
 /// Without line ends and other control characters, since messages and tables print it.
 bool isPrintableName(const std::string& text) {
-    return text.size() <= kMostTimingText && std::none_of(text.begin(), text.end(), [](char c) {
+    return text.size() <= kMaxTimingText && std::none_of(text.begin(), text.end(), [](char c) {
                return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
            });
 }
@@ -67,8 +67,8 @@ TimingDocument documentOf(const nlohmann::json& json) {
     if (!device.is_object()) {
         throw base::InputError("'device' is no object");
     }
-    if (!results.is_array() || results.empty() || results.size() > kMostTimingRows) {
-        throw base::InputError(fmt::format("'results' is no list of 1 to {} modes", kMostTimingRows));
+    if (!results.is_array() || results.empty() || results.size() > kMaxTimingRows) {
+        throw base::InputError(fmt::format("'results' is no list of 1 to {} modes", kMaxTimingRows));
     }
     TimingDocument document{.commit = textAt(json, "commit", "unknown"),
                             .device = textAt(device, "name", ""),
@@ -82,8 +82,8 @@ TimingDocument documentOf(const nlohmann::json& json) {
 
 TimingDocument readTimingDocument(std::string_view text, const std::string& program) {
     try {
-        if (text.size() > kMostTimingBytes) {
-            throw base::InputError(fmt::format("they have more than {} MiB", kMostTimingBytes >> 20u));
+        if (text.size() > kMaxTimingBytes) {
+            throw base::InputError(fmt::format("they have more than {} MiB", kMaxTimingBytes >> 20u));
         }
         const nlohmann::json json = parseBounded(text);
         if (json.is_object() && json.contains("results") && json.contains("device")) {

@@ -19,9 +19,9 @@ struct TimingDocument {
 };
 
 /// Bounds of what is read. Documents of this program stay far below them.
-inline constexpr std::uintmax_t kMostTimingBytes = std::uintmax_t{1} << 24u;
-inline constexpr std::size_t kMostTimingRows = 4096;
-inline constexpr std::size_t kMostTimingText = 256; ///< bytes of a name
+inline constexpr std::uintmax_t kMaxTimingBytes = std::uintmax_t{1} << 24u;
+inline constexpr std::size_t kMaxTimingRows = 4096;
+inline constexpr std::size_t kMaxTimingText = 256; ///< bytes of a name
 
 /// The document that a text holds.
 /// @param program that wrote it, which a message begins with.

@@ -14,12 +14,12 @@ namespace cdr::cli {
 
 namespace {
 
-constexpr std::size_t kMostRepeats = 10'000;
+constexpr std::size_t kMaxRepeats = 10'000;
 
 struct TranslucencyArguments {
     experiments::TranslucencyExperiment experiment;
     std::string mapping = "anchored";
-    std::uint64_t memoryMiB = render::TranslucencyOptions{}.mostBytes >> 20u;
+    std::uint64_t memoryMiB = render::TranslucencyOptions{}.maxBytes >> 20u;
     std::filesystem::path folder;
     std::filesystem::path state;
 };
@@ -76,7 +76,7 @@ void run(Command& command, TranslucencyArguments& arguments) {
     command.measuresTime();
     experiments::TranslucencyExperiment& experiment = arguments.experiment;
     experiment.mapping = depth::parseMapping(arguments.mapping);
-    experiment.mostBytes = arguments.memoryMiB << 20u;
+    experiment.maxBytes = arguments.memoryMiB << 20u;
     const PictureFolder folder(arguments.folder, command.files());
     experiment.keepsPictures = folder.isWanted();
     const scene::SceneSetup setup = command.openScene(experiment.scene, experiment.seed);
@@ -130,11 +130,11 @@ void addOptions(CLI::App& command, TranslucencyArguments& arguments) {
         ->delimiter(',')
         ->capture_default_str();
     command.add_option("--repeats", experiment.repeats, "Timed frames of each; 0 times nothing")
-        ->check(CLI::Range(std::size_t{0}, kMostRepeats))
+        ->check(CLI::Range(std::size_t{0}, kMaxRepeats))
         ->capture_default_str();
     addThreads(command, experiment.threads, "Threads that cull, bin, record and cast the truth");
     command.add_option("--translucency-memory", arguments.memoryMiB, "Most MiB for sorted fragments")
-        ->check(CLI::Range(std::uint64_t{1}, kMostTranslucencyMiB))
+        ->check(CLI::Range(std::uint64_t{1}, kMaxTranslucencyMiB))
         ->capture_default_str();
     addSeed(command, experiment.seed, "Seed of the scene");
     addState(command, arguments.state);

@@ -34,7 +34,7 @@ render::RenderOptions optionsFor(const TranslucencyExperiment& experiment, unsig
             .height = experiment.height,
             .technique = depth::Technique{experiment.mapping, splitOf(cascades), depth::DepthFormat::d32f},
             .threads = experiment.threads,
-            .translucency = {.method = method, .mostBytes = experiment.mostBytes}};
+            .translucency = {.method = method, .maxBytes = experiment.maxBytes}};
 }
 
 /// The numbers of a result.

@@ -26,7 +26,7 @@ struct TranslucencyExperiment {
     std::vector<unsigned> cascades{1, 2, 3, 4, 5, 6, 7, 8};
     std::size_t threads = 1;
     std::size_t repeats = 7; ///< timed frames per method and count, interleaved; 0 times nothing
-    std::uint64_t mostBytes = render::TranslucencyOptions{}.mostBytes;
+    std::uint64_t maxBytes = render::TranslucencyOptions{}.maxBytes;
     bool keepsPictures = true; ///< else those of the results stay empty: 4 bytes a pixel each
 };
 

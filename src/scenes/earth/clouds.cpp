@@ -29,10 +29,10 @@ Clouds::Weather Clouds::weatherAt(const glm::dvec2& place, double texel) const {
 
 Clouds::Cover Clouds::coverAt(const Weather& weather, const glm::dvec2& place, double texel) const {
     // Shorter waves add less than this.
-    constexpr double kMostRest = 2.0;
+    constexpr double kMaxRest = 2.0;
     constexpr double kThin = 0.12;
     constexpr double kThick = 0.9;
-    if (std::max(weather.here, weather.sunwards) < kThin - kMostRest) {
+    if (std::max(weather.here, weather.sunwards) < kThin - kMaxRest) {
         return {};
     }
     const glm::dvec2 blown = place + weather.wind;

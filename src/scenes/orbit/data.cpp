@@ -9,14 +9,14 @@ namespace cdr::scenes {
 
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 64ull << 20;
+constexpr std::uintmax_t kMaxBytes = 64ull << 20;
 
 image::ImageRgba8 loadPicture(const std::filesystem::path& path) {
     if (!std::filesystem::is_regular_file(path)) {
         throw base::InputError("orbit: " + path.string() +
                                " is missing; tools/setup.sh fetches it, or set CDR_ORBIT_DATA to its folder");
     }
-    return image::decodeImage(host::readFile(path, kMostBytes), path.string());
+    return image::decodeImage(host::readFile(path, kMaxBytes), path.string());
 }
 
 const char* environmentOr(const char* name, const char* otherwise) {

@@ -27,7 +27,7 @@ constexpr double kMaxSoakSeconds = 86'400.0;
 /// Percent by which memory may grow in a soak. The memory of one of less than a minute says nothing.
 constexpr double kLargestGrowth = 1.0;
 constexpr double kShortSoakSeconds = 60.0;
-constexpr double kMostGrowth = 1e6;
+constexpr double kMaxGrowth = 1e6;
 
 /// What is asked of this program beyond the viewer's own options.
 struct DriveArguments {
@@ -65,14 +65,14 @@ void addDriveOptions(CLI::App& program, DriveArguments& arguments) {
             "--largest-growth", arguments.largestGrowth,
             "Percent by which memory may grow in a soak, else it ends with status 1; 1 unless told, and any in a "
             "soak of less than a minute")
-        ->check(options::numberFrom(-100.0, kMostGrowth))
+        ->check(options::numberFrom(-100.0, kMaxGrowth))
         ->needs(soak);
 }
 
 /// base::RunError when memory grew by more than it may.
 void requireSteadyMemory(const Soak& soak, const DriveArguments& arguments) {
     const bool isShort = *arguments.soakSeconds < kShortSoakSeconds;
-    const double most = arguments.largestGrowth.value_or(isShort ? kMostGrowth : kLargestGrowth);
+    const double most = arguments.largestGrowth.value_or(isShort ? kMaxGrowth : kLargestGrowth);
     if (const auto growth = soak.growth(); growth && *growth > most) {
         throw base::RunError(
             fmt::format("memory grew by {:.2f} % in the soak, where {:.2f} % is allowed", *growth, most));

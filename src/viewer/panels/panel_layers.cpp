@@ -12,7 +12,7 @@ namespace cdr::viewer {
 
 namespace {
 
-constexpr std::size_t kMostMaterials = 8;
+constexpr std::size_t kMaxMaterials = 8;
 
 void drawLayer(const Widgets& widgets, const scene::Scene& scene, std::uint32_t material,
                ViewSettings& settings) {
@@ -37,7 +37,7 @@ void drawLayersPanel(const Widgets& widgets, const PictureModel& picture, ViewSe
     widgets.heading("Layer");
     const scene::Scene& scene = picture.shown->scene->setup.scene;
     const std::span<const std::uint32_t> materials(picture.pickedMaterials);
-    const auto listed = materials.first(std::min(materials.size(), kMostMaterials));
+    const auto listed = materials.first(std::min(materials.size(), kMaxMaterials));
     for (const std::uint32_t material : listed) {
         drawLayer(widgets, scene, material, settings);
     }

@@ -20,7 +20,7 @@ namespace {
 constexpr std::array<std::string_view, 8> kSplits{"none",    "ratio:1000", "ratio:30",  "count:2",
                                                   "count:4", "count:8",    "minimax:4", "fitted"};
 
-constexpr int kMostThreads = 16;
+constexpr int kMaxThreads = 16;
 
 void choosePresets(const Widgets& widgets, std::string_view prefix, depth::Technique& technique) {
     const auto presets = depth::presets();
@@ -130,8 +130,8 @@ void drawRenderingPanel(const Widgets& widgets, ViewSettings& settings) {
     }
     widgets.sentence(explain(settings.targets.kind));
     int threads = static_cast<int>(settings.threads);
-    if (widgets.count("threads", threads, 1, kMostThreads)) {
-        settings.threads = static_cast<std::size_t>(std::clamp(threads, 1, kMostThreads));
+    if (widgets.count("threads", threads, 1, kMaxThreads)) {
+        settings.threads = static_cast<std::size_t>(std::clamp(threads, 1, kMaxThreads));
     }
     widgets.sentence(explainThreads());
     choose(widgets, "submission", render::kSubmissions, settings.submission);

@@ -22,13 +22,13 @@ namespace cdr::viewer {
 namespace {
 
 constexpr float kSidebarWidth = 348.0f; ///< at 96 dots per inch
-constexpr float kLeastPicture = 160.0f; ///< beside it, else it hides
+constexpr float kMinPicture = 160.0f;   ///< beside it, else it hides
 /// The interface's pace while pictures come more slowly than that, milliseconds.
 constexpr std::chrono::milliseconds kRedrawEvery{33};
 constexpr double kIdleSeconds = 0.25;
 constexpr double kBusySeconds = 0.004;
 constexpr int kSettleFrames = 3;
-constexpr std::size_t kMostIntervals = 1'000'000;
+constexpr std::size_t kMaxIntervals = 1'000'000;
 
 std::string describe(const gpu::DeviceInfo& info) {
     return fmt::format("{}, {}", info.name, info.driver);
@@ -139,8 +139,7 @@ void Application::handleInput() {
 float Application::sidebarWidth() const {
     const float width = kSidebarWidth * m_interface.scale();
     const float window = static_cast<float>(m_window.extent().width / m_window.pixelsPerUnit());
-    return m_model.interface.showsPanel && window >= width + kLeastPicture * m_interface.scale() ? width
-                                                                                                 : 0.0f;
+    return m_model.interface.showsPanel && window >= width + kMinPicture * m_interface.scale() ? width : 0.0f;
 }
 
 PictureArea Application::pictureArea() const {
@@ -190,7 +189,7 @@ void Application::drawFrame() {
     }
     const auto begin = Clock::now();
     const double interval = std::chrono::duration<double>(begin - m_lastFrame).count();
-    if (m_arguments.statistics && m_uiIntervals.size() < kMostIntervals) {
+    if (m_arguments.statistics && m_uiIntervals.size() < kMaxIntervals) {
         m_uiIntervals.push_back(1000.0 * interval);
     }
     m_lastFrame = begin;

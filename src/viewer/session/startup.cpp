@@ -87,8 +87,8 @@ ViewerModel initialModel(const Arguments& arguments) {
 
 PictureExtent windowSize(const Arguments& arguments) {
     const auto size = image::parsePictureSize(arguments.size);
-    constexpr auto kMost = static_cast<std::uint32_t>(kMaxWindowSide);
-    if (!size || size->width > kMost || size->height > kMost) {
+    constexpr auto kMax = static_cast<std::uint32_t>(kMaxWindowSide);
+    if (!size || size->width > kMax || size->height > kMax) {
         throw base::InputError(fmt::format("size must be WIDTHxHEIGHT, 1 to {}, such as 1280x720, not '{}'",
                                            kMaxWindowSide, arguments.size.substr(0, 60)));
     }
@@ -96,8 +96,8 @@ PictureExtent windowSize(const Arguments& arguments) {
 }
 
 std::filesystem::path freeName(const std::string& stem, const std::string& extension) {
-    constexpr int kMostNumbers = 10'000;
-    for (int number = 1; number < kMostNumbers; ++number) {
+    constexpr int kMaxNumbers = 10'000;
+    for (int number = 1; number < kMaxNumbers; ++number) {
         std::filesystem::path name = fmt::format("{}-{:04}{}", stem, number, extension);
         if (!std::filesystem::exists(name)) {
             return name;

@@ -67,11 +67,11 @@ void addFinish(Words& words, const ViewSettings& settings) {
                     visibility::nameOf(options.detail));
     words.addUnless(options.translucency.method == defaults.translucency.method, "--translucency",
                     render::nameOf(options.translucency.method));
-    words.addUnless(options.translucency.mostBytes == defaults.translucency.mostBytes,
-                    "--translucency-memory", fmt::format("{}", options.translucency.mostBytes >> 20u));
+    words.addUnless(options.translucency.maxBytes == defaults.translucency.maxBytes, "--translucency-memory",
+                    fmt::format("{}", options.translucency.maxBytes >> 20u));
     words.addUnless(!options.shadows.isOn(), "--shadows", render::nameOf(options.shadows.method));
-    words.addUnless(options.shadows.mostTexels == defaults.shadows.mostTexels, "--shadow-texels",
-                    fmt::format("{}", options.shadows.mostTexels));
+    words.addUnless(options.shadows.maxTexels == defaults.shadows.maxTexels, "--shadow-texels",
+                    fmt::format("{}", options.shadows.maxTexels));
     const render::Effects& effects = options.effects;
     words.addUnless(effects.antialias == defaults.effects.antialias, "--antialias",
                     render::nameOf(effects.antialias));

@@ -13,7 +13,7 @@ namespace cdr::viewer {
 
 namespace {
 
-constexpr std::size_t kMostLines = 12;
+constexpr std::size_t kMaxLines = 12;
 constexpr base::EnumNames<scene::LightType, 3> kTypeNames{"light",
                                                           {"point light", "directional light", "spot light"}};
 
@@ -21,13 +21,13 @@ constexpr base::EnumNames<scene::LightType, 3> kTypeNames{"light",
 
 std::vector<std::string> lightLines(std::span<const scene::ListedLight> lights) {
     std::vector<std::string> lines;
-    for (const scene::ListedLight& light : lights.first(std::min(lights.size(), kMostLines))) {
+    for (const scene::ListedLight& light : lights.first(std::min(lights.size(), kMaxLines))) {
         lines.push_back(fmt::format("{}{}{}", kTypeNames.nameOf(light.type),
                                     light.name.empty() ? "" : " '" + light.name + "'",
                                     light.moves ? ", moves" : ""));
     }
-    if (lights.size() > kMostLines) {
-        lines.push_back("and " + counted(lights.size() - kMostLines, "more light"));
+    if (lights.size() > kMaxLines) {
+        lines.push_back("and " + counted(lights.size() - kMaxLines, "more light"));
     }
     return lines;
 }

@@ -96,8 +96,8 @@ bool Presenter::renew() {
 }
 
 void Presenter::loseSurface() {
-    constexpr int kMostInTurn = 3;
-    if (++m_surfacesLost > kMostInTurn) {
+    constexpr int kMaxInTurn = 3;
+    if (++m_surfacesLost > kMaxInTurn) {
         throw base::RunError("the window's surface was lost, and each new one too");
     }
     m_isSurfaceLost = true;

@@ -41,7 +41,7 @@ class DeviceEngine : public adoption::Engine {
           m_takesRows(language.takesRows),
           m_vertices(device, sizeof(kSquare), vk::BufferUsageFlagBits::eVertexBuffer,
                      gpu::MemoryUse::hostWrites, "square"),
-          m_placed(device, kMostDraws * sizeof(Placed), vk::BufferUsageFlagBits::eVertexBuffer,
+          m_placed(device, kMaxDraws * sizeof(Placed), vk::BufferUsageFlagBits::eVertexBuffer,
                    gpu::MemoryUse::hostWrites, "placed"),
           m_ids(device,
                 {.extent = kExtent,
@@ -136,15 +136,15 @@ class DeviceEngine : public adoption::Engine {
         const auto turned = [&](double angle) { return static_cast<float>(object.radius * angle); };
         const float c = turned(std::cos(kTurn));
         const float s = turned(m_takesRows ? -std::sin(kTurn) : std::sin(kTurn));
-        m_placed.as<Placed>(kMostDraws)[m_draws] = {{{{c, s, 0.0f}, {-s, c, 0.0f}, {0.0f, 0.0f, 1.0f}}},
-                                                    {x, y, ahead}};
+        m_placed.as<Placed>(kMaxDraws)[m_draws] = {{{{c, s, 0.0f}, {-s, c, 0.0f}, {0.0f, 0.0f, 1.0f}}},
+                                                   {x, y, ahead}};
         m_placed.flush();
         push(sizeof(cdr::depth::CascadeConstants), static_cast<std::uint32_t>(&object - visible.data()) + 1);
         m_commands.draw(static_cast<std::uint32_t>(kSquare.size()), 1, 0, m_draws++);
     }
 
   private:
-    static constexpr std::uint32_t kMostDraws = 64;
+    static constexpr std::uint32_t kMaxDraws = 64;
     static constexpr std::array<std::array<float, 3>, 6> kSquare{
         {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
 

@@ -157,7 +157,7 @@ class ShapedShadowsTest : public RenderTest {
     ShapedShadowsTest() {
         m_options.width = 96;
         m_options.height = 64;
-        m_options.shadows = {.method = render::ShadowMethod::anchored, .mostTexels = 256};
+        m_options.shadows = {.method = render::ShadowMethod::anchored, .maxTexels = 256};
         m_scene.ambient = glm::vec3(0.1f);
         for (int side = 0; side < 6; ++side) {
             glm::dvec3 place(0.0);

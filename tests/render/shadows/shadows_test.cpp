@@ -127,7 +127,7 @@ TEST_F(ShadowsTest, WideTexelsAreHalved) {
     RenderOptions options = shadowOptions("anchored");
     options.width = 640;
     options.height = 360;
-    options.shadows.mostTexels = 1024;
+    options.shadows.maxTexels = 1024;
     const measure::WrongShadows wrong = wrongShadowsOf("eclipse", 40, options);
     EXPECT_GT(wrong.shadowed, 1000u);
     EXPECT_LE(wrong.wrong, wrong.pixels / 10'000);
@@ -167,7 +167,7 @@ TEST_F(ShadowsTest, PicturesAreRightAndTheSameForThreadsTargetsAndSubmissions) {
         RenderOptions first = shadowOptions(named.name);
         first.width = 192;
         first.height = 108;
-        first.shadows.mostTexels = 512;
+        first.shadows.maxTexels = 512;
         if (rays.empty()) {
             rays = ShadowTruth(setup.scene).cast(camera, first);
         }
@@ -253,7 +253,7 @@ TEST_F(ShadowsTest, WhatCannotBeIsRefused) {
     EXPECT_NE(refusalOf(boxScene(), options).find("detail"), std::string::npos)
         << refusalOf(boxScene(), options);
     options = shadowOptions("anchored");
-    options.shadows.mostTexels = 63;
+    options.shadows.maxTexels = 63;
     EXPECT_NE(refusalOf(boxScene(), options).find("64 to 4096 texels, not 63"), std::string::npos)
         << refusalOf(boxScene(), options);
     EXPECT_EQ(refusalOf(boxScene(), shadowOptions("anchored")), "none");

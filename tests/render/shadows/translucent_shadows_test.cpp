@@ -37,7 +37,7 @@ class TranslucentShadowsTest : public RenderTest {
     /// Too small for their quality to matter.
     RenderOptions tinyOptionsFor(const char* technique, Translucency method) const {
         RenderOptions options = optionsFor(technique, method);
-        options.shadows.mostTexels = 128;
+        options.shadows.maxTexels = 128;
         options.width = 64;
         options.height = 36;
         return options;

@@ -46,7 +46,7 @@ TEST_F(FragmentRoomTest, FramesThatOverlapAreDrawnWeightedWhereListsMayNotGrow) 
     options = sorted();
     const image::ImageRgba8 whole = draw(scene, {}, options).color;
     ASSERT_NE(whole, weighted);
-    options.translucency.mostBytes = std::uint64_t{192} * 108 * 60; // a node for most pixels
+    options.translucency.maxBytes = std::uint64_t{192} * 108 * 60; // a node for most pixels
     const render::GpuScene onDevice(device(), scene);
     for (const std::size_t inFlight : {std::size_t{1}, std::size_t{2}}) {
         options.framesInFlight = inFlight;

@@ -245,7 +245,7 @@ TEST_F(TranslucencyTest, ListsThatDoNotFitAreDrawnWeightedAndSaySo) {
     ASSERT_NE(hashOf(sorted), weighted);
     // First no room for a list at all, then too little for the fragments there are.
     for (const std::uint64_t most : {std::uint64_t{1000}, std::uint64_t{kWidth} * kHeight * 40}) {
-        options.translucency.mostBytes = most;
+        options.translucency.maxBytes = most;
         const render::Frame frame = draw(m_sheets.scene, m_camera, options);
         EXPECT_EQ(frame.stats.translucency.method, Translucency::weighted);
         ASSERT_TRUE(frame.stats.translucency.refusal.has_value());
@@ -259,11 +259,11 @@ TEST_F(TranslucencyTest, ListsThatDoNotFitAreDrawnWeightedAndSaySo) {
     // To the byte: heads, and a node for each fragment and one for nobody.
     const std::uint64_t exact =
         std::uint64_t{kWidth} * kHeight * 4 + (sorted.stats.translucency.fragments + 1) * 32;
-    options.translucency.mostBytes = exact;
+    options.translucency.maxBytes = exact;
     const render::Frame fits = draw(m_sheets.scene, m_camera, options);
     EXPECT_EQ(hashOf(fits), hashOf(sorted));
     EXPECT_EQ(fits.stats.translucency.bytes, exact);
-    options.translucency.mostBytes = exact - 1;
+    options.translucency.maxBytes = exact - 1;
     EXPECT_EQ(hashOf(draw(m_sheets.scene, m_camera, options)), weighted);
 }
 

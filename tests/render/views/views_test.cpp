@@ -118,7 +118,7 @@ TEST_F(ViewsTest, EachEyeIsTheMonoPictureWithWhateverElseIsDrawn) {
     render::RenderOptions plain = viewOptions(depth::parseTechnique("anchored"));
     std::vector<render::RenderOptions> all(5, plain);
     all[0].occlusionCulling = true;
-    all[1].shadows = {.method = render::ShadowMethod::anchored, .mostTexels = 128};
+    all[1].shadows = {.method = render::ShadowMethod::anchored, .maxTexels = 128};
     all[2].surface = render::SurfacePath::visibility;
     all[3].effects.antialias = render::Antialias::edges;
     all[4].motion = true;
@@ -246,7 +246,7 @@ TEST_F(ViewsTest, FramesInFlightResizeAndForget) {
 
 TEST_F(ViewsTest, CamerasThatDoNotGoTogetherAreRefused) {
     const render::RenderOptions options = viewOptions(depth::parseTechnique("reversed"));
-    for (const std::size_t count : {std::size_t{0}, render::kMostViews + 1}) {
+    for (const std::size_t count : {std::size_t{0}, render::kMaxViews + 1}) {
         EXPECT_THROW(ViewsRenderer(device(), m_scene, *m_onDevice, options, count), base::InputError);
     }
     ViewsRenderer renderer(device(), m_scene, *m_onDevice, options, 2);

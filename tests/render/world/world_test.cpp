@@ -173,7 +173,7 @@ void addEffects(std::mt19937_64& random, render::RenderOptions& options) {
     options.effects.occlusion.perLayer = render::hasLayers(options.targets.kind) && isDrawn(2);
     if (isDrawn(2)) {
         options.detail = {};
-        options.shadows = {.method = render::ShadowMethod::anchored, .mostTexels = 64};
+        options.shadows = {.method = render::ShadowMethod::anchored, .maxTexels = 64};
     }
 }
 

@@ -268,7 +268,7 @@ TEST(MeshPieces, HostileMeshesStayBounded) {
     for (SourceMesh* mesh : {&soup, &fan, &same, &spread}) {
         mesh->vertices.resize(mesh->positions.size());
         const std::vector<MeshPiece> pieces = cutIntoPieces(*mesh, 1e-3);
-        EXPECT_LE(pieces.size(), kMostPieces);
+        EXPECT_LE(pieces.size(), kMaxPieces);
         std::size_t triangles = 0;
         for (const MeshPiece& piece : pieces) {
             triangles += piece.mesh.indices.size() / 3;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFloatRounding = 0x1p-24;
 /// No triangle is placed more exactly, pixels.
-constexpr double kLeastPixels = 0x1p-30;
+constexpr double kMinPixels = 0x1p-30;
 /// Cells go by the exponent and the first 5 bits of the mantissa.
 constexpr unsigned kCellShift = 47;
 
@@ -45,7 +45,7 @@ DeviceBound::DeviceBound(const DrawnFrame& frame, double rounding, double snapPi
       m_picturePixels(double{1.0} * frame.ids.width + frame.ids.height) {}
 
 DeviceBound DeviceBound::ofFloat64(const DrawnFrame& frame) {
-    return {frame, kDoubleOperation, kLeastPixels};
+    return {frame, kDoubleOperation, kMinPixels};
 }
 
 DeviceBound::DeviceBound(const DrawnFrame& frame) : DeviceBound(frame, kFloatRounding, frame.snapPixels) {

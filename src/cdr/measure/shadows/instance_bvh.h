@@ -25,7 +25,7 @@ class InstanceBvh {
     void visit(const glm::dvec3& origin, const glm::dvec3& direction, double first, double last,
                const Meet& meet) const {
         const std::span<const scene::BoxTree::Node> nodes = m_tree.nodes();
-        std::array<std::uint32_t, scene::BoxTree::kMostDepth + 2> open; // each level leaves one node open
+        std::array<std::uint32_t, scene::BoxTree::kMaxDepth + 2> open; // each level leaves one node open
         std::size_t count = 0;
         if (!nodes.empty()) {
             open[count++] = 0;

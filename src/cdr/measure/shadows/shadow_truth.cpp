@@ -13,7 +13,7 @@ namespace {
 /// Shares of the way: nearer than that to where a ray begins, or to the light where it ends, is the same place.
 constexpr double kSamePlace = 1e-10;
 /// Cosine of the angle of incidence below which a surface gets next to no light.
-constexpr double kLeastCosine = 1e-3;
+constexpr double kMinCosine = 1e-3;
 /// Pixels between the rays that tell how a surface lies.
 constexpr double kAside = 1e-4;
 
@@ -136,7 +136,7 @@ ShadowPixel ShadowTruthCaster::pixelAt(const scene::Camera& camera, const glm::d
     const glm::dvec3 way = (light.position - camera.position) - point;
     const double towardsCamera = -glm::dot(normal, point);
     const double towardsLight = glm::dot(normal, way) * (towardsCamera < 0.0 ? -1.0 : 1.0);
-    if (!(towardsLight > kLeastCosine * glm::length(normal) * glm::length(way)) || !shinesAlong(light, way)) {
+    if (!(towardsLight > kMinCosine * glm::length(normal) * glm::length(way)) || !shinesAlong(light, way)) {
         pixel.reach = Reach::away;
         return pixel;
     }

@@ -8,10 +8,10 @@ namespace cdr::measure {
 
 namespace {
 
-constexpr unsigned kMostTrials = 1'000'000;
+constexpr unsigned kMaxTrials = 1'000'000;
 
 void requireTrials(const ChoiceCounts& counts) {
-    if (counts.left > kMostTrials || counts.right > kMostTrials || counts.all() == 0) {
+    if (counts.left > kMaxTrials || counts.right > kMaxTrials || counts.all() == 0) {
         throw base::InputError("choices: between one and a million must have been made for either side");
     }
 }

@@ -39,11 +39,11 @@ struct Footprint {
 
 /// Bounds of the part of `box` within the camera's [near, far], from the corners of that part. None when
 /// nothing of it is on the picture.
-/// @param marginPixels by how much wider they are on each side, at least kLeastMargin for their own rounding.
+/// @param marginPixels by how much wider they are on each side, at least kMinMargin for their own rounding.
 std::optional<Footprint> footprint(const ViewBox& box, const scene::Camera& camera, std::uint32_t width,
                                    std::uint32_t height, double marginPixels);
 
 /// A hundredth of a pixel.
-inline constexpr double kLeastMargin = 0.01;
+inline constexpr double kMinMargin = 0.01;
 
 } // namespace cdr::measure

@@ -56,7 +56,7 @@ glm::dvec3 skyOnMatt(const scene::Sky& sky, const glm::dvec3& normal) {
 glm::dvec3 skyOnGlossy(const scene::Sky& sky, const GlossyPoint& point) {
     const Frame frame(point.normal);
     const double alpha =
-        std::pow(std::max(static_cast<double>(point.metallicRoughness.roughness), kLeastTruthRoughness), 2.0);
+        std::pow(std::max(static_cast<double>(point.metallicRoughness.roughness), kMinTruthRoughness), 2.0);
     glm::dvec3 sum(0.0);
     const auto take = [&](const glm::dvec3& direction) {
         const double lambert = glm::dot(point.normal, direction);

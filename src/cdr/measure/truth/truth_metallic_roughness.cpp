@@ -7,14 +7,14 @@ namespace cdr::measure {
 
 namespace {
 
-constexpr double kLeastFacing = 1e-3;
+constexpr double kMinFacing = 1e-3;
 
 double roughnessOf(const GlossyPoint& point) {
-    return std::max(static_cast<double>(point.metallicRoughness.roughness), kLeastTruthRoughness);
+    return std::max(static_cast<double>(point.metallicRoughness.roughness), kMinTruthRoughness);
 }
 
 double facingOf(const GlossyPoint& point) {
-    return std::max(glm::dot(point.normal, point.toCamera), kLeastFacing);
+    return std::max(glm::dot(point.normal, point.toCamera), kMinFacing);
 }
 
 /// Smith's Lambda of GGX (Heitz 2014, equation 72), for the cosine of an angle to the normal.

@@ -26,7 +26,7 @@ glm::dvec3 diffuseShare(const GlossyPoint& point, const glm::dvec3& toLight);
 glm::dvec3 ambientShare(const GlossyPoint& point);
 
 /// As the renderer has it: a point light's highlight on anything smoother is smaller than a pixel.
-inline constexpr double kLeastTruthRoughness = 0.08;
+inline constexpr double kMinTruthRoughness = 0.08;
 
 /// What a surface sends is cut off here.
 inline constexpr double kBrightest = 16.0;

@@ -35,6 +35,6 @@ struct VisibleInstance {
 std::vector<VisibleInstance> visibleInstances(const scene::Scene& scene, std::span<const Shape> shapes,
                                               const scene::Camera& camera, std::uint32_t width,
                                               std::uint32_t height, host::WorkerPool& workers,
-                                              double marginPixels = kLeastMargin);
+                                              double marginPixels = kMinMargin);
 
 } // namespace cdr::measure

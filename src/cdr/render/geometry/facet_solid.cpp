@@ -11,7 +11,7 @@ namespace {
 /// How far, of a mesh's radius, a corner may lie off its facet's plane: roundings of float32 positions.
 constexpr double kFlatness = 1e-6;
 /// Least cosine between a facet's normal and that of its triangles.
-constexpr double kLeastCosine = 0.9999;
+constexpr double kMinCosine = 0.9999;
 
 /// Twice the area, as a vector.
 glm::dvec3 areaOf(const scene::Mesh& mesh, std::span<const std::uint32_t, 3> triangle) {
@@ -50,7 +50,7 @@ bool FacetSolid::addTriangle(const scene::Mesh& mesh, std::span<const std::uint3
     if (size == 0.0) {
         return true; // covers no pixel
     }
-    if (!(glm::dot(area, glm::dvec3(first.normal)) >= kLeastCosine * size)) {
+    if (!(glm::dot(area, glm::dvec3(first.normal)) >= kMinCosine * size)) {
         return false;
     }
     const double tolerance = kFlatness * static_cast<double>(mesh.boundingRadius);

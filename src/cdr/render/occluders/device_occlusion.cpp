@@ -135,7 +135,7 @@ void DeviceOcclusion::prepare(const FrameView& view, std::size_t instances, Slot
         slot.seen = m_seen;
         gpu::writeBufferBinding(m_device, slot.set, 1, kBufferType, m_seen->handle());
     }
-    const double leastPixels = m_hasSeen ? visibility::kLeastOccluder : visibility::kLeastFirstOccluder;
+    const double leastPixels = m_hasSeen ? visibility::kMinOccluder : visibility::kMinFirstOccluder;
     const OrderMargin margin(m_technique, view);
     const Grid tiles = tilesOf(m_extent);
     auto& block = slot.view.as<shaders::OccluderView>(1).front();

@@ -29,7 +29,7 @@ std::vector<std::uint32_t> seenLights(std::span<const scene::PointLight> lights,
                                       const scene::Frustum& frustum) {
     std::vector<std::uint32_t> seen;
     for (std::uint32_t i = 0; i < lights.size(); ++i) {
-        if (i < kMostShadowLights || !lights[i].range || reachesView(lights[i], camera, frustum)) {
+        if (i < kMaxShadowLights || !lights[i].range || reachesView(lights[i], camera, frustum)) {
             seen.push_back(i);
         }
     }

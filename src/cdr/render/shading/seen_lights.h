@@ -9,7 +9,7 @@
 
 namespace cdr::render {
 
-/// The lights that a frame is shaded with, by index, in their order: the first kMostShadowLights, whose channels of a shadow
+/// The lights that a frame is shaded with, by index, in their order: the first kMaxShadowLights, whose channels of a shadow
 /// mask are theirs by order, and all others whose range reaches into the view. The rest lights nothing that is seen: its
 /// share is exactly 0 there, so pictures keep their bits.
 std::vector<std::uint32_t> seenLights(std::span<const scene::PointLight> lights, const scene::Camera& camera,

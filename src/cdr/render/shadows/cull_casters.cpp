@@ -11,8 +11,8 @@ namespace {
 
 /// What is nearer to a light than this is left out. For a distant light it is a share of the light's distance: no surface is
 /// so near. For a light near by it is a share of the farthest receiver's distance.
-constexpr double kLeastDistant = 0x1p-10;
-constexpr double kLeastNear = 0x1p-20;
+constexpr double kMinDistant = 0x1p-10;
+constexpr double kMinNear = 0x1p-20;
 
 /// Inside where dot(normal, place) + offset >= 0, relative to the view's origin. Not of unit length.
 struct Plane {
@@ -117,7 +117,7 @@ double cullCasters(const visibility::InstanceCells& cells, const LightView& view
         }
     }
     const double least =
-        view.isDistant() ? (kLeastDistant - view.wOffset) / view.wPerUnit : kLeastNear * view.farAhead;
+        view.isDistant() ? (kMinDistant - view.wOffset) / view.wPerUnit : kMinNear * view.farAhead;
     const double length = view.texel * view.w(view.farAhead); // what is drawn has some depth
     return std::min(std::max(search.nearest(), least), view.farAhead - length);
 }

@@ -145,11 +145,11 @@ shaders::LightLens LightView::lens() const {
 
 std::vector<LightView> lightViews(const scene::PointLight& light, const glm::dvec3& camera,
                                   const ReceiverSlice& slice, double footprintSlope,
-                                  std::uint32_t mostTexels) {
+                                  std::uint32_t maxTexels) {
     LightView view;
     view.nearView = slice.nearView;
     view.farView = slice.farView;
-    const TexelLimits limits{.finest = kPixelsPerTexel * footprintSlope * slice.nearView, .most = mostTexels};
+    const TexelLimits limits{.finest = kPixelsPerTexel * footprintSlope * slice.nearView, .most = maxTexels};
     std::vector<LightView> views;
     if (!isInRange(light, camera, slice)) {
         return views;

@@ -47,8 +47,7 @@ inline constexpr std::uint32_t kMapBorder = 2;
 /// some. None where the slice's surfaces fill no space, or where the light's cone and range leave them dark.
 /// @param camera position that the slice is relative to.
 /// @param footprintSlope scene::Frustum: no texel is much smaller than a pixel.
-/// @param mostTexels of a side of a map.
+/// @param maxTexels of a side of a map.
 std::vector<LightView> lightViews(const scene::PointLight& light, const glm::dvec3& camera,
-                                  const ReceiverSlice& slice, double footprintSlope,
-                                  std::uint32_t mostTexels);
+                                  const ReceiverSlice& slice, double footprintSlope, std::uint32_t maxTexels);
 } // namespace cdr::render

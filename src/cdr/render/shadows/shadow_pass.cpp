@@ -62,7 +62,7 @@ ShadowPass::ShadowPass(const gpu::Device& device, const DrawnScene& scene, const
       m_scene(scene),
       m_gbuffer(gbuffer),
       m_options(options),
-      m_map(device, options.mostTexels),
+      m_map(device, options.maxTexels),
       m_mask(device, maskOptions(gbuffer.options().extent), "shadow mask"),
       m_receivers(device, receiverOptions(gbuffer)),
       m_slices(device, gbuffer, m_receivers.setLayout()) {}
@@ -90,7 +90,7 @@ void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::Vi
     slot.slices = slicePush(slices, isPlain);
     slot.views.clear();
     slot.receivers.clear();
-    const std::size_t lights = std::min(m_scene.scene.lights.size(), kMostShadowLights);
+    const std::size_t lights = std::min(m_scene.scene.lights.size(), kMaxShadowLights);
     for (std::size_t light = 0; light < lights; ++light) {
         for (std::size_t i = 0; i < slices.size(); ++i) {
             const vk::Rect2D area = areaOf(slices[i], view.frustum, m_gbuffer.options().extent);
@@ -116,7 +116,7 @@ std::vector<LightView> ShadowPass::viewsOf(const scene::PointLight& light, const
     const glm::dvec3& camera = view.camera.position;
     const double footprint = view.frustum.footprintSlope;
     std::vector<LightView> views;
-    for (const LightView& whole : lightViews(light, camera, slice, footprint, m_options.mostTexels)) {
+    for (const LightView& whole : lightViews(light, camera, slice, footprint, m_options.maxTexels)) {
         const std::vector<LightView> parts = m_options.method == ShadowMethod::plain
                                                  ? std::vector{whole}
                                                  : dividedView(whole, slice, camera, footprint);
@@ -161,7 +161,7 @@ void ShadowPass::record(vk::CommandBuffer primary, const Slot& slot) const {
 
 std::uint64_t ShadowPass::predictBytes(const gpu::Device& device, vk::Extent2D extent,
                                        const Shadows& options) {
-    return ShadowMap::predictBytes(device, options.mostTexels) +
+    return ShadowMap::predictBytes(device, options.maxTexels) +
            gpu::predictBytes(device, maskOptions(extent)) + SliceDepth::predictBytes(device, extent);
 }
 

@@ -47,7 +47,7 @@ class ShadowPass {
     /// Reads the G-buffer in the shader read layout, and leaves mask() in it.
     void record(vk::CommandBuffer primary, const Slot& slot) const;
 
-    /// A channel for each of the first kMostShadowLights lights: 1 where it reaches a surface, else 0.
+    /// A channel for each of the first kMaxShadowLights lights: 1 where it reaches a surface, else 0.
     const gpu::Image& mask() const { return m_mask; }
     static std::uint64_t predictBytes(const gpu::Device& device, vk::Extent2D extent, const Shadows& options);
 

@@ -35,7 +35,7 @@ CDR_EXPORT ShadowMethod parseShadowMethod(std::string_view name);
 /// Shadows of opaque surfaces, in full detail, on opaque and on translucent surfaces.
 struct Shadows {
     ShadowMethod method = ShadowMethod::none; ///< how they are cast
-    std::uint32_t mostTexels = 2048;          ///< of a side of a map, kLeastShadowTexels to kMostShadowTexels
+    std::uint32_t maxTexels = 2048;           ///< of a side of a map, kMinShadowTexels to kMaxShadowTexels
 
     /// Whether lights cast shadows.
     bool isOn() const { return method != ShadowMethod::none; }
@@ -43,11 +43,11 @@ struct Shadows {
 };
 
 /// Least and most texels of a side of a map. Each device has images of the most.
-inline constexpr std::uint32_t kLeastShadowTexels = 64;
-inline constexpr std::uint32_t kMostShadowTexels = 4096; ///< as above
+inline constexpr std::uint32_t kMinShadowTexels = 64;
+inline constexpr std::uint32_t kMaxShadowTexels = 4096; ///< as above
 
 /// How many lights cast shadows, the first of a scene.
-inline constexpr std::size_t kMostShadowLights = 4;
+inline constexpr std::size_t kMaxShadowLights = 4;
 
 /// What a frame's shadows came to.
 struct ShadowStats {

@@ -88,7 +88,7 @@ float sliceDepth(std::span<const ReceiverSlice> slices, std::size_t slice, bool 
     constexpr int kExponentBias = 127;
     const int number =
         isPlain ? static_cast<int>(slice) + 1 : std::ilogb(slices[slice].nearView) + kExponentBias;
-    return static_cast<float>(number) / shaders::kMostSlices;
+    return static_cast<float>(number) / shaders::kMaxSlices;
 }
 
 } // namespace cdr::render

@@ -31,9 +31,9 @@ using Access = vk::AccessFlagBits2;
 
 /// Runs of a group, whose commands one invocation of bin_commands.comp lists. lavapipe ends a loop after 65,535 turns, and
 /// others wait for the longest.
-constexpr std::size_t kMostRunsPerGroup = 1024;
+constexpr std::size_t kMaxRunsPerGroup = 1024;
 /// Of a buffer of the scene: room for what is few at first, since all are staged again where one grows.
-constexpr std::size_t kLeastBytes = 4096;
+constexpr std::size_t kMinBytes = 4096;
 /// Invocations a workgroup of bin_commands.comp.
 constexpr std::size_t kCommandInvocations = 64;
 
@@ -72,10 +72,10 @@ shaders::InstanceLook lookOf(const DrawSource& source) {
 /// Covers ascending places.
 std::vector<host::IndexRange> rangesOf(std::span<const std::uint32_t> places) {
     // What lies between two of them is copied along where that is less than another region.
-    constexpr std::uint32_t kMostBetween = 8;
+    constexpr std::uint32_t kMaxBetween = 8;
     std::vector<host::IndexRange> ranges;
     for (const std::uint32_t i : places) {
-        if (ranges.empty() || i > ranges.back().end + kMostBetween) {
+        if (ranges.empty() || i > ranges.back().end + kMaxBetween) {
             ranges.push_back({i, i});
         }
         ranges.back().end = i + 1;
@@ -98,7 +98,7 @@ BinningPass::BinningPass(const gpu::Device& device, const DrawnScene& drawn, vis
       m_drawn(drawn),
       m_detail(detail),
       m_mostCommands(std::min<std::size_t>(
-          kMostRunsPerGroup,
+          kMaxRunsPerGroup,
           vk::PhysicalDevice(device.physical()).getProperties().limits.maxDrawIndirectCount)),
       m_isStaged(true),
       m_setLayout(gpu::makeSetLayout(
@@ -255,7 +255,7 @@ bool BinningPass::provideBuffers() {
         const std::size_t most = std::max(bytes[i], m_device.info().maxStorageBufferBytes);
         const std::size_t size = grows ? std::min(bytes[i] + bytes[i] / 2, most) : bytes[i];
         (*made)[i] =
-            gpu::Buffer(m_device, std::max(size, kLeastBytes),
+            gpu::Buffer(m_device, std::max(size, kMinBytes),
                         vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst,
                         gpu::MemoryUse::deviceOnly, kNames[i]);
     }

@@ -24,14 +24,14 @@ std::size_t FacetDraws::mostDraws(std::size_t draws) const {
         return std::numeric_limits<std::size_t>::max();
     }
     const FacetCounts& most = m_pass.meshes().most();
-    const std::uint64_t mostTexels =
+    const std::uint64_t maxTexels =
         vk::PhysicalDevice(device().physical()).getProperties().limits.maxTexelBufferElements;
     const std::uint64_t texels = draws * most.facets * kTexelsPerFacet;
-    if (texels > mostTexels) {
+    if (texels > maxTexels) {
         throw base::RunError(fmt::format("{} draws have facets of {} texels, {} reads {}", draws, texels,
-                                         device().info().name, mostTexels));
+                                         device().info().name, maxTexels));
     }
-    return mostTexels / kTexelsPerFacet / std::max(most.facets, 1u);
+    return maxTexels / kTexelsPerFacet / std::max(most.facets, 1u);
 }
 
 void FacetDraws::makeRecords(std::size_t facets) {

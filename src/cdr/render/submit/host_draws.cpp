@@ -23,8 +23,8 @@ void HostDraws::bin(const FrameView& view, const visibility::VisibleCells& visib
 }
 
 std::size_t HostDraws::roomFor(std::size_t draws) {
-    constexpr std::size_t kLeast = 1024;
-    return std::max(draws + draws / 2, kLeast);
+    constexpr std::size_t kMin = 1024;
+    return std::max(draws + draws / 2, kMin);
 }
 
 } // namespace cdr::render

@@ -31,7 +31,7 @@ std::uint64_t bytesFor(std::uint64_t fragments) {
 } // namespace
 
 std::optional<ListRefusal> FragmentList::refusal(const gpu::Device& device, vk::Extent2D extent,
-                                                 std::uint64_t mostBytes) {
+                                                 std::uint64_t maxBytes) {
     const auto refused = [](ListRefusal::Cause cause, std::uint64_t needed, std::uint64_t allowed) {
         return ListRefusal{.cause = cause, .fragments = 0, .neededBytes = needed, .allowedBytes = allowed};
     };
@@ -39,13 +39,13 @@ std::optional<ListRefusal> FragmentList::refusal(const gpu::Device& device, vk::
         return refused(ListRefusal::Cause::noFragmentStores, 0, 0);
     }
     const std::uint64_t heads = pixelsOf(extent) * sizeof(std::uint32_t);
-    if (heads + bytesFor(1) > mostBytes) {
-        return refused(ListRefusal::Cause::bound, heads, mostBytes);
+    if (heads + bytesFor(1) > maxBytes) {
+        return refused(ListRefusal::Cause::bound, heads, maxBytes);
     }
     if (heads > device.info().maxStorageBufferBytes) {
         return refused(ListRefusal::Cause::bufferSize, heads, device.info().maxStorageBufferBytes);
     }
-    const std::uint64_t first = std::min(mostBytes, heads + bytesFor(pixelsOf(extent)));
+    const std::uint64_t first = std::min(maxBytes, heads + bytesFor(pixelsOf(extent)));
     if (const std::uint64_t available = gpu::freeDeviceBytes(device); first > available) {
         return refused(ListRefusal::Cause::memory, first, available);
     }
@@ -53,9 +53,9 @@ std::optional<ListRefusal> FragmentList::refusal(const gpu::Device& device, vk::
 }
 
 FragmentList::FragmentList(const gpu::Device& device, const gpu::SetLayout& layout, vk::Extent2D extent,
-                           std::uint64_t mostBytes)
+                           std::uint64_t maxBytes)
     : m_device(device),
-      m_mostBytes(mostBytes),
+      m_maxBytes(maxBytes),
       m_heads(device, pixelsOf(extent) * sizeof(std::uint32_t), Usage::eStorageBuffer | Usage::eTransferDst,
               gpu::MemoryUse::deviceOnly, "fragment list heads"),
       m_count(device, sizeof(std::uint32_t),
@@ -71,10 +71,10 @@ FragmentList::FragmentList(const gpu::Device& device, const gpu::SetLayout& layo
 }
 
 std::uint64_t FragmentList::mostFragments() const {
-    const std::uint64_t left = m_mostBytes - std::min<std::uint64_t>(m_mostBytes, m_heads.size());
-    constexpr std::uint64_t kMostNodes = 0xffffffffu; // what a link can name
+    const std::uint64_t left = m_maxBytes - std::min<std::uint64_t>(m_maxBytes, m_heads.size());
+    constexpr std::uint64_t kMaxNodes = 0xffffffffu; // what a link can name
     const std::uint64_t nodes =
-        std::min({left / kNodeBytes, m_device.info().maxStorageBufferBytes / kNodeBytes, kMostNodes});
+        std::min({left / kNodeBytes, m_device.info().maxStorageBufferBytes / kNodeBytes, kMaxNodes});
     return nodes - std::min<std::uint64_t>(nodes, 1);
 }
 
@@ -124,8 +124,8 @@ std::optional<ListRefusal> FragmentList::grow(std::uint64_t fragments) {
             .cause = cause, .fragments = fragments, .neededBytes = needed, .allowedBytes = allowed};
     };
     const std::uint64_t wanted = bytesFor(fragments);
-    if (m_heads.size() + wanted > m_mostBytes) {
-        return refused(ListRefusal::Cause::bound, m_heads.size() + wanted, m_mostBytes);
+    if (m_heads.size() + wanted > m_maxBytes) {
+        return refused(ListRefusal::Cause::bound, m_heads.size() + wanted, m_maxBytes);
     }
     if (fragments > mostFragments()) {
         return refused(ListRefusal::Cause::bufferSize, wanted, m_device.info().maxStorageBufferBytes);

@@ -16,11 +16,11 @@ class FragmentList {
   public:
     /// Why there can be no lists at all for a picture; none if there can.
     static std::optional<ListRefusal> refusal(const gpu::Device& device, vk::Extent2D extent,
-                                              std::uint64_t mostBytes);
+                                              std::uint64_t maxBytes);
 
     /// Starts with a node per pixel, or as many as the bound allows. There must be no refusal().
     FragmentList(const gpu::Device& device, const gpu::SetLayout& layout, vk::Extent2D extent,
-                 std::uint64_t mostBytes);
+                 std::uint64_t maxBytes);
 
     vk::DescriptorSet set() const { return m_set; }
     std::uint32_t capacity() const { return m_capacity; } ///< fragments; 0 after grow() threw
@@ -45,7 +45,7 @@ class FragmentList {
     void makeNodes(std::uint64_t fragments);
 
     const gpu::Device& m_device;
-    std::uint64_t m_mostBytes;
+    std::uint64_t m_maxBytes;
     gpu::Buffer m_heads;
     gpu::Buffer m_nodes;
     gpu::Buffer m_count;     ///< every fragment adds to it, so it stays on the device

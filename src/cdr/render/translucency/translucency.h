@@ -40,7 +40,7 @@ struct TranslucencyOptions {
     /// that has more fragments is drawn weighted, and says so. One that is submitted or recorded may be seen before that is
     /// known, and lacks fragments. Those after it are then drawn weighted, until the scene or the size changes, a frame that
     /// is waited for finds room, or Renderer::forgetFrames().
-    std::uint64_t mostBytes = std::uint64_t{256} << 20u;
+    std::uint64_t maxBytes = std::uint64_t{256} << 20u;
     bool countsFragments = false; ///< fills Frame::fragmentCounts
 
     bool operator==(const TranslucencyOptions&) const = default;
@@ -51,7 +51,7 @@ struct ListRefusal {
     /// What was in the way.
     enum class Cause : std::uint8_t {
         noFragmentStores, ///< the device lacks fragmentStoresAndAtomics; there are no bytes to say
-        bound,            ///< TranslucencyOptions::mostBytes
+        bound,            ///< TranslucencyOptions::maxBytes
         bufferSize,       ///< the largest storage buffer of the device
         memory,           ///< what the device has free
     };

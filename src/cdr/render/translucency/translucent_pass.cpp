@@ -27,7 +27,7 @@ vk::Extent2D checkedExtent(const gpu::Device& device, vk::Extent2D extent,
 
 std::optional<ListRefusal> refusalOf(const gpu::Device& device, vk::Extent2D extent,
                                      const TranslucencyOptions& options) {
-    return options.method == Translucency::sorted ? FragmentList::refusal(device, extent, options.mostBytes)
+    return options.method == Translucency::sorted ? FragmentList::refusal(device, extent, options.maxBytes)
                                                   : std::nullopt;
 }
 
@@ -75,7 +75,7 @@ TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) co
         slot.shadows.emplace(m_device, m_scene, m_shadows);
     }
     if (m_sorted != nullptr) {
-        slot.list.emplace(m_device, m_sorted->listLayout(), m_lit.options().extent, m_options.mostBytes);
+        slot.list.emplace(m_device, m_sorted->listLayout(), m_lit.options().extent, m_options.maxBytes);
     }
     return slot;
 }

@@ -40,27 +40,27 @@ TranslucentShadows::TranslucentShadows(const gpu::Device& device, const DrawnSce
       m_scene(scene),
       m_options(options),
       m_casters(device, scene),
-      m_map(device, kLeastShadowTexels) {
+      m_map(device, kMinShadowTexels) {
     growReceivers();
 }
 
-std::uint32_t TranslucentShadows::mostTexels(std::span<const ReceiverSlice> slices,
-                                             const FrameView& view) const {
-    const std::size_t lights = std::min(m_scene.scene.lights.size(), kMostShadowLights);
+std::uint32_t TranslucentShadows::maxTexels(std::span<const ReceiverSlice> slices,
+                                            const FrameView& view) const {
+    const std::size_t lights = std::min(m_scene.scene.lights.size(), kMaxShadowLights);
     std::uint32_t along = 1;
     for (const ReceiverSlice& slice : slices) {
         std::size_t maps = 0;
         for (std::size_t light = 0; light < lights; ++light) {
             // Of all directions: what a light's cone spares does not change the texels of the rest.
             const scene::PointLight all{.position = m_scene.scene.lights[light].position};
-            maps += lightViews(all, view.camera.position, slice, view.frustum.footprintSlope,
-                               m_options.mostTexels)
-                        .size();
+            maps +=
+                lightViews(all, view.camera.position, slice, view.frustum.footprintSlope, m_options.maxTexels)
+                    .size();
         }
         along = std::max(along, mapsAlong(maps));
     }
-    const std::uint32_t side = std::min(kFullMapsAlong * m_options.mostTexels, m_device.info().maxImageSide);
-    return std::min(m_options.mostTexels, std::max(side / along, std::uint32_t{8}));
+    const std::uint32_t side = std::min(kFullMapsAlong * m_options.maxTexels, m_device.info().maxImageSide);
+    return std::min(m_options.maxTexels, std::max(side / along, std::uint32_t{8}));
 }
 
 void TranslucentShadows::prepare(const FrameView& view, const visibility::VisibleList& seen,
@@ -69,7 +69,7 @@ void TranslucentShadows::prepare(const FrameView& view, const visibility::Visibl
     const std::vector<SeenSphere> spheres = spheresOf(m_scene.scene, view.camera, seen);
     const std::vector<ReceiverSlice> slices = isPlain ? practicalSlices(view.camera, view.frustum, spheres)
                                                       : receiverSlices(view.camera, view.frustum, spheres);
-    const std::uint32_t most = mostTexels(slices, view);
+    const std::uint32_t most = maxTexels(slices, view);
     m_views.clear();
     m_lights.clear();
     // What lies between two slices, or before the first, is drawn with the farther one, and is in none of its maps.
@@ -82,7 +82,7 @@ void TranslucentShadows::prepare(const FrameView& view, const visibility::Visibl
         shaders::TranslucentSlice& drawn = m_slices.back();
         drawn.farView = static_cast<float>(slice.farView);
         drawn.firstMap = static_cast<std::uint32_t>(m_views.size());
-        for (std::size_t light = 0; light < std::min(m_scene.scene.lights.size(), kMostShadowLights);
+        for (std::size_t light = 0; light < std::min(m_scene.scene.lights.size(), kMaxShadowLights);
              ++light) {
             const std::vector<LightView> views = lightViews(m_scene.scene.lights[light], view.camera.position,
                                                             slice, view.frustum.footprintSlope, most);

@@ -41,7 +41,7 @@ class TranslucentShadows {
 
   private:
     /// Of a side of a map, so that those of each slice fit into the image.
-    std::uint32_t mostTexels(std::span<const ReceiverSlice> slices, const FrameView& view) const;
+    std::uint32_t maxTexels(std::span<const ReceiverSlice> slices, const FrameView& view) const;
     void placeMaps();
     void growReceivers();
 

@@ -18,7 +18,7 @@ bool hasDetail(const scene::Scene& scene) {
 }
 
 /// Least cosine between a facet's normal and that of its triangles, which float32 positions round.
-constexpr double kLeastFacetCosine = 0.999;
+constexpr double kMinFacetCosine = 0.999;
 
 /// Whether a triangle has one colour and one normal, which is its own.
 bool isFacet(const scene::Vertex& a, const scene::Vertex& b, const scene::Vertex& c) {
@@ -27,7 +27,7 @@ bool isFacet(const scene::Vertex& a, const scene::Vertex& b, const scene::Vertex
     }
     const glm::dvec3 first(a.position);
     const glm::dvec3 area = glm::cross(glm::dvec3(b.position) - first, glm::dvec3(c.position) - first);
-    const double least = kLeastFacetCosine * glm::length(area) * glm::length(glm::dvec3(a.normal));
+    const double least = kMinFacetCosine * glm::length(area) * glm::length(glm::dvec3(a.normal));
     return std::abs(glm::dot(area, glm::dvec3(a.normal))) >= least;
 }
 

@@ -70,8 +70,8 @@ void waitQuietly(const gpu::Device& device) {
 template <typename Make>
 ViewsRenderer::ViewsRenderer(std::size_t views, const RenderOptions& options, const Make& make)
     : m_split(std::make_unique<FrameSplit>(options.technique)) {
-    if (views == 0 || views > kMostViews) {
-        throw base::InputError(fmt::format("views must be 1 to {}, not {}", kMostViews, views));
+    if (views == 0 || views > kMaxViews) {
+        throw base::InputError(fmt::format("views must be 1 to {}, not {}", kMaxViews, views));
     }
     for (std::size_t view = 0; view < views; ++view) {
         m_renderers.push_back(make());

@@ -24,7 +24,7 @@ class FrameSplit;
 class CDR_EXPORT ViewsRenderer {
   public:
     /// Of a scene that stays as it is.
-    /// @param views how many cameras look, 1 to kMostViews
+    /// @param views how many cameras look, 1 to kMaxViews
     /// @throws base::InputError for another number of views, or as Renderer.
     /// @throws base::RunError, std::system_error as Renderer.
     ViewsRenderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
@@ -116,6 +116,6 @@ class CDR_EXPORT ViewsRenderer {
 };
 
 /// Most views of a ViewsRenderer.
-inline constexpr std::size_t kMostViews = 32;
+inline constexpr std::size_t kMaxViews = 32;
 
 } // namespace cdr::render

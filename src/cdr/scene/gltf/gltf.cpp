@@ -53,9 +53,9 @@ struct DeformedPrimitive {
 /// Whether a transform flattens what it draws; relative to its scale, so small is not flat.
 bool isFlat(const glm::dmat3& linear, const glm::mat3& basis) {
     // Below this the columns differ from a plane by less than float32 can tell.
-    constexpr double kLeastRelativeVolume = 1e-9;
+    constexpr double kMinRelativeVolume = 1e-9;
     const double volume = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
-    return !(std::abs(glm::determinant(linear)) > kLeastRelativeVolume * volume) ||
+    return !(std::abs(glm::determinant(linear)) > kMinRelativeVolume * volume) ||
            !(std::abs(glm::determinant(glm::dmat3(basis))) > 0.0);
 }
 

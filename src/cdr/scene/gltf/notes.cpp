@@ -13,7 +13,7 @@ void Notes::add(const std::string& what, const std::string& where) {
 }
 
 void Notes::addNamed(const std::string& what, const std::string& name) {
-    if (m_named == kMostNamed) {
+    if (m_named == kMaxNamed) {
         add(what, name);
         return;
     }

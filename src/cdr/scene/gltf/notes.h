@@ -15,13 +15,13 @@ class Notes {
     /// @param where the place in the file; only the first one is shown.
     void add(const std::string& what, const std::string& where);
 
-    /// The same for a name that is a remark of its own. After kMostNamed of them, repeats of `what` make one line again.
+    /// The same for a name that is a remark of its own. After kMaxNamed of them, repeats of `what` make one line again.
     void addNamed(const std::string& what, const std::string& name);
 
     /// One line per remark, in the order they first came up.
     std::vector<std::string> lines() const;
 
-    static constexpr std::size_t kMostNamed = 64;
+    static constexpr std::size_t kMaxNamed = 64;
 
   private:
     struct Remark {

@@ -26,7 +26,7 @@ namespace cdr::scene {
 namespace {
 
 /// So many that a step is far shorter than any frame.
-constexpr double kMostFramesPerSecond = 1e6;
+constexpr double kMaxFramesPerSecond = 1e6;
 
 struct Sphere {
     glm::dvec3 centre{0.0};
@@ -144,18 +144,18 @@ void requireUsable(const GltfChoice& choice) {
             fmt::format("--time must be finite and at least 0, in seconds, not {}", *choice.seconds));
     }
     if (choice.framesPerSecond &&
-        !(*choice.framesPerSecond > 0.0 && *choice.framesPerSecond <= kMostFramesPerSecond)) {
+        !(*choice.framesPerSecond > 0.0 && *choice.framesPerSecond <= kMaxFramesPerSecond)) {
         throw base::InputError(fmt::format("--fps must be above 0 and at most {}, not {}",
-                                           kMostFramesPerSecond, *choice.framesPerSecond));
+                                           kMaxFramesPerSecond, *choice.framesPerSecond));
     }
-    if (choice.textureMiB && (*choice.textureMiB < 1 || *choice.textureMiB > kMostTextureMiB)) {
+    if (choice.textureMiB && (*choice.textureMiB < 1 || *choice.textureMiB > kMaxTextureMiB)) {
         throw base::InputError(fmt::format("--texture-memory must be from 1 to {}, in MiB, not {}",
-                                           kMostTextureMiB, *choice.textureMiB));
+                                           kMaxTextureMiB, *choice.textureMiB));
     }
     if (choice.pointRadius &&
-        !(*choice.pointRadius >= kLeastPointRadius && *choice.pointRadius <= kMostPointRadius)) {
+        !(*choice.pointRadius >= kMinPointRadius && *choice.pointRadius <= kMaxPointRadius)) {
         throw base::InputError(fmt::format("--points must be from {} to {}, in scene units, not {}",
-                                           kLeastPointRadius, kMostPointRadius, *choice.pointRadius));
+                                           kMinPointRadius, kMaxPointRadius, *choice.pointRadius));
     }
 }
 

@@ -51,12 +51,12 @@ struct GltfChoice {
 };
 
 /// Most that GltfChoice::textureMiB takes: 4 TiB.
-inline constexpr std::uint64_t kMostTextureMiB = std::uint64_t{1} << 22u;
+inline constexpr std::uint64_t kMaxTextureMiB = std::uint64_t{1} << 22u;
 
 /// Least that GltfChoice::pointRadius takes.
-inline constexpr double kLeastPointRadius = 1e-30;
+inline constexpr double kMinPointRadius = 1e-30;
 /// Most that GltfChoice::pointRadius takes.
-inline constexpr double kMostPointRadius = 1e30;
+inline constexpr double kMaxPointRadius = 1e30;
 
 /// The moment that a frame shows, in seconds of the animation, where one is played.
 CDR_EXPORT std::optional<double> secondsAt(const GltfChoice& choice, std::uint32_t frame);

@@ -19,11 +19,11 @@ constexpr std::size_t kClusterVertices = 160;
 constexpr std::size_t kClusterTriangles = 256;
 constexpr std::size_t kGroupClusters = 8;
 /// A coarser form with more of the triangles than this is not worth a level.
-constexpr double kMostLeft = 0.8;
+constexpr double kMaxLeft = 0.8;
 /// No coarser form of a group has fewer triangles.
-constexpr std::size_t kLeastTriangles = 12;
+constexpr std::size_t kMinTriangles = 12;
 /// A mesh with a point that more triangles meet in is not cut: that takes time by their square.
-constexpr std::size_t kMostAround = 4096;
+constexpr std::size_t kMaxAround = 4096;
 /// For roundings of float32 spheres.
 constexpr double kSphereMargin = 1.0 + 1e-6;
 
@@ -75,8 +75,8 @@ std::vector<Indices> cut(const Indices& indices, const std::vector<glm::vec3>& p
 std::vector<Indices> coarserFormOf(const SharedMesh& mesh, const Indices& indices) {
     const PartOfMesh part = partOf(mesh, indices);
     const Indices coarse = simplified(part.indices, part.positions, part.indices.size() / 6);
-    if (coarse.size() / 3 < kLeastTriangles ||
-        static_cast<double>(coarse.size()) > kMostLeft * static_cast<double>(part.indices.size())) {
+    if (coarse.size() / 3 < kMinTriangles ||
+        static_cast<double>(coarse.size()) > kMaxLeft * static_cast<double>(part.indices.size())) {
         return {};
     }
     std::vector<Indices> clusters = cut(coarse, part.positions);
@@ -232,7 +232,7 @@ std::vector<LooseCluster> coarsened(const SharedMesh& mesh, const Indices& place
 ClusterTree makeClusters(const Mesh& mesh, host::WorkerPool& workers) {
     const SharedMesh shared = sharedBy(mesh);
     const Indices places = placesOf(shared);
-    if (mostAround(shared, places) > kMostAround) {
+    if (mostAround(shared, places) > kMaxAround) {
         return {};
     }
     std::vector<LooseCluster> loose;
@@ -257,7 +257,7 @@ ClusterTree makeClusters(const Mesh& mesh, host::WorkerPool& workers) {
 
 void makeClusters(Scene& scene, host::WorkerPool& workers) {
     for (Mesh& mesh : scene.meshes) {
-        if (mesh.clusters.clusters.empty() && mesh.indices.size() / 3 >= kLeastClusteredTriangles) {
+        if (mesh.clusters.clusters.empty() && mesh.indices.size() / 3 >= kMinClusteredTriangles) {
             mesh.clusters = makeClusters(mesh, workers);
         }
     }

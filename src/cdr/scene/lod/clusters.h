@@ -12,7 +12,7 @@
 namespace cdr::scene {
 
 /// Meshes of fewer triangles get no clusters: one level for all of such a mesh is enough.
-inline constexpr std::size_t kLeastClusteredTriangles = 8192;
+inline constexpr std::size_t kMinClusteredTriangles = 8192;
 
 /// Cuts a mesh into clusters (meshoptimizer). Then it makes coarser clusters of groups of neighbours by edge collapses, and
 /// repeats this. The border of a group stays as it is. Errors are measured against the mesh, sampled, both ways. The tree is
@@ -24,7 +24,7 @@ inline constexpr std::size_t kLeastClusteredTriangles = 8192;
 /// @param mesh that requireUsable() lets pass, which is not checked, of a triangle at least.
 CDR_EXPORT ClusterTree makeClusters(const Mesh& mesh, host::WorkerPool& workers);
 
-/// Makes those of each mesh of kLeastClusteredTriangles or more that has none.
+/// Makes those of each mesh of kMinClusteredTriangles or more that has none.
 CDR_EXPORT void makeClusters(Scene& scene, host::WorkerPool& workers);
 
 } // namespace cdr::scene

@@ -114,7 +114,7 @@ class PieceMaker {
 
 std::vector<TriangleCluster> clustersOf(const SourceMesh& source, double radius) {
     const std::size_t triangles = source.indices.size() / 3;
-    const std::size_t most = std::clamp<std::size_t>(triangles / kTrianglesPerPiece, 2, kMostPieces);
+    const std::size_t most = std::clamp<std::size_t>(triangles / kTrianglesPerPiece, 2, kMaxPieces);
     return clusterTriangles(source, radius, most);
 }
 

@@ -9,7 +9,7 @@ namespace cdr::scene {
 namespace {
 
 /// Most parts an edge is cut into where a triangle is sampled.
-constexpr double kMostParts = 32.0;
+constexpr double kMaxParts = 32.0;
 
 double squared(const glm::dvec3& v) {
     return glm::dot(v, v);
@@ -105,7 +105,7 @@ double SurfaceDistance::largerSquared(const glm::dvec3& point, double known) con
 
 double SurfaceDistance::largestSquaredTo(const std::array<glm::dvec3, 3>& triangle, double points,
                                          double known) const {
-    const int parts = static_cast<int>(std::clamp(std::ceil(std::sqrt(points)), 2.0, kMostParts));
+    const int parts = static_cast<int>(std::clamp(std::ceil(std::sqrt(points)), 2.0, kMaxParts));
     const glm::dvec3 u = (triangle[1] - triangle[0]) / static_cast<double>(parts);
     const glm::dvec3 v = (triangle[2] - triangle[0]) / static_cast<double>(parts);
     double largest = known;

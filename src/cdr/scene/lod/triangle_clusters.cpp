@@ -13,7 +13,7 @@ namespace {
 
 /// A cut that leaves one side fewer than one in this many triangles goes through the middle triangle instead.
 /// That bounds the work for any mesh.
-constexpr std::size_t kLeastShare = 8;
+constexpr std::size_t kMinShare = 8;
 
 class Clusterer {
   public:
@@ -73,7 +73,7 @@ class Clusterer {
         auto cut = std::stable_partition(triangles.begin(), triangles.end(),
                                          [&](std::uint32_t t) { return centre(t)[axis] < plane; });
         const auto below = static_cast<std::size_t>(cut - triangles.begin());
-        if (std::min(below, triangles.size() - below) < triangles.size() / kLeastShare) {
+        if (std::min(below, triangles.size() - below) < triangles.size() / kMinShare) {
             cut = triangles.begin() + static_cast<std::ptrdiff_t>(triangles.size() / 2);
             std::nth_element(triangles.begin(), cut, triangles.end(), [&](std::uint32_t a, std::uint32_t b) {
                 return std::pair(centre(a)[axis], a) < std::pair(centre(b)[axis], b);

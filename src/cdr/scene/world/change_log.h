@@ -41,8 +41,8 @@ class ChangeLog {
     /// A place changed.
     /// @param places of the array
     void add(std::uint32_t index, std::size_t places) {
-        constexpr std::size_t kLeast = 1024;
-        const std::size_t kept = places > kLeast ? places : kLeast;
+        constexpr std::size_t kMin = 1024;
+        const std::size_t kept = places > kMin ? places : kMin;
         if (m_changed.size() >= 2 * kept) {
             m_changed.erase(m_changed.begin(), m_changed.begin() + static_cast<std::ptrdiff_t>(kept));
             m_first += kept;

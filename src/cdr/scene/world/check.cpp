@@ -19,8 +19,8 @@ template <typename... Values>
 }
 
 // With these an instance's radius is a finite float.
-constexpr float kMostSquare = 1e34f;
-constexpr float kMostRadius = 1e20f;
+constexpr float kMaxSquare = 1e34f;
+constexpr float kMaxRadius = 1e20f;
 
 template <typename Vector>
 bool areFinite(const Vector& v) {
@@ -157,7 +157,7 @@ void requireWhole(const Instances& instances) {
 
 bool isUsable(const Transform& transform) {
     const glm::mat3& basis = transform.basis;
-    const auto isShort = [](const glm::vec3& column) { return glm::dot(column, column) <= kMostSquare; };
+    const auto isShort = [](const glm::vec3& column) { return glm::dot(column, column) <= kMaxSquare; };
     return areFinite(transform.position) && isShort(basis[0]) && isShort(basis[1]) && isShort(basis[2]);
 }
 
@@ -210,7 +210,7 @@ void requireUsable(std::span<const VertexDetail> details, std::size_t vertices, 
 }
 
 void requireUsable(std::span<const Vertex> vertices, float boundingRadius, const std::string& what) {
-    if (!(boundingRadius >= 0.0f && boundingRadius <= kMostRadius)) {
+    if (!(boundingRadius >= 0.0f && boundingRadius <= kMaxRadius)) {
         refuseUse("{}: its bounding radius must lie in [0, 1e20], not {}", what, boundingRadius);
     }
     // What is beyond by roundings is culled right as well, since an instance's radius has slack.

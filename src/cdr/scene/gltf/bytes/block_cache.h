@@ -18,13 +18,13 @@ class BlockCache {
     static constexpr std::size_t kBlockBytes = std::size_t{16} << 10;
     static constexpr std::size_t kBytes = std::size_t{32} << 20; ///< of all blocks
     /// Most bytes that are asked for at a time: a MAT4 of the widest components.
-    static constexpr std::size_t kMostBytes = 128;
+    static constexpr std::size_t kMaxBytes = 128;
 
     struct Block;
     /// Where a reader found its last block, null at first: it likely needs the same one next.
     using Hint = const Block*;
 
-    /// `length` bytes of a file, at most kMostBytes, until the next call. All must have been in it when it was opened.
+    /// `length` bytes of a file, at most kMaxBytes, until the next call. All must have been in it when it was opened.
     const std::uint8_t* at(const OpenFile& file, std::uint64_t offset, std::size_t length, Hint& hint) {
         const std::size_t within = offset % kBlockBytes;
         if (hint != nullptr && hint->number == offset / kBlockBytes && hint->file == &file &&
@@ -58,7 +58,7 @@ class BlockCache {
         m_bytes{}; ///< of all blocks; the system gives memory to those that are used
     std::uint64_t m_uses = 0;
     ReadProgress* m_progress = nullptr;
-    std::array<std::uint8_t, kMostBytes> m_joined{}; ///< of two blocks
+    std::array<std::uint8_t, kMaxBytes> m_joined{}; ///< of two blocks
 };
 
 } // namespace cdr::scene::gltf

@@ -27,18 +27,18 @@ class HeaderReader {
   public:
     explicit HeaderReader(const ByteSource& file) : m_file(file) {}
 
-    /// `length` bytes, at most kMostBytes, all inside the file.
+    /// `length` bytes, at most kMaxBytes, all inside the file.
     std::span<const std::uint8_t> at(std::size_t offset, std::size_t length) {
         if (offset < m_begin || offset + length > m_begin + m_ahead.size()) {
             m_begin = offset;
-            m_ahead.resize(std::min(kMostBytes, m_file.size() - offset));
+            m_ahead.resize(std::min(kMaxBytes, m_file.size() - offset));
             m_file.read(offset, m_ahead);
         }
         return std::span(m_ahead).subspan(offset - m_begin, length);
     }
 
   private:
-    static constexpr std::size_t kMostBytes = 4096;
+    static constexpr std::size_t kMaxBytes = 4096;
 
     const ByteSource& m_file;
     std::size_t m_begin = 0;

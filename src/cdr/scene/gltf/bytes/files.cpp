@@ -133,7 +133,7 @@ Buffers::Buffers(const nlohmann::json& root, const std::optional<ByteSource>& bi
         ByteSource bytes;
         if (const std::optional<std::string> uri = stringMember(buffer, "uri")) {
             bytes = files.open(*uri);
-            if (bytes.file() != nullptr && (bytes.size() <= kSmallFile || openFiles == kMostOpenFiles)) {
+            if (bytes.file() != nullptr && (bytes.size() <= kSmallFile || openFiles == kMaxOpenFiles)) {
                 bytes = ByteSource(bytes.read());
             }
             openFiles += bytes.file() != nullptr ? 1 : 0;

@@ -47,10 +47,10 @@ struct BufferView {
 };
 
 /// A document's buffers. What files hold stays there until it is read, except for small files and for files beyond the first
-/// kMostOpenFiles ones.
+/// kMaxOpenFiles ones.
 class Buffers {
   public:
-    static constexpr std::size_t kMostOpenFiles = 64;
+    static constexpr std::size_t kMaxOpenFiles = 64;
 
     /// @param root of the document; must outlive this.
     /// @param bin the BIN chunk, if any.

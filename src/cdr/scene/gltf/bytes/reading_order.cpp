@@ -38,12 +38,12 @@ std::vector<std::uint32_t> orderOfSparse(std::span<const std::uint32_t> elements
 
 std::vector<std::uint32_t> readingOrder(std::span<const std::uint32_t> elements, std::size_t bytesApart) {
     // Other blocks are in use as well.
-    constexpr std::uint64_t kMostBytesInAnyOrder = BlockCache::kBytes / 2;
+    constexpr std::uint64_t kMaxBytesInAnyOrder = BlockCache::kBytes / 2;
     if (bytesApart == 0 || elements.empty()) {
         return {};
     }
     const auto [least, most] = std::minmax_element(elements.begin(), elements.end());
-    if (std::uint64_t{bytesApart} * (*most - *least) <= kMostBytesInAnyOrder ||
+    if (std::uint64_t{bytesApart} * (*most - *least) <= kMaxBytesInAnyOrder ||
         std::is_sorted(elements.begin(), elements.end())) {
         return {};
     }

@@ -16,14 +16,14 @@ bool DracoGuard::stop(std::string reason) {
 }
 
 bool DracoGuard::allowsAttributes(const draco::DecoderBuffer& buffer) {
-    constexpr std::uint32_t kMostAttributes = 64;
+    constexpr std::uint32_t kMaxAttributes = 64;
     draco::DecoderBuffer ahead = buffer;
     std::uint32_t count = 0;
     if (!draco::DecodeVarint(&count, &ahead)) {
         return false;
     }
-    if (count > kMostAttributes - m_attributes) {
-        return stop(fmt::format("more than {} attributes", kMostAttributes));
+    if (count > kMaxAttributes - m_attributes) {
+        return stop(fmt::format("more than {} attributes", kMaxAttributes));
     }
     m_attributes += count;
     return true;

@@ -25,9 +25,9 @@ constexpr std::size_t kDracoHeaderBytes = 11;
 constexpr std::uint8_t kMetadataFlag = METADATA_FLAG_MASK >> 8; // in the higher byte
 
 /// An encoder's tables have a symbol for each value below 2^18 at most.
-constexpr std::uint32_t kMostTableSymbols = 1u << 18;
+constexpr std::uint32_t kMaxTableSymbols = 1u << 18;
 /// What decoding symbols takes: 12 bytes a symbol, and a table of 2^20 numbers.
-constexpr std::uint64_t kTableBytes = 12ull * kMostTableSymbols + (4ull << 20);
+constexpr std::uint64_t kTableBytes = 12ull * kMaxTableSymbols + (4ull << 20);
 
 // What the decoder keeps, from reading libdraco 1.5; vectors that grow count three times.
 constexpr std::uint64_t kSequentialTriangleBytes = 60;
@@ -219,7 +219,7 @@ bool hasBoundedTable(const draco::DecoderBuffer& buffer) {
     std::uint8_t bits = 0;
     std::uint32_t symbols = 0;
     return ahead.Decode(&scheme) && (scheme != draco::SYMBOL_CODING_RAW || ahead.Decode(&bits)) &&
-           draco::DecodeVarint(&symbols, &ahead) && symbols <= kMostTableSymbols;
+           draco::DecodeVarint(&symbols, &ahead) && symbols <= kMaxTableSymbols;
 }
 
 DracoStream openDraco(std::span<const std::uint8_t> compressed, const DracoBounds& bounds,

@@ -27,9 +27,9 @@ const char* keyOf(std::optional<TextureUse> MaterialDetail::*use) {
 }
 
 /// Most that a surface emits, of any colour: render's picture is white far below.
-constexpr double kMostEmission = 1e4;
+constexpr double kMaxEmission = 1e4;
 /// Beyond it a normal lies in the surface, and the product would overflow.
-constexpr double kMostNormalScale = 1e4;
+constexpr double kMaxNormalScale = 1e4;
 
 AlphaMode alphaMode(const json& material, const std::string& where) {
     const std::string mode = stringMember(material, "alphaMode").value_or("OPAQUE");
@@ -62,7 +62,7 @@ glm::vec3 emissionOf(const json& material, const std::string& where) {
     }
     const glm::dvec3 emitted =
         glm::clamp(glm::dvec3((*factor)[0], (*factor)[1], (*factor)[2]), 0.0, 1.0) * strength;
-    return {glm::clamp(emitted, 0.0, kMostEmission)};
+    return {glm::clamp(emitted, 0.0, kMaxEmission)};
 }
 
 /// What a material does with the alpha of its base colour's texture. Its own factor multiplies that alpha, so the cutoff is
@@ -189,7 +189,7 @@ MaterialDetail MaterialImporter::detailOf(const json& material, const std::strin
     if (detail.normal) {
         const double scale =
             numberMember(objectMember(material, "normalTexture", where), "scale", where).value_or(1.0);
-        detail.normalScale = static_cast<float>(std::clamp(scale, -kMostNormalScale, kMostNormalScale));
+        detail.normalScale = static_cast<float>(std::clamp(scale, -kMaxNormalScale, kMaxNormalScale));
     }
     if (detail.occlusion) {
         detail.occlusionStrength =

@@ -42,8 +42,7 @@ namespace {
 
 constexpr std::size_t kTableSize = 18; // of the module
 constexpr std::uint32_t kResultBytes = 16;
-constexpr std::uint64_t kMostCorners =
-    ((std::uint64_t{1} << 32u) - kModuleBytes) / kCornerBytes; // of 32 bits
+constexpr std::uint64_t kMaxCorners = ((std::uint64_t{1} << 32u) - kModuleBytes) / kCornerBytes; // of 32 bits
 
 /// What ends a call.
 struct Trap {
@@ -134,7 +133,7 @@ base::Result<std::vector<glm::vec4>> mikkTSpace(std::size_t corners,
         return std::vector<glm::vec4>{};
     }
     const std::uint64_t bytes = kModuleBytes + corners * kCornerBytes;
-    if (corners > kMostCorners || mikkTSpaceBytes(corners) > limits.bytes) {
+    if (corners > kMaxCorners || mikkTSpaceBytes(corners) > limits.bytes) {
         return base::Refusal{"MikkTSpace would take too much memory"};
     }
     const std::unique_ptr<std::uint8_t[]> memory(new (std::nothrow) std::uint8_t[bytes]());

@@ -21,9 +21,9 @@ constexpr double kCore = 1e-3;
 constexpr double kFarAway = 1e6;
 constexpr double kFadesAfter = 1e3;
 /// Each costs time at every pixel.
-constexpr std::size_t kMostLights = 256;
+constexpr std::size_t kMaxLights = 256;
 /// Half pi, as programs round it that write few digits.
-constexpr double kMostAngle = 1.5709;
+constexpr double kMaxAngle = 1.5709;
 
 glm::vec3 colorOf(const json& light, const std::string& where) {
     glm::vec3 color(1.0f);
@@ -69,7 +69,7 @@ LightCone coneOf(const json& light, const std::string& where) {
     LightCone cone;
     cone.inner = numberOf(angles, "innerConeAngle", cone.inner, where);
     cone.outer = numberOf(angles, "outerConeAngle", cone.outer, where);
-    if (!(cone.inner >= 0.0 && cone.inner < cone.outer && cone.outer <= kMostAngle)) {
+    if (!(cone.inner >= 0.0 && cone.inner < cone.outer && cone.outer <= kMaxAngle)) {
         refuse("{}: its cone is from {} to {}, and it needs 0 <= inner < outer <= half pi", where, cone.inner,
                cone.outer);
     }
@@ -136,8 +136,8 @@ std::vector<GltfLight> placeLights(std::span<const LightNode> nodes, const json&
         if (extension == nullptr) {
             refuse("{}: the file has no {}", where, kLights);
         }
-        if (lights.size() == kMostLights) {
-            notes.add(fmt::format("lights beyond the first {} are not used", kMostLights), where);
+        if (lights.size() == kMaxLights) {
+            notes.add(fmt::format("lights beyond the first {} are not used", kMaxLights), where);
             continue;
         }
         std::optional<GltfLight> light = carriedBy(
