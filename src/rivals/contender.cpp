@@ -1,7 +1,7 @@
 #include <cdr/base/error.h>
 #include <cdr/host/stopwatch.h>
 #include <cdr/render/draw_source.h>
-#include <cdr/render/readback.h>
+#include <cdr/render/output/readback.h>
 
 #include <rivals/atomic_pass.h>
 #include <rivals/contender.h>

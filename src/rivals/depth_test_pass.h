@@ -3,7 +3,7 @@
 #include <cdr/gpu/memory.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/geometry/geometry_pipelines.h>
-#include <cdr/render/readback.h>
+#include <cdr/render/output/readback.h>
 
 #include <rivals/visibility_pass.h>
 

@@ -6,7 +6,7 @@
 #include <cdr/gpu/device_clock.h>
 #include <cdr/gpu/features.h>
 #include <cdr/gpu/memory.h>
-#include <cdr/render/readback.h>
+#include <cdr/render/output/readback.h>
 #include <scenes/cubes.h>
 
 #include <program/sha256.h>

@@ -72,6 +72,9 @@ struct JoinedView {
     std::int64_t firstColumn = 0;
 };
 
+/// What Renderer::render() copies to the host: the picture, or the G-buffer too, which is four times as large.
+enum class FrameCopy : std::uint8_t { color, everything };
+
 /// One rendered frame on the host. Pixels run from the top left.
 struct CDR_EXPORT Frame {
     scene::Camera camera;            ///< that looked, at all of it unless there are `views`

@@ -6,8 +6,8 @@
 #include <cdr/render/occluders/device_occlusion.h>
 #include <cdr/render/occluders/occlusion_culling.h>
 #include <cdr/render/output/depth_output.h>
+#include <cdr/render/output/frame_readback.h>
 #include <cdr/render/output/motion_pass.h>
-#include <cdr/render/readback.h>
 #include <cdr/render/renderer.h>
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/shading/resolve_pass.h>
@@ -100,12 +100,9 @@ struct Renderer::Passes {
     /// Where the CPU, or the device, leaves out what is hidden.
     OneOf<OcclusionCulling, DeviceOcclusion> occlusion{};
     std::unique_ptr<DepthOutput> depthOutput{}; ///< once a host asked for depth
-    Readback colorCopy;
-    Readback gbufferCopy;
-    std::unique_ptr<Readback> motionCopy; ///< of `motion`
-    std::unique_ptr<Readback> shadowCopy; ///< of the mask of `shadows`
-    std::size_t lightRoom = 0;            ///< of each slot's inputs
-    std::vector<Slot> slots{};            ///< taken in turn
+    FrameReadback readback;
+    std::size_t lightRoom = 0; ///< of each slot's inputs
+    std::vector<Slot> slots{}; ///< taken in turn
 };
 
 } // namespace cdr::render

@@ -112,13 +112,7 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
                                       options.shadows, blendedVariants(options.prepareFor))
                                 : nullptr),
       motion(options.motion ? std::make_unique<MotionPass>(device, gbuffer()) : nullptr),
-      colorCopy(device, extent, sizeof(image::Rgba8), "color copy"),
-      gbufferCopy(device, extent, sizeof(GBufferPixel), "G-buffer copy"),
-      motionCopy(options.motion ? std::make_unique<Readback>(device, extent, sizeof(glm::vec2), "motion copy")
-                                : nullptr),
-      shadowCopy(options.shadows.isOn()
-                     ? std::make_unique<Readback>(device, extent, sizeof(image::Rgba8), "shadow mask copy")
-                     : nullptr) {}
+      readback(device, extent, options) {}
 
 Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
                    const RenderOptions& options)

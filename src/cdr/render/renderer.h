@@ -31,10 +31,6 @@ class MotionHistory;
 class Targets;
 struct FrameView;
 
-/// What Renderer::render() copies to the host: the picture, or the G-buffer too, which is four times as
-/// large.
-enum class FrameCopy : std::uint8_t { color, everything };
-
 /// Renders a scene with one technique into one kind of targets, frame by frame.
 ///
 /// Data flows one way: camera -> cull -> split -> bin -> record on workers -> execute -> shade -> translucent
@@ -202,6 +198,9 @@ class CDR_EXPORT Renderer {
     /// An error ended it: the frame before stays the last one.
     void abandon(Slot& slot);
     Slot& run(const scene::Camera& camera, const Delivery& delivery);
+    static FrameCopy copyOf(Destination destination) {
+        return destination == Destination::host ? FrameCopy::everything : FrameCopy::color;
+    }
     void recordReadback(VkCommandBuffer commands, Destination destination) const;
     Frame fetch(const Slot& slot) const;
 

@@ -1,24 +1,10 @@
 #include "frame_slot.h"
 
-#include <cdr/gpu/commands.h>
 #include <cdr/render/output/color_output.h>
 
 #include <memory>
 
 namespace cdr::render {
-
-namespace {
-
-/// Hands an image that fragment shaders read to copies.
-vk::ImageMemoryBarrier2 copyBarrier(const gpu::Image& image) {
-    return gpu::imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor,
-                             vk::PipelineStageFlagBits2::eFragmentShader,
-                             vk::AccessFlagBits2::eShaderSampledRead, vk::PipelineStageFlagBits2::eCopy,
-                             vk::AccessFlagBits2::eTransferRead, vk::ImageLayout::eShaderReadOnlyOptimal,
-                             vk::ImageLayout::eTransferSrcOptimal);
-}
-
-} // namespace
 
 Surfaces Renderer::surfaces() const {
     m_areSurfacesNamed = true;
@@ -75,20 +61,14 @@ void Renderer::recordOutputs(Slot& slot, const HostFrame& host) {
 
 void Renderer::recordReadback(VkCommandBuffer commands, Destination destination) const {
     const vk::CommandBuffer primary(commands);
-    const gpu::Image& gbuffer = m_passes->gbuffer();
     m_device.beginLabel(primary, "read-back");
-    m_passes->colorCopy.record(primary, m_passes->picture.encoded());
-    if (destination == Destination::host) {
-        gpu::pipelineBarrier(primary, {copyBarrier(gbuffer)});
-        m_passes->gbufferCopy.record(primary, gbuffer);
-        if (m_passes->motion != nullptr) {
-            m_passes->motionCopy->record(primary, m_passes->motion->image());
-        }
-        if (m_passes->shadows != nullptr) {
-            gpu::pipelineBarrier(primary, {copyBarrier(m_passes->shadows->mask())});
-            m_passes->shadowCopy->record(primary, m_passes->shadows->mask());
-        }
-    }
+    m_passes->readback.record(
+        primary,
+        {.color = m_passes->picture.encoded(),
+         .gbuffer = m_passes->gbuffer(),
+         .motion = m_passes->motion != nullptr ? &m_passes->motion->image() : nullptr,
+         .shadowMask = m_passes->shadows != nullptr ? &m_passes->shadows->mask() : nullptr},
+        copyOf(destination));
     if (m_passes->translucent != nullptr) {
         m_passes->translucent->recordReadback(primary);
     }
@@ -101,16 +81,7 @@ Frame Renderer::fetch(const Slot& slot) const {
     frame.camera = slot.view.camera;
     frame.cascades = slot.view.ranges();
     frame.anchorsView = slot.view.anchorsView();
-    frame.color = m_passes->colorCopy.fetch<image::Rgba8>();
-    if (slot.destination == Destination::host) {
-        frame.gbuffer = m_passes->gbufferCopy.fetch<GBufferPixel>();
-        if (m_passes->motionCopy != nullptr) {
-            frame.motion = m_passes->motionCopy->fetch<glm::vec2>();
-        }
-        if (m_passes->shadowCopy != nullptr) {
-            frame.reached = m_passes->shadowCopy->fetch<image::Rgba8>();
-        }
-    }
+    m_passes->readback.fetch(copyOf(slot.destination), frame);
     if (m_passes->translucent != nullptr) {
         frame.fragmentCounts = m_passes->translucent->fragmentCounts();
     }

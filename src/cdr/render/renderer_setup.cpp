@@ -2,8 +2,8 @@
 #include <cdr/render/materials/material_words.h>
 #include <cdr/render/occluders/device_occlusion.h>
 #include <cdr/render/occluders/occlusion_culling.h>
+#include <cdr/render/output/frame_readback.h>
 #include <cdr/render/output/motion_pass.h>
-#include <cdr/render/readback.h>
 #include <cdr/render/renderer_setup.h>
 #include <cdr/render/shadows/shadow_pass.h>
 
@@ -45,13 +45,6 @@ void requireDetail(const RenderOptions& options) {
 }
 
 /// Of the copies of a frame on the host.
-std::uint64_t predictCopyBytes(const gpu::Device& device, vk::Extent2D extent, const RenderOptions& options) {
-    const std::size_t bytesPerPixel = sizeof(image::Rgba8) + sizeof(GBufferPixel) +
-                                      (options.motion ? sizeof(glm::vec2) : 0) +
-                                      (options.shadows.isOn() ? sizeof(image::Rgba8) : 0);
-    return Readback::predictBytes(device, extent, bytesPerPixel);
-}
-
 std::uint64_t predictOcclusionBytes(const gpu::Device& device, vk::Extent2D extent,
                                     const RenderOptions& options) {
     if (!options.occlusionCulling) {
@@ -136,7 +129,7 @@ std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions
     return predictLayerBytes(device, extent, options.technique.format,
                              hasFacets ? kVisibilityFormat : kGBufferFormat) +
            (hasFacets ? gpu::predictBytes(device, gbufferOptions(extent)) : 0) +
-           predictLitBytes(device, extent, options) + predictCopyBytes(device, extent, options) +
+           predictLitBytes(device, extent, options) + FrameReadback::predictBytes(device, extent, options) +
            Picture::predictBytes(device, pictureOptions(extent, options, scene)) +
            ShadingPass::predictBytes(extent, options.effects) +
            (options.motion ? MotionPass::predictBytes(device, extent) : 0) +

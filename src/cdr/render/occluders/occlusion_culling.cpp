@@ -3,7 +3,7 @@
 #include <cdr/render/occluders/depth_reduction.h>
 #include <cdr/render/occluders/occluder_view.h>
 #include <cdr/render/occluders/occlusion_culling.h>
-#include <cdr/render/readback.h>
+#include <cdr/render/output/readback.h>
 #include <cdr/visibility/hidden_cells.h>
 
 #include <utility>

@@ -1,5 +1,5 @@
 #include <cdr/gpu/commands.h>
-#include <cdr/render/readback.h>
+#include <cdr/render/output/readback.h>
 
 namespace cdr::render {
 

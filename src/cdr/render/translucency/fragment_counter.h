@@ -3,7 +3,7 @@
 #include <cdr/gpu/memory.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/image/image.h>
-#include <cdr/render/readback.h>
+#include <cdr/render/output/readback.h>
 
 namespace cdr::render {
 
