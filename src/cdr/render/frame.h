@@ -90,7 +90,7 @@ struct CDR_EXPORT Frame {
     image::Raster<glm::vec2> motion;
     /// Of each of the first kMaxShadowLights lights 255 where it reaches the opaque surface, else 0. Where its cone or
     /// range leaves no light, either. Empty without RenderOptions::shadows, or where FrameCopy::color was asked for.
-    image::ImageRgba8 reached;
+    image::ImageRgba8 litMask;
     /// Translucent fragments at or in front of the opaque surface; empty unless they were counted.
     image::ImageU32 fragmentCounts;
     FrameStats stats; ///< what the frame came to

@@ -38,7 +38,7 @@ std::vector<ShadowVariant> shadowVariants(const ShadowExperiment& experiment) {
 /// Fills in what a frame came to.
 /// @param result names the technique, the method, the frame and the light.
 ShadowResult compared(const render::Frame& frame, const measure::ShadowImage& truth, ShadowResult result) {
-    const measure::RenderedLight light{frame.reached, result.light};
+    const measure::RenderedLight light{frame.litMask, result.light};
     result.wrong = measure::countWrongShadows(light, truth);
     result.maps = frame.stats.shadows.maps;
     result.casters = frame.stats.shadows.casters;
@@ -89,11 +89,11 @@ void runShadows(const gpu::Device& device, const scene::SceneSetup& setup,
                 if (i > 0) {
                     result.flips = measure::countShadowFlips(
                         {.light = {reachedBefore, light}, .truth = truths[(i - 1) * lights + light]},
-                        {.light = {frame.reached, light}, .truth = truths[i * lights + light]});
+                        {.light = {frame.litMask, light}, .truth = truths[i * lights + light]});
                 }
                 take(compared(frame, truths[i * lights + light], std::move(result)));
             }
-            reachedBefore = frame.reached;
+            reachedBefore = frame.litMask;
         }
     }
 }

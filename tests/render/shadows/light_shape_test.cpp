@@ -175,7 +175,7 @@ class ShapedShadowsTest : public RenderTest {
         scene.lights = {light};
         scene.lights.front().cone.reset();
         scene.lights.front().range.reset();
-        const image::ImageRgba8 reached = draw(scene, camera, m_options).reached;
+        const image::ImageRgba8 reached = draw(scene, camera, m_options).litMask;
         RenderOptions plain = m_options;
         plain.shadows = {};
         scene.lights = {light};

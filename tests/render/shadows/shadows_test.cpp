@@ -52,7 +52,7 @@ class ShadowsTest : public RenderTest {
                                                 const std::vector<measure::ShadowImage>& truth) {
         measure::WrongShadows wrong;
         for (std::size_t light = 0; light < truth.size(); ++light) {
-            wrong += measure::countWrongShadows({drawn.reached, light}, truth[light]);
+            wrong += measure::countWrongShadows({drawn.litMask, light}, truth[light]);
         }
         return wrong;
     }
@@ -187,7 +187,7 @@ TEST_F(ShadowsTest, PicturesAreRightAndTheSameForThreadsTargetsAndSubmissions) {
         const auto expectSame = [&](const RenderOptions& options) {
             const render::Frame made = drawn(options);
             EXPECT_EQ(hashOf(made), hashOf(wanted)) << named.name;
-            EXPECT_EQ(made.reached.pixels, wanted.reached.pixels) << named.name;
+            EXPECT_EQ(made.litMask.pixels, wanted.litMask.pixels) << named.name;
         };
         for (const std::size_t threads : {2u, 4u}) {
             RenderOptions options = first;
@@ -233,7 +233,7 @@ TEST_F(ShadowsTest, WithoutSurfacesOrCastersAllIsReached) {
     scene::Scene scene = boxScene();
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 1e3};
     const auto isReached = [](const render::Frame& frame) {
-        return std::all_of(frame.reached.pixels.begin(), frame.reached.pixels.end(),
+        return std::all_of(frame.litMask.pixels.begin(), frame.litMask.pixels.end(),
                            [](const image::Rgba8& pixel) { return pixel[0] == 255; });
     };
     EXPECT_TRUE(isReached(draw(scene, camera, shadowOptions("anchored"))));
@@ -268,7 +268,7 @@ TEST_F(ShadowsTest, AMeshWithoutTrianglesTakesNoShadowAway) {
     scene::addInstance(scene, 1, 0, 1, {0.0, -11.0, -10.0}, glm::mat3(20.0f));
     const scene::Camera camera = scene::lookAlong({.farView = 1000.0}, {0.0, 6.0, 0.0}, {0.0, -0.5, -1.0});
     const RenderOptions options = shadowOptions("anchored");
-    const image::ImageRgba8 wanted = draw(scene, camera, options).reached;
+    const image::ImageRgba8 wanted = draw(scene, camera, options).litMask;
     const auto isDark = [](const image::Rgba8& pixel) { return pixel[0] == 0; };
     ASSERT_GT(std::count_if(wanted.pixels.begin(), wanted.pixels.end(), isDark), 100);
     for (const bool isFirst : {false, true}) { // of both, in the order in which they are drawn
@@ -277,7 +277,7 @@ TEST_F(ShadowsTest, AMeshWithoutTrianglesTakesNoShadowAway) {
         if (isFirst) {
             scene::swapInstances(more.instances, 0, 2);
         }
-        EXPECT_EQ(draw(more, camera, options).reached, wanted) << isFirst;
+        EXPECT_EQ(draw(more, camera, options).litMask, wanted) << isFirst;
     }
 }
 

@@ -249,7 +249,7 @@ TEST_F(WorldTest, RenderersOfAnyOptionsShowAnyEdits) {
                     << "seed " << seed << ", batch " << batch << ": " << describe(renderer->options());
                 ASSERT_EQ(frame.fragmentCounts.pixels, wanted.fragmentCounts.pixels);
                 ASSERT_EQ(frame.motion.pixels, wanted.motion.pixels);
-                ASSERT_EQ(frame.reached.pixels, wanted.reached.pixels);
+                ASSERT_EQ(frame.litMask.pixels, wanted.litMask.pixels);
             }
             ASSERT_EQ(messageCount(), 0u);
         }

@@ -61,7 +61,7 @@ void FrameReadback::fetch(FrameCopy copy, Frame& frame) const {
         frame.motion = m_motion->fetch<glm::vec2>();
     }
     if (m_shadowMask) {
-        frame.reached = m_shadowMask->fetch<image::Rgba8>();
+        frame.litMask = m_shadowMask->fetch<image::Rgba8>();
     }
 }
 

@@ -84,7 +84,7 @@ Frame joinedFrame(std::span<const Frame> views, const scene::Camera& camera, std
     joined.color = joinedRaster(views, &Frame::color, shift, image::Rgba8{0, 0, 0, 255});
     joined.gbuffer = joinedRaster(views, &Frame::gbuffer, shift);
     joined.motion = joinedRaster(views, &Frame::motion, shift);
-    joined.reached = joinedRaster(views, &Frame::reached, shift);
+    joined.litMask = joinedRaster(views, &Frame::litMask, shift);
     joined.fragmentCounts = joinedRaster(views, &Frame::fragmentCounts, shift);
     joined.stats = joinedStats(views);
     return joined;
