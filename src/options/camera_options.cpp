@@ -111,9 +111,8 @@ void addPointRadius(CLI::App& command, std::optional<double>& radius) {
 
 void addSceneChoice(CLI::App& command, scene::GltfChoice& choice) {
     command.add_option("--gltf-scene", choice.scene, "Scene of a glTF file, from 0; its default one");
-    command.add_option(
-        "--camera", choice.camera,
-        "Look through a glTF scene's camera, from 0; else the view shows all of the scene");
+    command.add_option("--camera", choice.camera,
+                       "Look through a glTF scene's camera, from 0; else the view shows all of the scene");
 }
 
 void addAnimationChoice(CLI::App& command, scene::GltfChoice& choice) {

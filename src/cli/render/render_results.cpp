@@ -30,8 +30,7 @@ std::vector<std::string> notesOn(Command& command, std::size_t index, const Fram
         notes.push_back(fmt::format("not drawn as requested: {}", output::noteOnLostEmission()));
     }
     if (isFirst && frame.stats.lostMetallicRoughness) {
-        notes.push_back(
-            fmt::format("not drawn as requested: {}", output::noteOnLostMetallicRoughness()));
+        notes.push_back(fmt::format("not drawn as requested: {}", output::noteOnLostMetallicRoughness()));
     }
     return notes;
 }

@@ -185,8 +185,8 @@ void run(Command& command, InspectArguments& arguments) {
         inspection.simplest ? output::jsonOf(techniqueColumns(), inspection.techniques[*inspection.simplest])
                             : nlohmann::ordered_json(nullptr);
     document["advice"] = experiments::explain(inspection, setup.scene, view);
-    document["advice_parts"] = output::sentenceParts(
-        experiments::explain(inspection, setup.scene, view, output::markedLength));
+    document["advice_parts"] =
+        output::sentenceParts(experiments::explain(inspection, setup.scene, view, output::markedLength));
     document["fail_above"] = arguments.failAbove ? nlohmann::ordered_json(*arguments.failAbove) : nullptr;
     document["fails"] = fails;
     command.writeDocument(document);
