@@ -78,7 +78,7 @@ TEST_F(FinishTest, SkiesLightAsInFloat64) {
     scene.lights.clear();
     scene.sky = scene::Sky{.up = glm::normalize(glm::dvec3(0.2, 1.0, 0.3))};
     host::WorkerPool workers(2);
-    render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
+    render::RenderOptions options = quarterOf(smallOptions(depth::parseTechnique("reversed")));
     options.effects.finish.toneMap = render::ToneMap::none;
     const auto expectAlike = [&](int most) {
         const auto truth = measure::castLayers(scene, kCamera, options.width, options.height, workers);
