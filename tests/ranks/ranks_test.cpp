@@ -214,10 +214,10 @@ TEST_P(LaunchedRanks, NameTheOneThatWasKilledAndNotTheOneThatWasAskedThen) {
     FAIL() << all.front();
 }
 
-/// What the first rank holds until an earlier unit comes has a bound.
+/// What the first rank holds until an earlier unit comes has a bound. All units are several times as many.
 TEST_P(LaunchedRanks, BeginNoUnitFarAheadOfOneThatIsLate) {
     const test::TemporaryFolder folder;
-    const Outcome outcome = runAs(GetParam(), "3000 tarry 0 0 '" + (folder.path() / "begun").string() + "'");
+    const Outcome outcome = runAs(GetParam(), "400 tarry 0 0 '" + (folder.path() / "begun").string() + "'");
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     std::smatch found;
     std::string out = outcome.out;
