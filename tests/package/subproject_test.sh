@@ -19,9 +19,12 @@ for by in add_subdirectory FetchContent; do
         -DCMAKE_CXX_FLAGS_DEBUG= "-DCMAKE_CXX_FLAGS=-fno-exceptions -fno-rtti" "-DCDR_BY=$by" "-DCDR_SOURCE=$source_dir" \
         -DCDR_WARNINGS_AS_ERRORS=ON -DCDR_UNITY_BUILD=ON
 done
-# An engine has some of the libraries already.
-for library in fmt glm nlohmann_json meshoptimizer draco; do
-    quiet cmake -G Ninja -S "$source_dir/tests/package/subproject" -B "$work/has_$library" "-DENGINE_HAS=$library" \
+# An engine has some of the libraries already. All of them at once find whichever cdr makes again; CDR_ALL_CASES takes each alone too.
+libraries=(fmt glm nlohmann_json meshoptimizer draco)
+has=("$(IFS=';' && echo "${libraries[*]}")")
+if [[ -n ${CDR_ALL_CASES-} ]]; then has+=("${libraries[@]}"); fi
+for some in "${has[@]}"; do
+    quiet cmake -G Ninja -S "$source_dir/tests/package/subproject" -B "$work/has_${some//;/_}" "-DENGINE_HAS=$some" \
         -DCDR_BY=add_subdirectory "-DCDR_SOURCE=$source_dir"
 done
 # What the engine does not link is not built, and its own program lands where it says.
