@@ -45,7 +45,8 @@ check_all() {
     CDR_ALL_CASES=1 build/release/bin/test_render --gtest_brief=1 \
         --gtest_filter='WorldTest.*:WorldSoakTest.*:SharedPipelinesTest.*:OcclusionCullingTest.*'
     CDR_ALL_CASES=1 build/release/bin/test_depth --gtest_brief=1 --gtest_filter='WholeRange.*'
-    CDR_ALL_CASES=1 ctest --preset release --tests-regex '^(Documents|Package)$'
+    CDR_ALL_CASES=1 build/release/bin/test_measure --gtest_brief=1 --gtest_filter='Certifier.*'
+    CDR_ALL_CASES=1 ctest --preset release --tests-regex '^(Documents|Package|PackageAdded|Fuzz[.].*)$'
     tools/fuzz.sh
     check_mpich
     # Whose status for "cannot be started here" it has explained itself.
