@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -53,6 +54,17 @@ addPaintedGround(SceneBuilder& builder, const GroundPainter& painter, const Eart
     };
 }
 
+scene::Material& materialOf(scene::Scene& scene, std::string_view name) {
+    const auto found = std::find_if(scene.materials.begin(), scene.materials.end(),
+                                    [&](const scene::Material& material) { return material.name == name; });
+    return *found;
+}
+
+/// The gaps between sheets are narrower than pixels of all frames, so walls of another colour would show as broken lines.
+void paintWallsAsCladding(scene::Scene& scene) {
+    materialOf(scene, kHangarWall).baseColorFactor = materialOf(scene, kCladding).baseColorFactor;
+}
+
 scene::Air airOf(const EarthSurface& surface, const scene::PointLight& sun) {
     // The Earth's axis in world space: from its centre to the pole.
     const glm::dvec3 centre = surface.earthCentre();
@@ -74,6 +86,7 @@ scene::SceneSetup makeEarth(const EarthMaps& maps, const scene::Scene* parked, c
     const auto cover = [&](SceneBuilder& builder) { return addPaintedGround(builder, painter, options); };
     scene::SceneSetup setup = makeOrbitOn(surface, cover, parked);
     setup.scene.name = "earth";
+    paintWallsAsCladding(setup.scene);
     setup.scene.air = airOf(surface, setup.scene.lights.front());
     return setup;
 }

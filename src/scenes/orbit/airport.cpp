@@ -146,8 +146,8 @@ void addAirport(SceneBuilder& builder) {
     const std::uint32_t asphalt = builder.addMaterial("asphalt", glm::vec3(0.11f));
     const std::uint32_t white = builder.addMaterial("white paint", glm::vec3(0.8f));
     const std::uint32_t yellow = builder.addMaterial("yellow paint", glm::vec3(0.75f, 0.5f, 0.04f));
-    const std::uint32_t wall = builder.addMaterial("hangar wall", glm::vec3(0.12f, 0.05f, 0.03f));
-    const std::uint32_t sheet = builder.addMaterial("cladding", glm::vec3(0.42f, 0.52f, 0.6f));
+    const std::uint32_t wall = builder.addMaterial(kHangarWall, glm::vec3(0.12f, 0.05f, 0.03f));
+    const std::uint32_t sheet = builder.addMaterial(kCladding, glm::vec3(0.42f, 0.52f, 0.6f));
     for (int i = 0; i < 3; ++i) {
         addHangar(builder, wall, sheet, 90.0 + 90.0 * i, i + 1);
     }

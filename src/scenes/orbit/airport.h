@@ -7,12 +7,14 @@ namespace cdr::scenes {
 
 // All heights of the airport are metres over the levelled soil, y = 0. The origin is the middle of the runway
 // numbers; x is east and z is south.
-inline constexpr double kSlabHeight = 0.02;        ///< of runway, taxiway and apron over the soil
-inline constexpr double kMarkingHeight = 0.005;    ///< of paint over the slab
-inline constexpr double kCladdingThickness = 0.01; ///< of the sheets over a hangar's walls and roof
-inline constexpr double kNumberHeight = 9.0;       ///< of the characters (ICAO Annex 14, 5.2.2.5)
-inline constexpr double kRunwayWest = -52.5;       ///< x of the runway's end
-inline constexpr double kRunwayLength = 3'900.0;   ///< metres, 65 slabs of concrete
+inline constexpr double kSlabHeight = 0.02;               ///< of runway, taxiway and apron over the soil
+inline constexpr double kMarkingHeight = 0.005;           ///< of paint over the slab
+inline constexpr double kCladdingThickness = 0.01;        ///< of the sheets over a hangar's walls and roof
+inline constexpr const char* kHangarWall = "hangar wall"; ///< a material, which shows in gaps between sheets
+inline constexpr const char* kCladding = "cladding";      ///< the material of the sheets
+inline constexpr double kNumberHeight = 9.0;              ///< of the characters (ICAO Annex 14, 5.2.2.5)
+inline constexpr double kRunwayWest = -52.5;              ///< x of the runway's end
+inline constexpr double kRunwayLength = 3'900.0;          ///< metres, 65 slabs of concrete
 inline constexpr glm::dvec3 kApronParking{190.0, 0.0, -195.0}; ///< where the model stands
 
 /// The ground that an airport asks to be level.

@@ -3,8 +3,12 @@
 #include <cdr/scene/world/check.h>
 #include <scenes/earth/earth.h>
 #include <scenes/earth/ground_blocks.h>
+#include <scenes/orbit/airport.h>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string_view>
 
 namespace cdr::scenes::test {
 
@@ -33,6 +37,19 @@ TEST_F(EarthScene, IsTheOrbitButForGroundAndAir) {
     EXPECT_EQ(m_earth.path.frames, m_orbit.path.frames);
     EXPECT_EQ(m_earth.path.at(100).position, m_orbit.path.at(100).position);
     EXPECT_FALSE(orbit.air);
+}
+
+/// Gaps of a tenth of a metre are narrower than pixels, so a wall of another colour shows as broken lines.
+TEST_F(EarthScene, WallsBehindCladdingHaveItsColor) {
+    const auto colorOf = [](const scene::Scene& scene, std::string_view name) {
+        const auto found =
+            std::find_if(scene.materials.begin(), scene.materials.end(),
+                         [&](const scene::Material& material) { return material.name == name; });
+        return found == scene.materials.end() ? glm::vec4(0.0f) : found->baseColorFactor;
+    };
+    EXPECT_GT(colorOf(m_earth.scene, kCladding).b, 0.5f);
+    EXPECT_EQ(colorOf(m_earth.scene, kHangarWall), colorOf(m_earth.scene, kCladding));
+    EXPECT_NE(colorOf(m_orbit.scene, kHangarWall), colorOf(m_orbit.scene, kCladding)) << "it is measured";
 }
 
 /// A texture begins and ends within its block, so no tile shows a smeared edge.
