@@ -42,15 +42,21 @@ MarbleColor BlueMarble::at(const Geodetic& place) const {
     const std::array<double, 4> across = splineWeights(x - left);
     const std::array<double, 4> down = splineWeights(y - top);
     MarbleColor sum;
+    glm::dvec3 ofLand(0.0);
     for (int j = 0; j < 4; ++j) {
         for (int i = 0; i < 4; ++i) {
             const glm::dvec3 color =
                 texel(static_cast<std::int64_t>(left) + i - 1, static_cast<std::int64_t>(top) + j - 1);
             const double weight = across[static_cast<std::size_t>(i)] * down[static_cast<std::size_t>(j)];
             sum.color += weight * color;
-            sum.water += weight * waterOf(color);
+            const double water = waterOf(color);
+            sum.water += weight * water;
+            ofLand += weight * (1.0 - water) * color;
         }
     }
+    // Else the sea beside it would make land blue, for kilometres.
+    const double land = 1.0 - sum.water;
+    sum.color = land > 1e-3 ? ofLand / land : sum.color;
     return sum;
 }
 

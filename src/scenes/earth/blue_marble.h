@@ -9,7 +9,7 @@ namespace cdr::scenes {
 
 /// What the blue marble shows at a place.
 struct MarbleColor {
-    glm::dvec3 color{0.0}; ///< linear
+    glm::dvec3 color{0.0}; ///< linear, of the land alone where there is some
     double water = 0.0;    ///< 0 on land, 1 at sea
 };
 

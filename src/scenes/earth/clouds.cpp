@@ -16,18 +16,20 @@ constexpr Waves kThickness{.longest = 900e3, .shortest = 250.0, .gain = 0.76, .s
 
 } // namespace
 
-Clouds::Weather Clouds::weatherAt(const glm::dvec2& place, double texel) const {
+Clouds::Weather Clouds::weatherAt(const glm::dvec2& place, const Fineness& fineness) const {
     Weather weather;
     const Waves turns{.longest = kWindLength, .shortest = 0.2 * kWindLength, .gain = 0.5, .seed = 7};
-    weather.wind = kWind * glm::dvec2(sumWaves(turns, place, texel), sumWaves(turns, place + 3e6, texel));
+    weather.wind = kWind * glm::dvec2(sumWaves(turns, place, fineness.texel),
+                                      sumWaves(turns, place + 3e6, fineness.texel));
     const glm::dvec2 blown = place + weather.wind;
     const double clearing = 3.5 * (1.0 - smoothStep(kClearAround, kUsualFrom, glm::length(place)));
-    weather.here = sumWaves(kThickness, blown, texel, WavePart::ofGrid) - clearing;
-    weather.sunwards = sumWaves(kThickness, blown + m_toShade, texel, WavePart::ofGrid) - clearing;
+    weather.here = sumWaves(kThickness, blown, fineness, WavePart::ofGrid) - clearing;
+    weather.sunwards = sumWaves(kThickness, blown + m_toShade, fineness, WavePart::ofGrid) - clearing;
     return weather;
 }
 
-Clouds::Cover Clouds::coverAt(const Weather& weather, const glm::dvec2& place, double texel) const {
+Clouds::Cover Clouds::coverAt(const Weather& weather, const glm::dvec2& place,
+                              const Fineness& fineness) const {
     // Shorter waves add less than this.
     constexpr double kMaxRest = 2.0;
     constexpr double kThin = 0.12;
@@ -36,12 +38,12 @@ Clouds::Cover Clouds::coverAt(const Weather& weather, const glm::dvec2& place, d
         return {};
     }
     const glm::dvec2 blown = place + weather.wind;
-    const double here = weather.here + sumWaves(kThickness, blown, texel, WavePart::beyondGrid);
+    const double here = weather.here + sumWaves(kThickness, blown, fineness, WavePart::beyondGrid);
     const double sunwards =
-        weather.sunwards + sumWaves(kThickness, blown + m_toShade, texel, WavePart::beyondGrid);
+        weather.sunwards + sumWaves(kThickness, blown + m_toShade, fineness, WavePart::beyondGrid);
     return {.share = smoothStep(kThin, kThick, here),
             .shade = 0.6 * smoothStep(kThin, kThick, sunwards),
-            .bright = std::clamp(0.6 + 0.14 * here + 0.3 * (here - sunwards), 0.35, 0.95)};
+            .bright = std::clamp(0.66 + 0.14 * here + 0.3 * (here - sunwards), 0.35, 1.0)};
 }
 
 } // namespace cdr::scenes

@@ -25,8 +25,8 @@ class Clouds {
     /// @param toShade from a place to that below the cloud that shades it, metres east and south.
     explicit Clouds(const glm::dvec2& toShade) : m_toShade(toShade) {}
 
-    Weather weatherAt(const glm::dvec2& place, double texel) const;
-    Cover coverAt(const Weather& weather, const glm::dvec2& place, double texel) const;
+    Weather weatherAt(const glm::dvec2& place, const Fineness& fineness) const;
+    Cover coverAt(const Weather& weather, const glm::dvec2& place, const Fineness& fineness) const;
 
   private:
     glm::dvec2 m_toShade;

@@ -13,13 +13,14 @@ namespace {
 constexpr glm::dvec3 kAsphalt(0.10, 0.10, 0.105);
 constexpr glm::dvec3 kRiver(0.02, 0.045, 0.06);
 constexpr glm::dvec3 kLawn(0.10, 0.155, 0.045);
-constexpr glm::dvec3 kTown(0.16, 0.15, 0.12);
-constexpr glm::dvec3 kWood(0.5, 0.66, 0.36); ///< times the land's
+constexpr glm::dvec3 kTown(0.17, 0.145, 0.10);
+constexpr glm::dvec3 kWood(0.042, 0.07, 0.006); ///< and a part of the land's
 
 // Waves, metres.
-constexpr Waves kHills{.longest = 80e3, .shortest = 30.0, .gain = 0.6, .seed = 21};
+constexpr Waves kHills{.longest = 80e3, .shortest = 30.0, .gain = 0.8, .seed = 21};
 constexpr Waves kDry{.longest = 50e3, .shortest = 2e3, .gain = 0.5, .seed = 22};
-constexpr Waves kWoods{.longest = 3'200.0, .shortest = 12.0, .gain = 0.58, .seed = 41};
+constexpr Waves kWoods{.longest = 6'400.0, .shortest = 12.0, .gain = 0.7, .seed = 41};
+constexpr Waves kMottle{.longest = 2'400.0, .shortest = 14.0, .gain = 0.85, .seed = 43};
 constexpr Waves kTowns{.longest = 17e3, .shortest = 500.0, .gain = 0.55, .seed = 51};
 
 /// How much of a texel a line covers whose middle is so far away; metres.
@@ -34,9 +35,14 @@ double toContour(const Wave& wave) {
     return wave.value / std::max(glm::length(wave.slope), 1e-9);
 }
 
-/// As shownBy(), but over more sizes of texels, since single texels of unlike colours look like a country from afar.
+/// How far single texels differ that are larger than what they show, as means of many would.
 double speckled(double texel, double length) {
-    return std::clamp(1.3 - texel / length, 0.0, 1.0);
+    return std::clamp(length / texel - 0.1, 0.0, 1.0);
+}
+
+/// Half the width of the step that is to be the share of ground above a height, if texels leave out so much of a sum.
+double blurOf(const Waves& waves, double texel) {
+    return 0.7 * leftOut(waves, texel);
 }
 
 constexpr std::array<glm::dvec3, 8> kCrops{{{0.80, 1.05, 0.6},
@@ -78,7 +84,7 @@ Brick brickAt(const glm::dvec2& place, const glm::dvec2& size, std::uint32_t see
 }
 
 glm::dvec3 fields(const glm::dvec3& land, const glm::dvec2& bent, double texel) {
-    const double shown = speckled(texel, 600.0);
+    const double shown = speckled(texel, 340.0);
     if (shown <= 0.0) {
         return land * kMeanCrop;
     }
@@ -90,24 +96,28 @@ glm::dvec3 fields(const glm::dvec3& land, const glm::dvec2& bent, double texel) 
     return land * glm::mix(kMeanCrop, crop, shown);
 }
 
-glm::dvec3 woods(const glm::dvec3& color, const glm::dvec3& land, double thick, const glm::dvec2& place,
-                 double texel) {
-    constexpr double kUsualShare = 0.16;
-    const double share = blend(kUsualShare, smoothStep(0.5, 0.58, thick), speckled(texel, 650.0));
+glm::dvec3 woods(const glm::dvec3& color, const glm::dvec3& land, const Country& country,
+                 const glm::dvec2& place, const Fineness& fineness) {
+    const double thick = country.woods + sumWaves(kWoods, place, fineness, WavePart::beyondGrid);
+    const double share = smoothStep(0.46 - country.woodsBlur, 0.5 + country.woodsBlur, thick);
     if (share <= 0.0) {
         return color;
     }
-    const double crowns = 1.0 + 0.25 * std::clamp(thick - 0.9, -0.6, 0.6) +
-                          0.2 * shownBy(texel, 14.0) * waveAt(place, 14.0, 42).value;
-    return glm::mix(color, land * kWood * crowns, share);
+    const double crowns = 1.0 + 0.22 * sumWaves(kMottle, place, fineness.texel) +
+                          0.2 * shownBy(fineness.texel, 14.0) * waveAt(place, 14.0, 42).value;
+    return glm::mix(color, (kWood + 0.3 * land) * std::max(crowns, 0.3), share);
 }
 
-glm::dvec3 towns(const glm::dvec3& color, double dense, const glm::dvec2& bent, double texel) {
-    const double share = 0.9 * smoothStep(0.62, 1.25, dense);
+glm::dvec3 towns(const glm::dvec3& color, const Country& country, const glm::dvec2& place,
+                 const Fineness& fineness) {
+    const double dense = country.towns + sumWaves(kTowns, place, fineness, WavePart::beyondGrid);
+    const double share = 0.9 * smoothStep(0.62 - country.townsBlur, 1.25 + country.townsBlur, dense);
     if (share <= 0.0) {
         return color;
     }
-    const double shown = speckled(texel, 450.0);
+    const double texel = fineness.texel;
+    const glm::dvec2 bent = place + country.bend;
+    const double shown = speckled(texel, 300.0);
     const glm::dvec3 afar = glm::mix(color, kTown, share);
     if (shown <= 0.0) {
         return afar;
@@ -154,15 +164,41 @@ glm::dvec3 lawnAt(const glm::dvec2& place, double texel) {
     return kLawn * (1.0 + 0.2 * patches + 0.04 * mown + 0.13 * tufts);
 }
 
+/// The country without the airport.
+glm::dvec3 openCountry(const glm::dvec3& color, const Country& country, const glm::dvec2& place,
+                       const Fineness& fineness) {
+    const double texel = fineness.texel;
+    // Texels beyond this show none of it.
+    constexpr double kFromAfar = 600.0;
+    const double hills = country.hills + sumWaves(kHills, place, fineness, WavePart::beyondGrid);
+    // What is bright from afar is desert or snow.
+    const double farmed = 1.0 - smoothStep(0.16, 0.35, color.g);
+    // Along coasts the marble has bluish land, which plants are not.
+    const glm::dvec3 green(std::max(color.r, 0.65 * color.g), color.g, std::min(color.b, 0.3 * color.g));
+    const glm::dvec3 land = glm::mix(color, green, farmed) * std::max(1.0 + 0.25 * hills, 0.3) *
+                            (1.0 + country.dry * glm::dvec3(0.16, 0.04, -0.06));
+    if (farmed <= 0.0) {
+        return land;
+    }
+    const glm::dvec2 bent = place + country.bend;
+    glm::dvec3 seen = fields(land, bent, texel);
+    seen = woods(seen, land, country, place, fineness);
+    seen = towns(seen, country, place, fineness);
+    seen = texel < kFromAfar ? linesOf(seen, country, texel) : seen;
+    return glm::mix(land, seen, farmed);
+}
+
 } // namespace
 
-Country countryAt(const glm::dvec2& place, double texel) {
+Country countryAt(const glm::dvec2& place, const Fineness& fineness) {
     const glm::dvec2 wound =
         place + 900.0 * glm::dvec2(waveAt(place, 6e3, 61).value, waveAt(place, 6e3, 62).value);
-    return {.hills = sumWaves(kHills, place, texel, WavePart::ofGrid),
-            .dry = sumWaves(kDry, place, texel),
-            .woods = sumWaves(kWoods, place, texel, WavePart::ofGrid),
-            .towns = sumWaves(kTowns, place, texel, WavePart::ofGrid),
+    return {.hills = sumWaves(kHills, place, fineness, WavePart::ofGrid),
+            .dry = sumWaves(kDry, place, fineness.texel),
+            .woods = sumWaves(kWoods, place, fineness, WavePart::ofGrid),
+            .towns = sumWaves(kTowns, place, fineness, WavePart::ofGrid),
+            .woodsBlur = blurOf(kWoods, fineness.texel),
+            .townsBlur = blurOf(kTowns, fineness.texel),
             .bend = 90.0 * glm::dvec2(waveAt(place, 1'100.0, 31).value, waveAt(place, 1'100.0, 32).value),
             .river = toContour(waveAt(wound, 70e3, 63)),
             .road = toContour(waveAt(place, 11e3, 65)),
@@ -174,6 +210,8 @@ Country between(const Country& a, const Country& b, double share) {
             .dry = blend(a.dry, b.dry, share),
             .woods = blend(a.woods, b.woods, share),
             .towns = blend(a.towns, b.towns, share),
+            .woodsBlur = blend(a.woodsBlur, b.woodsBlur, share),
+            .townsBlur = blend(a.townsBlur, b.townsBlur, share),
             .bend = glm::mix(a.bend, b.bend, share),
             .river = blend(a.river, b.river, share),
             .road = blend(a.road, b.road, share),
@@ -181,30 +219,16 @@ Country between(const Country& a, const Country& b, double share) {
 }
 
 glm::dvec3 countryColor(const glm::dvec3& color, const Country& country, const glm::dvec2& place,
-                        double texel) {
-    // Texels beyond this show none of it.
-    constexpr double kFromAfar = 600.0;
-    const double hills = country.hills + sumWaves(kHills, place, texel, WavePart::beyondGrid);
-    const glm::dvec3 land = color * (1.0 + 0.2 * hills) * (1.0 + country.dry * glm::dvec3(0.16, 0.04, -0.06));
-    // What is bright from afar is desert or snow.
-    const double farmed = 1.0 - smoothStep(0.16, 0.35, color.g);
-    glm::dvec3 seen = land;
-    if (farmed > 0.0) {
-        const glm::dvec2 bent = place + country.bend;
-        seen = fields(land, bent, texel);
-        seen = woods(seen, land, country.woods + sumWaves(kWoods, place, texel, WavePart::beyondGrid), place,
-                     texel);
-        seen = towns(seen, country.towns + sumWaves(kTowns, place, texel, WavePart::beyondGrid), bent, texel);
-        seen = texel < kFromAfar ? linesOf(seen, country, texel) : seen;
-        seen = glm::mix(land, seen, farmed);
+                        const Fineness& fineness) {
+    const double texel = fineness.texel;
+    if (std::abs(place.x) + std::abs(place.y) >= 6e3 + texel) {
+        return openCountry(color, country, place, fineness);
     }
-    if (std::abs(place.x) + std::abs(place.y) < 6e3 + texel) {
-        const double inside = insideFence(place);
-        seen =
-            glm::mix(seen, lawnAt(place, texel), std::clamp(inside / std::max(texel, 1.0) + 0.5, 0.0, 1.0));
-        seen = glm::mix(seen, kAsphalt, lineShare(inside, 6.0, texel));
-    }
-    return seen;
+    const double inside = insideFence(place);
+    const double lawn = std::clamp(inside / std::max(texel, 1.0) + 0.5, 0.0, 1.0);
+    const glm::dvec3 outer = lawn < 1.0 ? openCountry(color, country, place, fineness) : kLawn;
+    const glm::dvec3 seen = lawn > 0.0 ? glm::mix(outer, lawnAt(place, texel), lawn) : outer;
+    return glm::mix(seen, kAsphalt, lineShare(inside, 6.0, texel));
 }
 
 } // namespace cdr::scenes

@@ -28,6 +28,14 @@ std::uint32_t addGroundMaterial(SceneBuilder& builder, std::string name, image::
         .name = std::move(name), .baseColorTexture = static_cast<std::uint32_t>(scene.textures.size() - 1)});
 }
 
+/// The half of a frame around its centre.
+GeodeticFrame middleOf(const GeodeticFrame& frame) {
+    return {.west = frame.west + 0.25 * frame.width,
+            .north = frame.north - 0.25 * frame.height,
+            .width = 0.5 * frame.width,
+            .height = 0.5 * frame.height};
+}
+
 /// Paints the blocks; a tile wears the finest that covers it.
 std::function<TileCoat(const EarthTile&)>
 addPaintedGround(SceneBuilder& builder, const GroundPainter& painter, const EarthOptions& options) {
@@ -42,6 +50,9 @@ addPaintedGround(SceneBuilder& builder, const GroundPainter& painter, const Eart
         }
         if (i + 1 < blocks.size()) {
             canvas.hidden = blocks[i + 1].frame();
+        }
+        if (i > 0) { // around the first there is none
+            canvas.fine = canvas.hidden.value_or(middleOf(canvas.frame));
         }
         const std::uint32_t material =
             addGroundMaterial(builder, fmt::format("ground {}", i), painter.paint(canvas, workers));

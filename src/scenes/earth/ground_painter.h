@@ -27,6 +27,9 @@ class GroundPainter {
         std::uint32_t height = 0;
         /// What another picture shows more finely: only a few of its texels are worked out, for levels of less detail.
         std::optional<GeodeticFrame> hidden{};
+        /// Where details are as fine as texels. From there to the edge they grow to twice the size, as a coarser picture around this
+        /// one has them, so that no line is seen between the two. Without it all are fine.
+        std::optional<GeodeticFrame> fine{};
     };
     image::ImageRgba8 paint(const Canvas& canvas, host::WorkerPool& workers) const;
 
@@ -37,9 +40,9 @@ class GroundPainter {
         Country country;
         Clouds::Weather weather;
     };
-    Slow slowAt(const Geodetic& place, double texel) const;
+    Slow slowAt(const Geodetic& place, const Fineness& fineness) const;
     static Slow between(const Slow& a, const Slow& b, double share);
-    glm::dvec3 colorOf(const Slow& slow, const glm::dvec2& place, double texel) const;
+    glm::dvec3 colorOf(const Slow& slow, const glm::dvec2& place, const Fineness& fineness) const;
 
     BlueMarble m_marble;
     AirportMap m_map;

@@ -1,6 +1,7 @@
 #include <scenes/earth/noise.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cdr::scenes {
@@ -78,10 +79,15 @@ double shownBy(double texel, double length) {
     return std::clamp(0.5 * length / texel - 1.0, 0.0, 1.0);
 }
 
-double sumWaves(const Waves& waves, const glm::dvec2& place, double texel, WavePart part) {
+double sumWaves(const Waves& waves, const glm::dvec2& place, double texel) {
+    return sumWaves(waves, place, {texel, texel}, WavePart::all);
+}
+
+double sumWaves(const Waves& waves, const glm::dvec2& place, const Fineness& fineness, WavePart part) {
     // Each wave is turned against the last, so that their cells do not show.
     constexpr glm::dvec2 kTurn(0.8, 0.6);
-    const double shortestOfGrid = 8.0 * kGridTexels * texel;
+    const double texel = fineness.texel;
+    const double shortestOfGrid = 8.0 * kGridTexels * fineness.picture;
     const double first =
         part == WavePart::beyondGrid ? shortestOfGrid : std::numeric_limits<double>::infinity();
     const double last = std::max(waves.shortest, part == WavePart::ofGrid ? shortestOfGrid : 2.0 * texel);
@@ -101,6 +107,17 @@ double sumWaves(const Waves& waves, const glm::dvec2& place, double texel, WaveP
         turned = {kTurn.x * turned.x - kTurn.y * turned.y, kTurn.y * turned.x + kTurn.x * turned.y};
     }
     return sum;
+}
+
+double leftOut(const Waves& waves, double texel) {
+    double squares = 0.0;
+    double height = 1.0;
+    for (double length = waves.longest; length >= waves.shortest; length *= 0.5) {
+        const double hidden = 1.0 - shownBy(texel, length);
+        squares += hidden * hidden * height * height;
+        height *= waves.gain;
+    }
+    return std::sqrt(squares);
 }
 
 } // namespace cdr::scenes

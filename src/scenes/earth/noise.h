@@ -49,9 +49,21 @@ struct Waves {
 enum class WavePart : std::uint8_t { all, ofGrid, beyondGrid };
 inline constexpr std::uint32_t kGridTexels = 4;
 
+/// How finely a place of a picture is painted, in the unit of the place.
+struct Fineness {
+    double texel = 1.0;   ///< what is smaller is left out; at least `picture`
+    double picture = 1.0; ///< a texel of the picture, of which the coarse grid has one in `kGridTexels`
+};
+
 /// The sum of waves at a place; the longest has a height of 1.
 /// @param texel in the unit of the place.
-double sumWaves(const Waves& waves, const glm::dvec2& place, double texel, WavePart part = WavePart::all);
+double sumWaves(const Waves& waves, const glm::dvec2& place, double texel);
+
+/// A part of the sum: the two parts add up to it.
+double sumWaves(const Waves& waves, const glm::dvec2& place, const Fineness& fineness, WavePart part);
+
+/// How high the waves of a sum are that texels of a size leave out, as a root of the sum of squares.
+double leftOut(const Waves& waves, double texel);
 
 /// How well texels of a size show what is so long: 0 below two texels, 1 from four on.
 double shownBy(double texel, double length);

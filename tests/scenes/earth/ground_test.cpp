@@ -89,8 +89,8 @@ class GroundPainterTest : public testing::Test {
         return m_painter.paint({.frame = frame, .width = side, .height = side}, workers);
     }
 
-    EarthMaps m_maps = cdr::test::syntheticEarth();
-    GroundPainter m_painter{m_maps.color, kOrbitAirport, {-1'400.0, 2'200.0}};
+    image::ImageRgba8 m_marble{16, 8, {50, 58, 22, 255}}; ///< dark enough to be farmed
+    GroundPainter m_painter{m_marble, kOrbitAirport, {-1'400.0, 2'200.0}};
     /// West of the airport: sixteen kilometres of fields, woods and a town.
     GeodeticFrame m_country{.west = -0.8, .north = 51.5, .width = 0.2, .height = 0.15};
 };
@@ -137,6 +137,55 @@ TEST_F(GroundPainterTest, HiddenTexelsAreSparedAndTheRestIsTheSame) {
         }
     }
     EXPECT_GT(differing, 200u);
+}
+
+/// The root of the mean square by which texels of a few columns differ from the ones below them.
+double contrastOf(const image::ImageRgba8& picture, std::uint32_t first, std::uint32_t last) {
+    double squares = 0.0;
+    std::size_t count = 0;
+    for (std::uint32_t y = picture.height / 4; y + 1 < picture.height * 3 / 4; ++y) {
+        for (std::uint32_t x = first; x < last; ++x, ++count) {
+            const double step = picture.at(x, y)[1] - picture.at(x, y + 1)[1];
+            squares += step * step;
+        }
+    }
+    return std::sqrt(squares / static_cast<double>(count));
+}
+
+/// Where a picture of half the texels begins, its country is as strong. Else a straight line is seen over the land.
+TEST_F(GroundPainterTest, NoLineIsSeenWhereAFinerPictureBegins) {
+    constexpr std::uint32_t kSide = 128;
+    host::WorkerPool workers(2);
+    const GeodeticFrame around{.west = -1.1, .north = 51.8, .width = 1.1, .height = 0.7}; // texels of 600 m
+    const GeodeticFrame middle{.west = -0.825, .north = 51.625, .width = 0.55, .height = 0.35};
+    const GeodeticFrame finest{.west = -0.6875, .north = 51.5375, .width = 0.275, .height = 0.175};
+    const image::ImageRgba8 coarse = m_painter.paint(
+        {.frame = around, .width = kSide, .height = kSide, .hidden = middle, .fine = middle}, workers);
+    const image::ImageRgba8 fine = m_painter.paint(
+        {.frame = middle, .width = kSide, .height = kSide, .hidden = finest, .fine = finest}, workers);
+    const double outside = contrastOf(coarse, 24, 32);
+    const double inside = contrastOf(fine, 0, 8);
+    EXPECT_GT(outside, 2.0) << "there is a country";
+    EXPECT_NEAR(inside / outside, 1.0, 0.25);
+    EXPECT_GT(contrastOf(fine, 40, 48) / outside, 1.5) << "further in, the finer one shows more";
+}
+
+TEST(BlueMarbleTest, LandIsAsGreenBesideTheSeaAsFarFromIt) {
+    image::ImageRgba8 picture(16, 8);
+    for (std::uint32_t y = 0; y < 8; ++y) {
+        for (std::uint32_t x = 0; x < 16; ++x) {
+            picture.at(x, y) = x < 8 ? image::Rgba8{50, 58, 22, 255} : image::Rgba8{26, 68, 130, 255};
+        }
+    }
+    const BlueMarble marble(picture);
+    const MarbleColor inland = marble.at({0.0, -90.0});
+    EXPECT_EQ(inland.water, 0.0);
+    const MarbleColor coast = marble.at({0.0, -5.0});
+    EXPECT_GT(coast.water, 0.2);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(coast.color[c], inland.color[c], 1e-12) << c;
+    }
+    EXPECT_GT(marble.at({0.0, 90.0}).color.b, 0.1) << "there is no land";
 }
 
 /// The Channel is sea, the Sahara is bright, and over the airport there is no cloud.

@@ -58,14 +58,23 @@ TEST(Noise, FinerTexelsAddToCoarserOnes) {
         for (double texel = 256.0; texel > 0.1; texel *= 0.5) {
             const double sum = sumWaves(waves, place, texel);
             EXPECT_LE(std::abs(sum - before), 2.0 * height);
-            EXPECT_NEAR(sumWaves(waves, place, texel, WavePart::ofGrid) +
-                            sumWaves(waves, place, texel, WavePart::beyondGrid),
-                        sum, 1e-12);
+            for (const Fineness& fineness : {Fineness{texel, texel}, Fineness{texel, 0.6 * texel}}) {
+                EXPECT_NEAR(sumWaves(waves, place, fineness, WavePart::ofGrid) +
+                                sumWaves(waves, place, fineness, WavePart::beyondGrid),
+                            sum, 1e-12);
+            }
             before = sum;
             height *= 0.5;
         }
         EXPECT_EQ(sumWaves(waves, place, 0.01), sumWaves(waves, place, 0.001)) << "all are shown";
     }
+}
+
+TEST(Noise, WhatIsLeftOutGrowsWithTexels) {
+    const Waves waves{.longest = 1'000.0, .shortest = 100.0, .gain = 0.5, .seed = 3};
+    EXPECT_EQ(leftOut(waves, 1.0), 0.0);
+    EXPECT_NEAR(leftOut(waves, 50.0), 0.75 * 0.125, 1e-12) << "three quarters of the shortest";
+    EXPECT_NEAR(leftOut(waves, 1e4), std::sqrt(1.0 + 0.25 + 0.0625 + 0.015625), 1e-12) << "all four";
 }
 
 } // namespace
