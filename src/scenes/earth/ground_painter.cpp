@@ -14,8 +14,8 @@ namespace {
 
 constexpr glm::dvec3 kSea(0.006, 0.02, 0.05);  ///< linear, deep
 constexpr glm::dvec3 kShoal(0.02, 0.07, 0.09); ///< linear, along coasts
-constexpr glm::dvec3
-    kCloud(0.8, 0.885, 1.0); ///< bluish, since the air above real ones is thinner: they are to look white
+/// Bluish: real clouds have less air above them, and these are to look white.
+constexpr glm::dvec3 kCloud(0.79, 0.86, 1.12);
 constexpr double kLandGain = 3.4;  ///< the marble is darker than what it shows, which air is to veil here
 constexpr double kCoastBend = 9e3; ///< metres by which coasts wind where the marble has them smooth
 
