@@ -14,7 +14,9 @@ namespace cdr::scene {
 /// @errors None.
 class ChangeLog {
   public:
+    /// Of an array that nobody changed yet.
     ChangeLog() = default;
+    /// Of a copy of the array.
     ChangeLog(const ChangeLog&) = default;
     ~ChangeLog() = default;
     /// The array was replaced by another one. Every reader of either log has to read it whole.
