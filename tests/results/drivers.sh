@@ -57,8 +57,9 @@ write_table() {
     # shellcheck disable=SC2016 # JavaScript expands it
     node -e '
         const fs = require("fs");
-        const [file, page, ...programs] = process.argv.slice(1);
+        const [file, page, ...all] = process.argv.slice(1);
         const rows = fs.readFileSync(file, "utf8").trim().split("\n").slice(1).map((row) => row.split(","));
+        const programs = all.filter((name) => rows.some((row) => row[5] === name));
         const cell = (row) => row === undefined ? "" : `${row[6]} run` +
             (row[8] > 0 ? `, ${row[8]} left out` : "") + (row[9] > 0 ? `, ${row[9]} failed` : "");
         const lines = [["driver", "depth formats", "sub-pixel bits", "gpu-driven", ...programs.map((name) => `tests of ${name}`)]];
