@@ -1,5 +1,6 @@
 #include <cdr/host/worker_pool.h>
 #include <cdr/scene/gltf/gltf.h>
+#include <scenes/earth/concrete.h>
 #include <scenes/earth/earth.h>
 #include <scenes/earth/ground_blocks.h>
 #include <scenes/earth/ground_painter.h>
@@ -28,6 +29,10 @@ std::uint32_t addGroundMaterial(SceneBuilder& builder, std::string name, image::
         .name = std::move(name), .baseColorTexture = static_cast<std::uint32_t>(scene.textures.size() - 1)});
 }
 
+std::size_t threadsOf(const EarthOptions& options) {
+    return options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+}
+
 /// The half of a frame around its centre.
 GeodeticFrame middleOf(const GeodeticFrame& frame) {
     return {.west = frame.west + 0.25 * frame.width,
@@ -39,8 +44,7 @@ GeodeticFrame middleOf(const GeodeticFrame& frame) {
 /// Paints the blocks; a tile wears the finest that covers it.
 std::function<TileCoat(const EarthTile&)>
 addPaintedGround(SceneBuilder& builder, const GroundPainter& painter, const EarthOptions& options) {
-    host::WorkerPool workers(options.threads > 0 ? options.threads
-                                                 : std::max(1u, std::thread::hardware_concurrency()));
+    host::WorkerPool workers(threadsOf(options));
     std::vector<std::pair<GroundBlock, TileCoat>> coats;
     const std::vector<GroundBlock> blocks = blocksAround(kOrbitAirport, EarthQuadtree::kDeepest - 1);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -76,6 +80,16 @@ void paintWallsAsCladding(scene::Scene& scene) {
     materialOf(scene, kHangarWall).baseColorFactor = materialOf(scene, kCladding).baseColorFactor;
 }
 
+/// One colour over a whole picture shows neither distance nor size.
+void paintSlabs(scene::Scene& scene, const EarthOptions& options) {
+    host::WorkerPool workers(threadsOf(options));
+    const std::uint32_t side = std::max(1u, options.blockTexels / 5 * 2);
+    scene.textures.push_back({.name = kConcrete, .pixels = paintConcrete(side, workers)});
+    scene::Material& concrete = materialOf(scene, kConcrete);
+    concrete.baseColorTexture = static_cast<std::uint32_t>(scene.textures.size() - 1);
+    concrete.baseColorFactor /= glm::vec4(glm::vec3(kConcreteMean), 1.0f);
+}
+
 scene::Air airOf(const EarthSurface& surface, const scene::PointLight& sun) {
     // The Earth's axis in world space: from its centre to the pole.
     const glm::dvec3 centre = surface.earthCentre();
@@ -98,6 +112,7 @@ scene::SceneSetup makeEarth(const EarthMaps& maps, const scene::Scene* parked, c
     scene::SceneSetup setup = makeOrbitOn(surface, cover, parked);
     setup.scene.name = "earth";
     paintWallsAsCladding(setup.scene);
+    paintSlabs(setup.scene, options);
     setup.scene.air = airOf(surface, setup.scene.lights.front());
     return setup;
 }

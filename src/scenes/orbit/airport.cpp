@@ -142,7 +142,7 @@ EarthSurface::Pad airportPad() {
 }
 
 void addAirport(SceneBuilder& builder) {
-    const std::uint32_t concrete = builder.addMaterial("concrete", glm::vec3(0.23f, 0.23f, 0.225f));
+    const std::uint32_t concrete = builder.addMaterial(kConcrete, glm::vec3(0.23f, 0.23f, 0.225f));
     const std::uint32_t asphalt = builder.addMaterial("asphalt", glm::vec3(0.11f));
     const std::uint32_t white = builder.addMaterial("white paint", glm::vec3(0.8f));
     const std::uint32_t yellow = builder.addMaterial("yellow paint", glm::vec3(0.75f, 0.5f, 0.04f));

@@ -10,6 +10,7 @@ namespace cdr::scenes {
 inline constexpr double kSlabHeight = 0.02;               ///< of runway, taxiway and apron over the soil
 inline constexpr double kMarkingHeight = 0.005;           ///< of paint over the slab
 inline constexpr double kCladdingThickness = 0.01;        ///< of the sheets over a hangar's walls and roof
+inline constexpr const char* kConcrete = "concrete";      ///< the material of the runway's slabs
 inline constexpr const char* kHangarWall = "hangar wall"; ///< a material, which shows in gaps between sheets
 inline constexpr const char* kCladding = "cladding";      ///< the material of the sheets
 inline constexpr double kNumberHeight = 9.0;              ///< of the characters (ICAO Annex 14, 5.2.2.5)

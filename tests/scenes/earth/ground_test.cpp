@@ -1,12 +1,15 @@
 #include "../../support/synthetic_earth.h"
 
+#include <cdr/image/srgb.h>
 #include <scenes/earth/airport_map.h>
+#include <scenes/earth/concrete.h>
 #include <scenes/earth/ground_blocks.h>
 #include <scenes/earth/ground_painter.h>
 #include <scenes/orbit/orbit.h>
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -196,6 +199,25 @@ TEST_F(GroundPainterTest, TheAirportHasGrassAndNoCloud) {
     EXPECT_GT(mean.g, mean.r);
     EXPECT_GT(mean.r, mean.b);
     EXPECT_LT(mean.b, 120.0);
+}
+
+/// Grain, and no other grey than that of the flat slab.
+TEST(Concrete, HasGrainAndAKnownMean) {
+    host::WorkerPool workers(2);
+    const std::array<double, 256>& linear = image::linearOfSrgb();
+    for (const std::uint32_t side : {64u, 512u}) {
+        const image::ImageRgba8 slab = paintConcrete(side, workers);
+        double sum = 0.0;
+        std::size_t steps = 0;
+        for (std::uint32_t y = 0; y < side; ++y) {
+            for (std::uint32_t x = 1; x < side; ++x) {
+                sum += linear[slab.at(x, y)[0]];
+                steps += slab.at(x, y) != slab.at(x - 1, y) ? 1 : 0;
+            }
+        }
+        EXPECT_NEAR(sum / (side * (side - 1.0)), double{kConcreteMean}, 0.02) << side;
+        EXPECT_GT(steps, std::size_t{side} * side / 4) << side;
+    }
 }
 
 /// Seen through the narrowest lenses, else the grass beside the runway is one blur.
