@@ -177,6 +177,7 @@ fuzz_rooms() { # ROOM...
     local parsers=() room status=0
     for room; do
         case $room in
+            host) parsers+=(gltf) ;;
             scene) parsers+=(gltf camera_path words) ;;
             image) parsers+=(image) ;;
             runs) parsers+=(unit_state kept_frame) ;;

@@ -49,7 +49,7 @@ std::string_view noteOnLostEmission() {
 }
 
 std::string_view noteOnLostMetallicRoughness() {
-    return "surfaces are matt, since ambient occlusion per layer takes the bits that say how they shine";
+    return "surfaces are matt, since ambient occlusion per layer takes the bits of metallic and roughness";
 }
 
 } // namespace cdr::output

@@ -7,7 +7,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-programs=(gpu render rivals experiments report cli)
+programs=(gpu render rivals output runs experiments report cli)
 file=tests/results/drivers.csv
 
 # Runs a command on a driver of tools/drivers.sh, or on the card.

@@ -70,6 +70,8 @@ class GpuScene::State {
     bool followVertices();
     void updateVertices();
     void readKinds();
+    bool areTablesReplaced() const;
+    void forgetKinds();
     void readMaterials();
     void replaceTables();
     DrawKind kindOf(const KindKey& key) const;
@@ -99,7 +101,7 @@ class GpuScene::State {
     std::vector<SurfaceKind> m_surfaces; ///< by material
     bool m_isEachInstanceStale = false;  ///< whether a material changed what instances keep of it
     std::vector<LayerPlace> m_layers;    ///< by material
-    std::vector<DrawKind> m_kinds;       ///< only ever more
+    std::vector<DrawKind> m_kinds;       ///< only ever more, until the tables are replaced
     std::vector<KindKey> m_kindKeys;
     std::map<KindKey, std::uint32_t> m_kindIndices;
     std::vector<DrawSource> m_sources;
@@ -267,18 +269,41 @@ void GpuScene::State::update() {
 
 void GpuScene::State::replaceTables() {
     const scene::World::Changes& changes = m_world->changes();
+    const auto meshes = changes.meshes.since(m_followed.meshes);
     if (m_followed.meshes != changes.meshes.end()) {
-        m_meshes.follow(*m_scene, changes.meshes.since(m_followed.meshes), m_retired);
+        m_meshes.follow(*m_scene, meshes, m_retired);
     }
-    followVertices();
+    if (!meshes && !changes.vertices.since(m_followed.vertices)) { // all is there, and nothing deformed
+        m_followed.vertices = changes.vertices.end();
+        m_verticesRevision += 2;
+    } else {
+        followVertices();
+    }
     m_textures.follow(*m_scene, changes.textures.since(m_followed.textures), m_retired);
     m_textures.followMaterials(*m_scene, changes.materials.since(m_followed.materials), m_retired);
     m_meshes.followDetails(*m_scene, m_retired);
     m_retired.close();
 }
 
+/// Whether another world's meshes or materials took the place of those that were followed.
+bool GpuScene::State::areTablesReplaced() const {
+    const scene::World::Changes& changes = m_world->changes();
+    return !changes.meshes.since(m_followed.meshes) || !changes.materials.since(m_followed.materials);
+}
+
+void GpuScene::State::forgetKinds() {
+    m_kinds.clear();
+    m_kindKeys.clear();
+    m_kindIndices.clear();
+    m_sources.clear();
+    m_isEachInstanceStale = true;
+}
+
 void GpuScene::State::updateTables() {
     ++m_meshesRevision;
+    if (areTablesReplaced()) {
+        forgetKinds();
+    }
     replaceTables();
     readMaterials();
     readKinds();

@@ -25,8 +25,8 @@
 namespace cdr::render {
 
 /// What a world may come to hold, or what a scene without it is to be drawn as if it held. A first material that is
-/// metallic-roughness, blends or emits light has a renderer make its passes anew. The first draw of a kind of materials and meshes makes that kind's
-/// pipelines. So does each further light the first time that there are as many. What is said here is made at the start instead.
+/// metallic-roughness, blends or emits light has a renderer make its passes anew. The first draw of a kind of materials and
+/// meshes makes that kind's pipelines. So does each further light the first time that there are as many. What is said here is made at the start instead.
 /// What is metallic-roughness, blends or emits costs time in each frame.
 struct PrepareFor {
     bool metallicRoughness = false; ///< materials with scene::Material::metallicRoughness

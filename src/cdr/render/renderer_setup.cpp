@@ -44,7 +44,6 @@ void requireDetail(const RenderOptions& options) {
     }
 }
 
-/// Of the copies of a frame on the host.
 std::uint64_t predictOcclusionBytes(const gpu::Device& device, vk::Extent2D extent,
                                     const RenderOptions& options) {
     if (!options.occlusionCulling) {

@@ -43,7 +43,6 @@ std::string simplestLine(const Inspection& inspection) {
                        pixels(*best), shareText(best->wrong.fraction()));
 }
 
-/// What moves one of two coplanar faces far enough for a technique.
 /// "move it by more than 2 mm under reversed or 3 um under anchored": far enough for these techniques, as far as they are known.
 std::string moveText(const ObjectPair& pair, const VerdictView& view, const depth::LengthText& lengthText) {
     const double at = std::clamp(pair.atView, view.camera.nearView, view.camera.farView);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -72,6 +73,9 @@ addPaintedGround(SceneBuilder& builder, const GroundPainter& painter, const Eart
 scene::Material& materialOf(scene::Scene& scene, std::string_view name) {
     const auto found = std::find_if(scene.materials.begin(), scene.materials.end(),
                                     [&](const scene::Material& material) { return material.name == name; });
+    if (found == scene.materials.end()) {
+        throw std::logic_error("the airport has no material of this name");
+    }
     return *found;
 }
 

@@ -76,6 +76,15 @@ TEST(LayeredTruth, OpaqueSurfacesAndTheRangeEndARay) {
     expectColor(stack.middle(2.0, 4.0), {0.5 + 0.05, 0.1, 0.15});
 }
 
+TEST(LayeredTruth, OfEqualOpaqueSurfacesTheLastInTheScenesOrderShows) {
+    Stack stack;
+    stack.add(4.0, {1.0f, 0.0f, 0.0f, 1.0f}, false);
+    stack.add(4.0, {0.0f, 1.0f, 0.0f, 1.0f}, false);
+    stack.add(4.0, {0.0f, 0.0f, 1.0f, 1.0f}, false);
+    stack.scene.instances.object = {7, 9, 4};
+    expectColor(stack.middle(), {0.0, 0.0, 1.0});
+}
+
 TEST(LayeredTruth, OnAnOpaqueSurfaceIsInFrontOfIt) {
     Stack stack;
     stack.add(5.0, {0.0f, 0.0f, 1.0f, 1.0f}, false);

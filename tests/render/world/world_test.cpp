@@ -111,22 +111,26 @@ TEST_F(WorldTest, AnyEditsGiveThePictureOfASceneBuiltAnew) {
 /// As undo does it: a copy takes the world's place. An edit each, so that as much was edited after as before.
 TEST_F(WorldTest, AnAssignedWorldIsDrawnAsItIs) {
     World world;
-    Editor editor(11, world);
+    Editor editor(11, world, Editor::Palette::facets);
     editor.populate(60);
     editor.editTables(3);
     render::GpuScene onDevice(device(), world);
     std::vector<std::unique_ptr<render::Renderer>> renderers;
-    for (const Submission submission : {Submission::secondaries, Submission::gpuDriven}) {
-        if (submission == Submission::secondaries || canDrawGpuDriven()) {
-            render::RenderOptions options = optionsFor("anchored", submission, TargetsKind::single, 2, 1);
-            options.motion = true;
-            renderers.push_back(std::make_unique<render::Renderer>(device(), onDevice, options));
-        }
+    for (const Submission submission : submissions()) {
+        render::RenderOptions options = optionsFor("anchored", submission, TargetsKind::single, 2, 1);
+        options.motion = true;
+        renderers.push_back(std::make_unique<render::Renderer>(device(), onDevice, options));
     }
+    render::RenderOptions facets = optionsFor("anchored", Submission::secondaries, TargetsKind::single, 2, 2);
+    facets.surface = render::SurfacePath::visibility;
+    facets.detail = {};
+    renderers.push_back(std::make_unique<render::Renderer>(device(), onDevice, facets));
     const auto expectThePictureOfASceneBuiltAnew = [&] {
         for (const auto& renderer : renderers) {
             const render::Frame wanted = draw(editor.expected().build(), ahead(), renderer->options());
-            EXPECT_EQ(hashOf(renderer->render(ahead())), hashOf(wanted));
+            const render::Frame frame = renderer->render(ahead());
+            EXPECT_EQ(hashOf(frame), hashOf(wanted));
+            EXPECT_EQ(frame.motion.pixels, wanted.motion.pixels) << "what is new has not moved";
         }
     };
     for (const int edits : {1, 3, 200}) {

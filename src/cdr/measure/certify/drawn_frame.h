@@ -19,7 +19,7 @@ struct DrawnFrame {
     /// By how far the device may move a vertex along x and along y, pixels: half a sub-pixel of its
     /// subPixelPrecisionBits.
     double snapPixels = 0.0;
-    bool hasShadows = false; ///< shadows were drawn, so repaired pixels get theirs
+    bool hasShadows = false; ///< shadows were drawn, so repaired pixels get true ones
 };
 
 } // namespace cdr::measure

@@ -38,7 +38,9 @@ ByObject instancesOf(const std::vector<PixelRepair>& repairs, const std::vector<
 const SurfaceHit* hitAt(const std::vector<SurfaceHit>& hits, double distanceView) {
     const auto nearest =
         std::min_element(hits.begin(), hits.end(), [&](const SurfaceHit& a, const SurfaceHit& b) {
-            return std::abs(a.distanceView - distanceView) < std::abs(b.distanceView - distanceView);
+            const double offA = std::abs(a.distanceView - distanceView);
+            const double offB = std::abs(b.distanceView - distanceView);
+            return offA < offB || (offA == offB && a.instance > b.instance); // the last one drawn shows
         });
     return nearest == hits.end() ? nullptr : &*nearest;
 }

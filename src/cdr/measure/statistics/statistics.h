@@ -13,7 +13,9 @@ namespace cdr::measure {
 /// @param samples at least one, in any order, none of them NaN; base::InputError when empty.
 /// @param percent 0 to 100.
 double percentile(std::vector<double> samples, double percent);
+
 /// percentile() of samples in ascending order, without an allocation.
+/// @param sorted at least one, which is not checked.
 /// @tparam Number float or double.
 template <typename Number>
 double percentileOfSorted(const std::vector<Number>& sorted, double percent) {

@@ -57,9 +57,9 @@ std::vector<SurfaceHit> hitsAt(const View& view, std::uint32_t x, std::uint32_t 
     // At one distance a translucent surface lies on the opaque one, not below it.
     std::sort(hits.begin(), hits.end(), [](const SurfaceHit& a, const SurfaceHit& b) {
         const auto order = [](const SurfaceHit& hit) {
-            // Of opaque ones the last in the scene's order shows, which the higher id stands for.
+            // Of opaque ones the last in the scene's order shows.
             return std::make_tuple(hit.distanceView - hit.layer, !hit.isBlended,
-                                   hit.isBlended ? hit.id : ~hit.id);
+                                   hit.isBlended ? hit.instance : ~hit.instance);
         };
         return order(a) < order(b);
     });

@@ -162,6 +162,7 @@ void appendHits(const scene::Scene& scene, const TruthTextures& textures, const 
         SurfaceHit found{.distanceView = hit,
                          .layer = visible.layer,
                          .id = visible.id,
+                         .instance = visible.instance,
                          .isBlended = material.alphaMode == scene::AlphaMode::blend,
                          .isUnlit = material.unlit,
                          .isOnEdge = weights.x == 0.0 || weights.y == 0.0 || weights.z == 0.0,

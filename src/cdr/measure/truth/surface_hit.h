@@ -16,9 +16,10 @@ namespace cdr::measure {
 /// One surface that a ray meets, with all that its colour follows from.
 struct SurfaceHit {
     double distanceView = 0.0;
-    double layer = 0.0;     ///< scene::Material::layer
-    std::uint32_t id = 0;   ///< object index + 1
-    bool isBlended = false; ///< else it ends the ray
+    double layer = 0.0;         ///< scene::Material::layer
+    std::uint32_t id = 0;       ///< object index + 1
+    std::uint32_t instance = 0; ///< index in the scene
+    bool isBlended = false;     ///< else it ends the ray
     bool isUnlit = false;
     bool isOnEdge = false;     ///< of its triangle, to the last bit
     glm::dvec3 facet{0.0};     ///< the triangle's own normal, world axes, unit, towards the camera

@@ -169,6 +169,9 @@ SceneTextures::Uploaded SceneTextures::upload(const scene::Texture& texture,
 
 void SceneTextures::follow(const scene::Scene& scene, const Changed& changed, gpu::Retired& retired) {
     const std::vector<bool> isOther = flagsOf(changed, scene.textures.size());
+    for (; m_textures.size() > scene.textures.size(); m_textures.pop_back()) {
+        retired.add(std::move(m_textures.back()));
+    }
     std::optional<host::WorkerPool> workers; // for large textures alone: starting threads takes time too
     const auto uploadWith = [&](const scene::Texture& texture) {
         if (!workers && hasDividedLevels(texture)) {
@@ -188,6 +191,11 @@ void SceneTextures::follow(const scene::Scene& scene, const Changed& changed, gp
 void SceneTextures::followMaterials(const scene::Scene& scene, const Changed& changed,
                                     gpu::Retired& retired) {
     const std::vector<bool> isOther = flagsOf(changed, scene.materials.size());
+    for (; m_details.size() > scene.materials.size(); m_details.pop_back()) {
+        if (m_details.back().set) {
+            retired.add(std::move(m_details.back()));
+        }
+    }
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         if (i >= m_details.size()) {
             m_details.emplace_back();

@@ -97,6 +97,10 @@ void MotionHistory::look(const DrawnScene& drawn, std::size_t instance, Changed&
 }
 
 FrameMotion MotionHistory::follow(const DrawnScene& drawn, const scene::Camera& camera) {
+    if (const std::uint64_t replaced = drawn.uploaded.instanceChanges().replaced(); replaced != m_replaced) {
+        forget(); // another world took the place of the one before: its places hold other things
+        m_replaced = replaced;
+    }
     ++m_frame;
     FrameMotion motion{.cameraBefore = m_camera.value_or(camera), .moved = {}, .deformed = {}};
     m_camera = camera;

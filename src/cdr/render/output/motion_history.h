@@ -62,6 +62,7 @@ class MotionHistory {
 
     std::optional<scene::Camera> m_camera;
     std::uint64_t m_followed = 0; ///< of the scene's changes
+    std::uint64_t m_replaced = 0; ///< how often another world took the scene's place
     std::uint64_t m_vertices = 0; ///< GpuScene::verticesRevision() of the last frame
     std::size_t m_frame = 0;
     std::vector<Place> m_places;

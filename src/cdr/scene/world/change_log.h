@@ -19,12 +19,16 @@ class ChangeLog {
     /// Of a copy of the array.
     ChangeLog(const ChangeLog&) = default;
     ~ChangeLog() = default;
-    /// The array was replaced by another one. Every reader of either log has to read it whole.
+    /// Another array took the place of this one. A reader with a position in either log reads it whole.
     ChangeLog& operator=(const ChangeLog& other) {
         m_first = (end() > other.end() ? end() : other.end()) + 1;
         m_changed.clear();
+        ++m_replaced;
         return *this;
     }
+
+    /// How often another array took the place of this one.
+    std::uint64_t replaced() const { return m_replaced; }
 
     /// Where a reader begins that has seen all so far.
     std::uint64_t end() const { return m_first + m_changed.size(); }
@@ -54,6 +58,7 @@ class ChangeLog {
 
   private:
     std::uint64_t m_first = 0; ///< position of the first entry kept
+    std::uint64_t m_replaced = 0;
     std::vector<std::uint32_t> m_changed;
 };
 
