@@ -3,6 +3,7 @@
 #include "drawn_by_rays.h"
 
 #include <cdr/base/error.h>
+#include <scenes/sheets.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -146,6 +147,29 @@ TEST(Certifier, CertifiesNoWrongPixelOfASliver) {
             EXPECT_EQ(wrongAfter(made.scene, frame, certified(made.scene, frame)), 0u)
                 << "gap " << gap << ", tilt " << tilt << ", of " << swapped;
         }
+    }
+}
+
+/// Two parts of one object at one place, and another object just behind them, which the frame shows instead.
+TEST(Certifier, ARepairHasTheColorOfThePartThatIsDrawnLast) {
+    scene::Scene scene;
+    scene.meshes.push_back(scenes::makeSquare(1.0f));
+    for (const glm::vec4& color : {glm::vec4(0.0f, 0.0f, 1.0f, 1.0f), glm::vec4(1.0f, 0.0f, 0.0f, 1.0f),
+                                   glm::vec4(0.0f, 1.0f, 0.0f, 1.0f)}) {
+        const auto material = static_cast<std::uint32_t>(scene.materials.size());
+        scene.materials.push_back({.name = "flat", .baseColorFactor = color, .unlit = true});
+        const double behind = material == 0 ? 1e-9 : 0.0;
+        scene::addInstance(scene, 0, material, material == 0 ? 0 : 1, {0.0, 0.0, -5.0 - behind},
+                           glm::mat3(4.0f));
+    }
+    const scene::Camera camera{.fovY = 0.5, .nearView = 1.0, .farView = 100.0};
+    DrawnFrame frame = drawnByRays(scene, camera, kEighthBits);
+    std::replace(frame.ids.pixels.begin(), frame.ids.pixels.end(), 2u, 1u);
+    const Certificate certificate = certified(scene, frame);
+    EXPECT_EQ(certificate.refused, 0u);
+    ASSERT_GT(certificate.repairs.size(), 100u);
+    for (const measure::PixelRepair& repair : certificate.repairs) {
+        ASSERT_EQ(repair.color, (image::Rgba8{0, 255, 0, 255}));
     }
 }
 
