@@ -4,6 +4,7 @@
 #include <cdr/scene/frustum.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <output/readable.h>
 
 #include <algorithm>
@@ -43,10 +44,10 @@ std::string simplestLine(const Inspection& inspection) {
                        pixels(*best), shareText(best->wrong.fraction()));
 }
 
-/// "move it by more than 2 mm under reversed or 3 um under anchored": far enough for these techniques, as far as they are known.
-std::string moveText(const ObjectPair& pair, const VerdictView& view, const depth::LengthText& lengthText) {
+/// What separates two coplanar faces, with the gaps that techniques resolve there, as far as they are known.
+std::string remedyText(const ObjectPair& pair, const VerdictView& view, const depth::LengthText& lengthText) {
     const double at = std::clamp(pair.atView, view.camera.nearView, view.camera.farView);
-    std::string text = "move it";
+    std::vector<std::string> gaps;
     for (const char* technique : {"reversed", "anchored"}) {
         const auto forecast = depth::tryForecast(
             depth::parseTechnique(technique),
@@ -56,19 +57,20 @@ std::string moveText(const ObjectPair& pair, const VerdictView& view, const dept
              .atView = at,
              .spanView = at}); // little is known of what else is seen
         if (forecast) {
-            text += fmt::format("{} {} under {}", text == "move it" ? " by more than" : " or",
-                                lengthText(forecast->guaranteedView()), technique);
+            gaps.push_back(fmt::format("{} under {}", lengthText(forecast->guaranteedView()), technique));
         }
     }
-    return text;
+    return gaps.empty() ? "move it, or give it a layer"
+                        : fmt::format("move it by more than {}, or give it a layer of as much",
+                                      fmt::join(gaps, " or "));
 }
 
 std::string coplanarLine(const ObjectPair& pair, const scene::Scene& scene, const VerdictView& view,
                          const depth::LengthText& lengthText) {
     return fmt::format(
-        "{} lie in one plane at {}: no technique separates them. Take one away, {}, or give it "
-        "a layer of as much (cdr_layer in its extras).",
-        both(scene, pair, "and"), lengthText(pair.atView), moveText(pair, view, lengthText));
+        "{} lie in one plane at {}: no technique separates them. Take one away, {} (cdr_layer in "
+        "its extras).",
+        both(scene, pair, "and"), lengthText(pair.atView), remedyText(pair, view, lengthText));
 }
 
 } // namespace
