@@ -99,10 +99,12 @@ struct CascadePush {
     float maxDepth;
     float layerOffset; // scene::Material::layer of the draws
     float layerRank;   // render::LayerPlace::rank
+    float lensX; // of a lens that is shifted: what a clip position's x and y have less, in units of its w
+    float lensY;
 };
 
 // Where a draw record lies in push constants, after the cascade's: for draws that bring their record along.
-CDR_CONST kPushedRecordOffset = 48u;
+CDR_CONST kPushedRecordOffset = 64u;
 
 // A corner of a facet as it is drawn: the visibility path's vertices come transformed.
 struct FacetVertex {
@@ -117,7 +119,7 @@ struct FacetVertex {
 CDR_CONST kPushedLights = 2u;
 // Where these lights lie in push constants, after the cascade's. Each has view-space x and y, the view distance beyond the
 // cascade's anchor plane, and 1 / half distance^2.
-CDR_CONST kPushedLightsOffset = 48u;
+CDR_CONST kPushedLightsOffset = 64u;
 
 // A facet that a visibility buffer refers to: what shading needs of its surface. Two texels of four uints.
 struct FacetRecord {
@@ -152,6 +154,7 @@ struct LayerPush {
     vec2 rayScale; // as ShadingHeader has it
     float anchorView;
     float radius;
+    vec2 rayCentre;
 };
 
 // How many pixels the picture has that layers of other sizes are scaled to; push constants.
@@ -191,9 +194,11 @@ struct ShadingHeader {
     float occlusionRadius;
     vec2 rayScale; // view-space x and y per unit of view distance at the right and top edges of the picture
     vec2 pictureSize; // in pixels
-    vec4 fog;         // linear colour, and what it takes per unit of distance
-    vec4 skyUp;       // view space, unit; of the sky the rest
-    vec4 skyZenith;   // linear radiance
+    vec2 rayCentre;   // view-space x and y per unit of view distance at the middle of the picture
+    vec2 unused;
+    vec4 fog;       // linear colour, and what it takes per unit of distance
+    vec4 skyUp;     // view space, unit; of the sky the rest
+    vec4 skyZenith; // linear radiance
     vec4 skyHorizon;
     vec4 skyGround;
     AirRecord air;
@@ -203,15 +208,15 @@ struct ShadingHeader {
 #ifdef __cplusplus
 static_assert(kMetallicSteps * kRoughnessSteps <= kMetallicRoughnessMask);
 static_assert(sizeof(DrawRecord) == 64);
-static_assert(sizeof(CascadePush) == 48);
+static_assert(sizeof(CascadePush) == 56);
 static_assert(kPushedRecordOffset % 16 == 0 && kPushedRecordOffset >= sizeof(CascadePush));
 static_assert(kPushedRecordOffset + sizeof(DrawRecord) <= 128); // what every device has
 static_assert(sizeof(FacetVertex) == 16);
 static_assert(sizeof(FacetRecord) == 32);
 static_assert(sizeof(LightRecord) == 64);
 static_assert(kManyLights == kFlatLights + 1 && kShapedLights == kFlatLights + 2);
-static_assert(sizeof(LayerPush) == 16);
-static_assert(sizeof(ShadingHeader) == 224 + 8 * kCascadeSlots);
+static_assert(sizeof(LayerPush) == 24);
+static_assert(sizeof(ShadingHeader) == 240 + 8 * kCascadeSlots);
 static_assert(sizeof(DetailRecord) == 48 + 32 * kDetailTextures);
 } // namespace cdr::shaders
 #endif

@@ -75,7 +75,9 @@ struct BinningView {
     double right[3];
     double up[3];
     double ahead[3];
-    double cosX; // of half the horizontal field of view, and so on
+    double centreX; // scene::Frustum's
+    double centreY;
+    double cosX;
     double sinX;
     double cosY;
     double sinY;
@@ -118,7 +120,7 @@ static_assert(sizeof(InstanceLook) == 48);
 static_assert(sizeof(MaterialRecord) == 16);
 static_assert(sizeof(KindRun) == 28); // tight in std430 too: all members are words
 static_assert(sizeof(CoarserLevel) == 12);
-static_assert(sizeof(BinningView) == 192 + 3 * 8 * kCascadeSlots);
+static_assert(sizeof(BinningView) == 208 + 3 * 8 * kCascadeSlots);
 static_assert(sizeof(IndirectCommand) == 20);
 static_assert(kBinBuckets == 2 * kCascadeSlots);
 } // namespace cdr::shaders

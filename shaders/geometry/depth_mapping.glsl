@@ -8,9 +8,16 @@ CdrDepth depthOf(CascadePush cascade) {
     return CdrDepth(cascade.anchorView, cascade.depthScale, cascade.depthOffset);
 }
 
+// Clip x and y.
+vec2 projectedOf(float x, float y, float ahead, CascadePush cascade) {
+    precise vec2 projected = vec2(x * cascade.projectionX, y * cascade.projectionY) -
+                             (cascade.anchorView + ahead) * vec2(cascade.lensX, cascade.lensY);
+    return projected;
+}
+
 // centreAhead: of the draw's origin.
 vec4 clipPosition(uint form, float x, float y, float ahead, float centreAhead, CascadePush cascade) {
-    vec2 projected = vec2(x * cascade.projectionX, y * cascade.projectionY);
+    vec2 projected = projectedOf(x, y, ahead, cascade);
     if (form == kDepthFormLinear) {
         return cdrClipPosition(projected, ahead, depthOf(cascade));
     }

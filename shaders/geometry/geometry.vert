@@ -24,6 +24,17 @@ layout(push_constant) uniform Push { CascadePush cascade; };
 #include "public/cdr_in_plane.glsl"
 layout(constant_id = 11) const float kSubPixelsX = 0.0; // from the picture's middle to its edge; 0: vertices stay
 layout(constant_id = 12) const float kSubPixelsY = 0.0;
+
+// cdrInPlane() along the picture's axes, since sub-pixels are counted from its middle. normal: along right, up and ahead.
+vec3 movedInPlane(vec3 place, vec3 normal, float fromOrigin) {
+    vec2 middle = vec2(cascade.lensX, cascade.lensY) / vec2(cascade.projectionX, cascade.projectionY);
+    vec2 perSlope = vec2(kSubPixelsX * cascade.projectionX, kSubPixelsY * cascade.projectionY);
+    precise vec2 across = place.xy - (cascade.anchorView + place.z) * middle;
+    vec3 leaning = vec3(normal.xy, normal.z + dot(normal.xy, middle));
+    vec3 moved = cdrInPlane(vec3(across, place.z), leaning, perSlope, fromOrigin, cascade.anchorView);
+    precise vec2 back = moved.xy + (cascade.anchorView + moved.z) * middle;
+    return vec3(back, moved.z);
+}
 #endif
 
 layout(location = 0) in vec3 inPosition;
@@ -80,10 +91,8 @@ void main() {
     turned = mirrored < 0.0 ? -turned : turned;
 
     if (kSubPixelsX != 0.0) { // render::Snapping::inPlane
-        vec3 before = vec3(x, y, ahead);
-        vec2 perSlope = vec2(kSubPixelsX * cascade.projectionX, kSubPixelsY * cascade.projectionY);
-        float fromOrigin = distance(before, vec3(record.right.w, record.up.w, record.ahead.w));
-        vec3 moved = cdrInPlane(before, vec3(turned.xy, -turned.z), perSlope, fromOrigin, cascade.anchorView);
+        float fromOrigin = distance(vec3(x, y, ahead), vec3(record.right.w, record.up.w, record.ahead.w));
+        vec3 moved = movedInPlane(vec3(x, y, ahead), vec3(turned.xy, -turned.z), fromOrigin);
         x = moved.x;
         y = moved.y;
         ahead = moved.z;

@@ -40,6 +40,8 @@ bool isHidden(InstanceSphere sphere) {
     double x = dx * view.right[0] + dy * view.right[1] + dz * view.right[2];
     double y = dx * view.up[0] + dy * view.up[1] + dz * view.up[2];
     double w = viewDistance(sphere);
+    x -= w * view.centreX;
+    y -= w * view.centreY;
     double radius = double(sphere.radius);
     double near = w - radius;
     double far = w + radius;
@@ -48,10 +50,13 @@ bool isHidden(InstanceSphere sphere) {
     }
     double width = double(occluders.width);
     double height = double(occluders.height);
-    double left = x - radius;
-    double right = x + radius;
-    double low = y - radius;
-    double high = y + radius;
+    // Along the axes of a picture whose lens is shifted, a sphere reaches a little farther.
+    double reachX = radius * (1.0lf + abs(view.centreX));
+    double reachY = radius * (1.0lf + abs(view.centreY));
+    double left = x - reachX;
+    double right = x + reachX;
+    double low = y - reachY;
+    double high = y + reachY;
     left = (0.5lf + 0.5lf * left / ((left < 0.0lf ? near : far) * occluders.tanX)) * width - kRim;
     right = (0.5lf + 0.5lf * right / ((right < 0.0lf ? far : near) * occluders.tanX)) * width + kRim;
     double top = (0.5lf - 0.5lf * high / ((high < 0.0lf ? far : near) * occluders.tanY)) * height - kRim;

@@ -18,7 +18,8 @@ void main() {
     precise float beyond = dot(push.ahead.xyz, inPosition);
     precise float distanceView = push.ahead.w + beyond;
     // No depth is tested, so z only has to lie between the clip planes.
-    gl_Position = vec4(vec2(right, up) * push.projection, 0.5 * distanceView, distanceView);
+    precise vec2 across = vec2(right, up) * push.projection - distanceView * push.lens;
+    gl_Position = vec4(across, 0.5 * distanceView, distanceView);
     precise vec3 moved = inBefore - inPosition;
     outDeformed = vec3(dot(push.rightBefore.xyz, moved), dot(push.upBefore.xyz, moved), dot(push.aheadBefore.xyz, moved));
     outBeyond = beyond;

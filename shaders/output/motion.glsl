@@ -57,7 +57,7 @@ vec2 motionOf(uvec4 texel, vec2 pixel, vec3 deformed) {
     gained += deformed;
     float distanceBefore = distanceView.x + gained.z;
     return distanceBefore > 0.0
-               ? (gained.xy - ray * gained.z) / distanceBefore * motion.pixels + ray * motion.pixelsAdded
+               ? (gained.xy - ray * gained.z) / distanceBefore * motion.pixels + ray * motion.pixelsAdded + motion.middle
                : vec2(CDR_NO_MOTION);
 }
 

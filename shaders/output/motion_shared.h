@@ -22,7 +22,8 @@ struct MotionHeader {
         pixels; // per unit of right or up at view distance 1, as the last camera's lens had them; y points down
     vec2 pixelsAdded; // those less this camera's
     uint objects;     // that the table of records covers
-    uint unused[3];
+    uint unused;
+    vec2 middle; // by how many pixels the view axis meets the picture elsewhere than it did
 };
 
 // An object that moved itself.
@@ -45,12 +46,13 @@ struct DeformedPush {
     vec4 upBefore;
     vec4 aheadBefore;
     vec2 projection; // clip x and y per unit of right and up, at view distance 1
+    vec2 lens;       // CascadePush's lensX and lensY
     uint id;         // object index + 1
     uint unused;
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(DeformedPush) == 112);
+static_assert(sizeof(DeformedPush) == 120);
 static_assert(sizeof(MotionHeader) == 112);
 static_assert(sizeof(MotionRecord) == 80);
 } // namespace cdr::shaders

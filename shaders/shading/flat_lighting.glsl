@@ -23,7 +23,7 @@ void handOverLighting() {
     flatAmbientAndFog = vec4(header.ambient, header.fog.a);
     flatBackgroundAndRadius = vec4(header.background, header.occlusionRadius);
     vec2 corner = vec2(-1.0, 1.0) * header.rayScale;
-    flatRay = vec4(-2.0 * corner / header.pictureSize, corner);
+    flatRay = vec4(-2.0 * corner / header.pictureSize, corner + header.rayCentre);
     for (uint i = 0u; i < kFlatLights; ++i) {
         LightRecord light = LightRecord(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
         if (kLights <= kFlatLights && i < kLights) {

@@ -35,7 +35,7 @@ bool isShaped(LightRecord light) { return light.color.w != 0.0; }
 vec2 rayAt(vec2 pixel) { return pixel * flatRay.xy + flatRay.zw; }
 #else
 vec2 rayAt(vec2 pixel, vec2 pictureSize) {
-    return (pixel / pictureSize * 2.0 - 1.0) * vec2(1.0, -1.0) * rayScale();
+    return (pixel / pictureSize * 2.0 - 1.0) * vec2(1.0, -1.0) * rayScale() + header.rayCentre;
 }
 #endif
 

@@ -20,5 +20,5 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     uvec4 texel = texelFetch(gbuffer, pixel, 0);
     outOcclusion = texel.w == 0u ? 0.0
-                                   : occlusionAt(gbuffer, pixel, texel, header.rayScale, header.occlusionRadius);
+                                   : occlusionAt(gbuffer, pixel, texel, header.rayScale, header.rayCentre, header.occlusionRadius);
 }

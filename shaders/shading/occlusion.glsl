@@ -13,8 +13,8 @@ const float kBias = 0.02;         // of the radius: a normal of 16 bits lets a f
 const float kDistanceNoise = 3e-7; // a few steps of a float, of the view distance
 const float kStrength = 1.5;      // obscurance as it is usually shown
 
-// rayScale: view-space x and y per unit of view distance at the right and top edges. 0 is open, 1 is closed.
-float occlusionAt(usampler2D gbuffer, ivec2 pixel, uvec4 texel, vec2 rayScale, float radius) {
+// rayScale, rayCentre: as ShadingHeader has them. 0 is open, 1 is closed.
+float occlusionAt(usampler2D gbuffer, ivec2 pixel, uvec4 texel, vec2 rayScale, vec2 rayCentre, float radius) {
     ivec2 size = textureSize(gbuffer, 0);
     vec2 perPixel = vec2(2.0, -2.0) * rayScale / vec2(size);
     float distance = distanceOf(texel);
@@ -23,7 +23,7 @@ float occlusionAt(usampler2D gbuffer, ivec2 pixel, uvec4 texel, vec2 rayScale, f
         return 0.0;
     }
     vec3 normal = normalOf(texel);
-    vec2 ray = (vec2(pixel) + 0.5 - 0.5 * vec2(size)) * perPixel;
+    vec2 ray = (vec2(pixel) + 0.5 - 0.5 * vec2(size)) * perPixel + rayCentre;
     // Sixteen angles in a 4 x 4 tile, which the reader's 4 x 4 average evens out.
     float turn = float((7 * pixel.x + 12 * pixel.y) & 15) * (6.2831853 / 16.0);
     float bias = kBias * radius + kDistanceNoise * abs(aheadOf(texel));

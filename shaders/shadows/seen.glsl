@@ -15,7 +15,7 @@ layout(set = 0, binding = 0) uniform usampler2D gbuffer;
 #endif
 
 vec2 rayHere() {
-    return (gl_FragCoord.xy / header.pictureSize * 2.0 - 1.0) * vec2(1.0, -1.0) * header.rayScale;
+    return (gl_FragCoord.xy / header.pictureSize * 2.0 - 1.0) * vec2(1.0, -1.0) * header.rayScale + header.rayCentre;
 }
 
 struct Seen {

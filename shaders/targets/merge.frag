@@ -52,6 +52,6 @@ void main() {
     outEmission = texelFetch(layerEmission, pixel, 0).x;
 #endif
 #ifdef OCCLUDED
-    outTexel.x = withOcclusion(outTexel.x, occlusionAt(layerBuffer, pixel, outTexel, layer.rayScale, layer.radius));
+    outTexel.x = withOcclusion(outTexel.x, occlusionAt(layerBuffer, pixel, outTexel, layer.rayScale, layer.rayCentre, layer.radius));
 #endif
 }

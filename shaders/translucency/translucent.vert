@@ -41,7 +41,9 @@ void main() {
     precise float ahead = dot(inAhead.xyz, inPosition);
     precise float distanceView = inCentreRange.x + ahead;
     // No depth buffer: what is in front of what the fragment shader finds by distances alone.
-    gl_Position = vec4(x * push.projectionX, y * push.projectionY, 0.0, distanceView);
+    precise float acrossX = x * push.projectionX - distanceView * push.lensX;
+    precise float acrossY = y * push.projectionY - distanceView * push.lensY;
+    gl_Position = vec4(acrossX, acrossY, 0.0, distanceView);
     precise float inFront = distanceView - push.behind;
     gl_ClipDistance[0] = inFront;
 

@@ -41,6 +41,8 @@ struct TranslucentPush {
     float layerOffset; // scene::Material::layer
     float
         layerSlope; // render::LayerPlace::rank, times the pixels by which the device rounds two vertices apart
+    float lensX;    // as CascadePush has them
+    float lensY;
 };
 
 // What follows TranslucentPush where translucent surfaces receive shadows: the fragments that a draw keeps, and their maps.
@@ -69,7 +71,7 @@ CDR_CONST kNoNode = 0u;
 
 #ifdef __cplusplus
 static_assert(sizeof(TranslucentRecord) == 80);
-static_assert(sizeof(TranslucentPush) == 36);
+static_assert(sizeof(TranslucentPush) == 44);
 static_assert(sizeof(TranslucentSlice) == 16);
 static_assert(sizeof(FragmentNode) == 32);
 } // namespace cdr::shaders

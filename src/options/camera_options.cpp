@@ -28,6 +28,16 @@ glm::dvec3 parsePoint(const std::string& what, const std::string& text) {
             base::parseNumber(what, text.substr(second + 1))};
 }
 
+glm::dvec2 parseLensShift(const std::string& text) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos) {
+        throw base::InputError(
+            fmt::format("--lens-shift must be two numbers x,y, not '{}'", text.substr(0, 60)));
+    }
+    return {base::parseNumber("--lens-shift", text.substr(0, comma)),
+            base::parseNumber("--lens-shift", text.substr(comma + 1))};
+}
+
 /// The camera where and as the options say it stands; as it is where they say nothing.
 scene::Camera placed(const scene::Camera& camera, const CameraOptions& options) {
     if (options.eye.empty() && options.target.empty() && options.direction.empty() && options.up.empty()) {
@@ -76,6 +86,10 @@ void addCameraOptions(CLI::App& command, CameraOptions& options) {
         frame->excludes(path);
     }
     command.add_option("--fov", options.fovDegrees, "Vertical field of view in degrees");
+    command.add_option(
+        "--lens-shift", options.lensShift,
+        "How far the middle of the picture lies to the right of the view axis and above it, at distance 1: "
+        "x,y");
     command.add_option("--near", options.nearView, "Near plane, view distance");
     command.add_option("--far", options.farView, "Far plane, view distance");
 }
@@ -147,6 +161,9 @@ scene::Camera FrameCameras::at(const scene::CameraPath& own, std::uint32_t frame
 scene::Camera overridden(scene::Camera camera, const CameraOptions& options) {
     if (options.fovDegrees) {
         camera.fovY = scene::radiansOf(*options.fovDegrees);
+    }
+    if (!options.lensShift.empty()) {
+        camera.lensShift = parseLensShift(options.lensShift);
     }
     camera.nearView = options.nearView.value_or(camera.nearView);
     camera.farView = options.farView.value_or(camera.farView);

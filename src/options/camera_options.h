@@ -28,13 +28,14 @@ struct CameraOptions {
     std::string direction;
     std::string up;
     std::optional<double> fovDegrees;
+    std::string lensShift;
     std::optional<double> nearView;
     std::optional<double> farView;
 };
 
 /// Adds --frame and --frames.
 void addFrameOptions(CLI::App& command, CameraOptions& options);
-/// Adds --path, --eye, --target, --direction, --up, --fov, --near and --far.
+/// Adds --path, --eye, --target, --direction, --up, --fov, --lens-shift, --near and --far.
 void addCameraOptions(CLI::App& command, CameraOptions& options);
 /// Adds --texture-memory.
 void addTextureMemory(CLI::App& command, std::optional<std::uint64_t>& textureMiB);

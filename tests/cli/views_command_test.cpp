@@ -33,7 +33,7 @@ TEST_F(ViewsCommand, StereoPicturesNameTheirMode) {
     EXPECT_EQ(mono["views"], 1);
     EXPECT_EQ(mono["stereo"], "none");
     EXPECT_FALSE(m_document["options"].contains("stereo"));
-    for (const std::string mode : {"parallel", "toed-in"}) {
+    for (const std::string mode : {"parallel", "toed-in", "off-axis"}) {
         const json eyes = row("--stereo " + mode + kRig + " -o eyes.png");
         EXPECT_EQ(eyes["views"], 2);
         EXPECT_EQ(eyes["stereo"], mode);

@@ -27,6 +27,7 @@ void expectSame(const Camera& a, const Camera& b) {
     EXPECT_EQ(a.fovY, b.fovY);
     EXPECT_EQ(a.nearView, b.nearView);
     EXPECT_EQ(a.farView, b.farView);
+    EXPECT_EQ(a.lensShift, b.lensShift);
 }
 
 /// A flight around the afc field, at irregular moments, with a lens that narrows.
@@ -36,6 +37,7 @@ CameraRecording flown() {
     for (std::uint32_t i = 0; i < 12; ++i) {
         Camera camera = path.at(7 * i);
         camera.fovY *= std::pow(0.7, i);
+        camera.lensShift = camera.fovY * glm::dvec2(i % 3, -0.25 * (i % 2));
         EXPECT_TRUE(record(recording, 0.1 * i + 0.01 * (i % 3), camera));
     }
     return recording;
@@ -99,12 +101,14 @@ TEST(CameraRecording, InterpolatesBetween) {
                           {0.0, 0.0, -1.0});
     Camera second =
         lookAt({.fovY = radiansOf(0.006), .nearView = 1.0, .farView = 1e8}, {4.0, 0.0, 0.0}, {5.0, 0.0, 0.0});
+    first.lensShift.x = 400.0 * std::tan(0.5 * first.fovY);
     record(recording, 1.0, first);
     record(recording, 3.0, second);
     const Camera middle = cameraAt(recording, 2.0);
     EXPECT_NEAR(glm::distance(middle.position, glm::dvec3(2.0, 0.0, 0.0)), 0.0, 1e-15);
     EXPECT_NEAR(glm::distance(-middle.back, glm::normalize(glm::dvec3(1.0, 0.0, -1.0))), 0.0, 1e-15);
     EXPECT_NEAR(middle.fovY / radiansOf(0.6), 1.0, 1e-12);
+    EXPECT_NEAR(middle.lensShift.x / std::tan(0.5 * middle.fovY), 200.0, 1e-9); // in halves of the picture
     EXPECT_NEAR(middle.nearView, 0.1, 1e-14);
     EXPECT_NEAR(middle.farView / 1e6, 1.0, 1e-12);
 }
@@ -198,6 +202,15 @@ TEST(CameraRecordingFile, RefusesWhatIsNotOneInOneLineThatNamesIt) {
         {"camera 3: up must be three numbers", [](auto& j) { j["cameras"][3]["up"][1] = "x"; }},
         {"camera 3: near must be a number", [](auto& j) { j["cameras"][3]["near"] = nullptr; }},
         {"camera 3: near must be finite and above 0", [](auto& j) { j["cameras"][3]["near"] = 0.0; }},
+        {"camera 3: lens_shift must be two numbers", [](auto& j) { j["cameras"][3]["lens_shift"] = {1.0}; }},
+        {"camera 3: lens_shift must be two numbers",
+         [](auto& j) {
+             j["cameras"][3]["lens_shift"] = {1.0, "x"};
+         }},
+        {"camera 3: the shift of this lens",
+         [](auto& j) {
+             j["cameras"][3]["lens_shift"] = {1e9, 0.0};
+         }},
         {"camera 3: far must be finite", [](auto& j) { j["cameras"][3]["far"] = 1e-9; }},
         {"camera 3: field of view", [](auto& j) { j["cameras"][3]["fov_radians"] = 3.2; }},
         {"camera 3: right, up and back",

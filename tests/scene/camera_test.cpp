@@ -142,6 +142,35 @@ TEST(Camera, IsRefusedWithAxesThatAreNotUnitOnes) {
     }
 }
 
+TEST(Camera, TakesTheEdgesOfALens) {
+    const Camera camera = withLens({}, {.left = -1.25, .right = 0.75, .down = -0.5, .up = 1.0});
+    EXPECT_DOUBLE_EQ(std::tan(0.5 * camera.fovY), 0.75);
+    EXPECT_EQ(camera.lensShift, glm::dvec2(-0.25, 0.25));
+    EXPECT_NO_THROW(requireUsable(camera));
+    const double infinity = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const LensEdges& edges : {LensEdges{.left = 1.0, .right = 1.0}, LensEdges{.left = 2.0},
+                                   LensEdges{.down = 1.5}, LensEdges{.up = infinity}, LensEdges{.left = nan},
+                                   LensEdges{.left = 9999.0, .right = 10001.0, .down = -1.0, .up = 1.0}}) {
+        EXPECT_THROW(withLens({}, edges), base::InputError) << edges.left << " " << edges.up;
+    }
+}
+
+TEST(Camera, IsRefusedWithALensThatIsShiftedTooFar) {
+    Camera camera{.fovY = 1e-6};
+    const double most = kMaxLensShift * std::tan(0.5e-6);
+    for (const double shift : {0.0, most, -most}) {
+        camera.lensShift = {shift, -shift};
+        EXPECT_NO_THROW(requireUsable(camera)) << shift;
+    }
+    for (const double shift : {1.01 * most, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+        camera.lensShift = {shift, 0.0};
+        EXPECT_THROW(requireUsable(camera), base::InputError) << shift;
+        camera.lensShift = {0.0, shift};
+        EXPECT_THROW(requireUsable(camera), base::InputError) << shift;
+    }
+}
+
 TEST(CameraPath, NeedsAFrame) {
     EXPECT_THROW(orbitPath({}, {}, 1.0, 0), base::InputError);
     EXPECT_THROW(turnPath({}, {}, 0), base::InputError);

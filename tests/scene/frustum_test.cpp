@@ -28,4 +28,24 @@ TEST(Frustum, SinesAndCosinesAreOfThePlanes) {
     }
 }
 
+/// Every point that the picture shows passes, and so does a sphere that touches it.
+TEST(Frustum, PlanesOfAShiftedLensLeaveNothingOut) {
+    for (const double shift : {0.0, 0.4, -3.0}) {
+        Camera camera{.fovY = 0.7};
+        camera.lensShift = {shift, -0.5 * shift};
+        const Frustum frustum = frustumOf(camera, 16.0, 9.0);
+        for (const double side : {-1.0, 1.0}) {
+            const double edge = shift + side * frustum.tanX; // slope of the picture's edge
+            const double length = std::hypot(1.0, edge);
+            for (const double off : {0.0, 0.5}) { // of a sphere's centre beyond the edge, across the plane
+                const double w = 10.0 - side * off * edge / length;
+                const double x = 10.0 * edge + side * off / length;
+                EXPECT_GE(w * frustum.sinX - std::abs(x - w * frustum.centre.x) * frustum.cosX + off, -1e-12)
+                    << shift;
+            }
+        }
+        EXPECT_LT(frustum.sinX - 1.1 * frustum.tanX * frustum.cosX, 0.0); // what lies beyond does not pass
+    }
+}
+
 } // namespace

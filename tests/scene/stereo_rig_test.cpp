@@ -71,6 +71,21 @@ TEST(StereoRigTest, ShiftedPicturesCoincideAtTheConvergenceDistance) {
     EXPECT_EQ(stereoShift(farRig(StereoMode::toedIn, 1.0), 1280, 720), 0u);
 }
 
+TEST(StereoRigTest, OffAxisEyesSeeTheConvergenceDistanceInTheMiddleOfTheirPictures) {
+    for (const double shift : {0.0, 0.3}) {
+        StereoRig rig = farRig(StereoMode::offAxis, 1.0);
+        rig.centre.lensShift.x = shift;
+        const glm::dvec3 meeting =
+            rig.centre.position + rig.convergence * (shift * rig.centre.right - rig.centre.back);
+        for (const Camera& eye : eyesOf(rig)) {
+            EXPECT_EQ(eye.back, rig.centre.back);
+            const glm::dvec3 view = eye.toView(meeting);
+            EXPECT_NEAR(view.x / -view.z, eye.lensShift.x, 1e-14);
+        }
+        EXPECT_EQ(stereoShift(rig, 1280, 720), 0u);
+    }
+}
+
 TEST(StereoRigTest, UnusableRigsAreRefused) {
     const auto refuses = [](auto change) {
         StereoRig rig = farRig(StereoMode::toedIn, 1.0);
@@ -80,6 +95,10 @@ TEST(StereoRigTest, UnusableRigsAreRefused) {
     for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
         refuses([&](StereoRig& rig) { rig.eyeDistance = bad; });
         refuses([&](StereoRig& rig) { rig.convergence = bad; });
+        refuses([&](StereoRig& rig) {
+            rig.mode = StereoMode::offAxis;
+            rig.convergence = bad;
+        });
     }
     refuses([](StereoRig& rig) { rig.centre.nearView = 0.0; });
     refuses([](StereoRig& rig) { rig.centre.position.x = 1e17; }); // a step there is 16 units

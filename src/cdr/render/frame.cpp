@@ -33,8 +33,8 @@ std::optional<Pick> Frame::pick(std::uint32_t x, std::uint32_t y) const {
     const double column = static_cast<double>(x) - static_cast<double>(view.firstColumn);
     const scene::Frustum frustum = scene::frustumOf(view.camera, viewWidth, height());
     const double w = distanceView(x, y);
-    const double right = frustum.tanX * (2.0 * (column + 0.5) / viewWidth - 1.0) * w;
-    const double up = frustum.tanY * (1.0 - 2.0 * (y + 0.5) / height()) * w;
+    const double right = (frustum.tanX * (2.0 * (column + 0.5) / viewWidth - 1.0) + frustum.centre.x) * w;
+    const double up = (frustum.tanY * (1.0 - 2.0 * (y + 0.5) / height()) + frustum.centre.y) * w;
     const glm::dvec3 facing(normalView(x, y));
     return Pick{.object = id(x, y) - 1,
                 .distanceView = w,

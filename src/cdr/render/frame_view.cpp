@@ -48,6 +48,10 @@ std::vector<CascadeView> cascadeViews(depth::Mapping mapping, const depth::Casca
     return views;
 }
 
+glm::vec2 clipLensShift(const scene::Frustum& frustum) {
+    return glm::vec2(frustum.centre / glm::dvec2(frustum.tanX, -frustum.tanY));
+}
+
 depth::CascadeConstants makeCascadeConstants(const FrameView& view, std::size_t cascade) {
     const CascadeView& made = view.cascades[cascade];
     const depth::ClipTerms& terms = made.terms;
@@ -65,6 +69,7 @@ depth::CascadeConstants makeCascadeConstants(const FrameView& view, std::size_t 
 shaders::CascadePush makeCascadePush(const FrameView& view, std::size_t cascade) {
     const depth::CascadeConstants constants = makeCascadeConstants(view, cascade);
     const DepthSlice& slice = view.cascades[cascade].slice;
+    const glm::vec2 lens = clipLensShift(view.frustum);
     return {.anchorView = constants.anchorView,
             .depthScale = constants.scale,
             .depthOffset = constants.offset,
@@ -76,7 +81,9 @@ shaders::CascadePush makeCascadePush(const FrameView& view, std::size_t cascade)
             .minDepth = slice.min,
             .maxDepth = slice.max,
             .layerOffset = 0.0f,
-            .layerRank = 0.0f};
+            .layerRank = 0.0f,
+            .lensX = lens.x,
+            .lensY = lens.y};
 }
 
 } // namespace cdr::render

@@ -52,6 +52,9 @@ struct FrameView {
     std::vector<double> anchorsView() const;
 };
 
+/// What clip x and y have less because the lens is shifted, in units of clip w; y points down.
+glm::vec2 clipLensShift(const scene::Frustum& frustum);
+
 /// What a vertex shader needs of a cascade.
 depth::CascadeConstants makeCascadeConstants(const FrameView& view, std::size_t cascade);
 /// What every draw of a cascade is pushed.

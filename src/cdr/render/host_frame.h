@@ -33,6 +33,10 @@ struct HostCascade {
     depth::Cascade clipRange;
     double anchorView = 0.0;           ///< in float64, what objects' view distances are taken relative to
     depth::CascadeConstants constants; ///< CdrCascade of cdr_depth.glsl
+    /// What x and y of a clip position have less because the lens is shifted, in units of its w: subtract it times gl_Position.w
+    /// from gl_Position.xy. 0 without Camera::lensShift.
+    float lensX = 0.0f;
+    float lensY = 0.0f; ///< as lensX
     VkFormat depthFormat =
         VK_FORMAT_UNDEFINED; ///< the colour format is that of a G-buffer, VK_FORMAT_R32G32B32A32_UINT
     VkCompareOp depthCompare = VK_COMPARE_OP_LESS_OR_EQUAL; ///< that pipelines drawing here need

@@ -53,6 +53,16 @@ void requireUnit(const glm::dvec3& axis, const char* name) {
     }
 }
 
+/// @param camera with a field of view that is usable
+void requireShift(const Camera& camera) {
+    const double most = kMaxLensShift * std::tan(0.5 * camera.fovY);
+    const glm::dvec2& shift = camera.lensShift;
+    if (!(std::abs(shift.x) <= most && std::abs(shift.y) <= most)) {
+        throw base::InputError(fmt::format("the shift of this lens must lie between {} and {}, not {} and {}",
+                                           -most, most, shift.x, shift.y));
+    }
+}
+
 /// Right and up without roll for a camera whose back is set.
 Camera level(Camera camera) {
     // Along the y axis, world z takes the place of y as up.
@@ -150,6 +160,19 @@ double degreesOf(double radians) {
     return nearest;
 }
 
+Camera withLens(Camera camera, const LensEdges& edges) {
+    const glm::dvec2 size(edges.right - edges.left, edges.up - edges.down);
+    if (!(size.x > 0.0 && size.y > 0.0 && std::isfinite(size.x) && std::isfinite(size.y))) {
+        throw base::InputError(
+            fmt::format("the edges of a lens must be finite and in order, not {} to {} and {} to {}",
+                        edges.left, edges.right, edges.down, edges.up));
+    }
+    camera.fovY = 2.0 * std::atan(0.5 * size.y);
+    camera.lensShift = 0.5 * glm::dvec2(edges.left + edges.right, edges.down + edges.up);
+    requireShift(camera);
+    return camera;
+}
+
 void requireUsable(const Camera& camera) {
     if (!std::isfinite(camera.nearView) || camera.nearView <= 0.0) {
         throw base::InputError(fmt::format("near must be finite and above 0, not {}", camera.nearView));
@@ -163,6 +186,7 @@ void requireUsable(const Camera& camera) {
         throw base::InputError(fmt::format("field of view must lie between 0 and 180 degrees, not {}",
                                            camera.fovY * 180.0 / std::numbers::pi));
     }
+    requireShift(camera);
     if (!isFinite(camera.position)) {
         throw base::InputError("camera: position must be finite");
     }

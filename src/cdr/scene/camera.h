@@ -9,6 +9,9 @@
 
 namespace cdr::scene {
 
+/// Of Camera::lensShift, in halves of the picture's height.
+inline constexpr double kMaxLensShift = 1000.0;
+
 /// A perspective camera in float64. View space is right-handed, y up, looking down -z; the view distance of a
 /// point is w = -z_view.
 struct Camera {
@@ -19,6 +22,10 @@ struct Camera {
     double fovY = 1.0;               ///< vertical field of view, radians, in (0, pi)
     double nearView = 0.1;           ///< view distance, > 0
     double farView = 1e5;            ///< view distance, > nearView, finite
+    /// How far the middle of the picture lies to the right of the view axis and above it, at view distance 1. Each is at most
+    /// kMaxLensShift times tan(fovY / 2), either way. A headset's eyes have such lenses, and so has a tile of a larger picture.
+    /// By less than a pixel it is the jitter of temporal antialiasing: a pixel is Frustum::footprintSlope wide.
+    glm::dvec2 lensShift{0.0};
 
     /// View-space position of a point of world space.
     glm::dvec3 toView(const glm::dvec3& world) const {
@@ -60,9 +67,22 @@ CDR_EXPORT double radiansOf(double degrees);
 /// The degrees whose radiansOf() is `radians` or nearest to it.
 CDR_EXPORT double degreesOf(double radians);
 
+/// The tangents of the angles between the view axis and the picture's edges, as a headset names them. All are finite.
+struct LensEdges {
+    double left = -1.0; ///< negative where that edge lies left of the axis
+    double right = 1.0; ///< > left
+    double down = -1.0; ///< negative where that edge lies below the axis
+    double up = 1.0;    ///< > down
+};
+
+/// Gives `camera` a lens with these edges. Pixels are square: if the picture's width over its height is not
+/// (right - left) / (up - down), the middle between left and right stays, and its width follows from its height.
+/// @throws base::InputError for edges that are not in order or not finite, and for a lens shift beyond its limit.
+CDR_EXPORT Camera withLens(Camera camera, const LensEdges& edges);
+
 /// @throws base::InputError with the value unless the camera is usable: lens, position and axes finite,
-///         depth::kMinView <= near < far <= depth::kMaxView, 0 < fovY < pi, axes of length 1 to 1e-5. Whether axes are at right
-///         angles is not looked at.
+///         depth::kMinView <= near < far <= depth::kMaxView, 0 < fovY < pi, no lens shift beyond its limit, axes of length 1
+///         to 1e-5. Whether axes are at right angles is not looked at.
 CDR_EXPORT void requireUsable(const Camera& camera);
 
 } // namespace cdr::scene

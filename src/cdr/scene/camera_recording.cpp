@@ -24,6 +24,15 @@ glm::dvec3 between(const glm::dvec3& a, const glm::dvec3& b, double share) {
     return share < 0.5 ? a + share * (b - a) : b - (1.0 - share) * (b - a);
 }
 
+/// Linear in halves of the picture's height, so that it stays within its limit while the lens zooms.
+glm::dvec2 shiftBetween(const Camera& a, const Camera& b, double share, double fovY) {
+    if (a.lensShift == b.lensShift && a.fovY == b.fovY) {
+        return a.lensShift;
+    }
+    const auto inHalves = [](const Camera& camera) { return camera.lensShift / std::tan(0.5 * camera.fovY); };
+    return glm::mix(inHalves(a), inHalves(b), share) * std::tan(0.5 * fovY);
+}
+
 Camera between(const Camera& a, const Camera& b, double share) {
     const glm::dmat3 axes = glm::mat3_cast(glm::slerp(turnOf(a), turnOf(b), share));
     Camera camera{.position = between(a.position, b.position, share),
@@ -32,7 +41,9 @@ Camera between(const Camera& a, const Camera& b, double share) {
                   .back = axes[2],
                   .fovY = betweenLogs(a.fovY, b.fovY, share),
                   .nearView = betweenLogs(a.nearView, b.nearView, share),
-                  .farView = betweenLogs(a.farView, b.farView, share)};
+                  .farView = betweenLogs(a.farView, b.farView, share),
+                  .lensShift = {}};
+    camera.lensShift = shiftBetween(a, b, share, camera.fovY);
     if (a.right == b.right && a.up == b.up && a.back == b.back) {
         camera.right = a.right;
         camera.up = a.up;

@@ -28,10 +28,14 @@ Json toJson(const glm::dvec3& v) {
 
 Json toJson(const RecordedCamera& recorded) {
     const Camera& camera = recorded.camera;
-    return {{"seconds", recorded.seconds},   {"position", toJson(camera.position)},
-            {"right", toJson(camera.right)}, {"up", toJson(camera.up)},
-            {"back", toJson(camera.back)},   {"fov_radians", camera.fovY},
-            {"near", camera.nearView},       {"far", camera.farView}};
+    Json json{{"seconds", recorded.seconds},   {"position", toJson(camera.position)},
+              {"right", toJson(camera.right)}, {"up", toJson(camera.up)},
+              {"back", toJson(camera.back)},   {"fov_radians", camera.fovY},
+              {"near", camera.nearView},       {"far", camera.farView}};
+    if (camera.lensShift != glm::dvec2(0.0)) {
+        json["lens_shift"] = {camera.lensShift.x, camera.lensShift.y};
+    }
+    return json;
 }
 
 /// A recording is not nested deeper. Deep nesting would take fifty times the file's size in memory.
@@ -60,6 +64,18 @@ glm::dvec3 vectorIn(const nlohmann::json& json, const char* key) {
     return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
 }
 
+/// None where the recording does not name it.
+glm::dvec2 lensShiftIn(const nlohmann::json& json) {
+    const auto found = json.find("lens_shift");
+    if (found == json.end()) {
+        return glm::dvec2(0.0);
+    }
+    if (!found->is_array() || found->size() != 2 || !(*found)[0].is_number() || !(*found)[1].is_number()) {
+        throw base::InputError("lens_shift must be two numbers");
+    }
+    return {(*found)[0].get<double>(), (*found)[1].get<double>()};
+}
+
 void requireOrthonormal(const Camera& camera) {
     const std::array<glm::dvec3, 3> axes{camera.right, camera.up, camera.back};
     for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -83,7 +99,8 @@ RecordedCamera cameraIn(const nlohmann::json& json) {
                                              .back = vectorIn(json, "back"),
                                              .fovY = numberIn(json, "fov_radians"),
                                              .nearView = numberIn(json, "near"),
-                                             .farView = numberIn(json, "far")}};
+                                             .farView = numberIn(json, "far"),
+                                             .lensShift = lensShiftIn(json)}};
     requireOrthonormal(recorded.camera); // says more than requireUsable() about axes
     requireUsable(recorded.camera);
     return recorded;

@@ -13,6 +13,7 @@ Camera sideOf(const Camera& camera, const glm::dvec3& right, const glm::dvec3& u
     side.up = up;
     side.back = back;
     side.fovY = std::numbers::pi / 2.0;
+    side.lensShift = glm::dvec2(0.0);
     return side;
 }
 

@@ -7,16 +7,24 @@ namespace cdr::scene {
 
 /// What follows from a camera's lens and a picture's size. It is computed once per frame and passed on.
 struct Frustum {
-    double tanX = 1.0; ///< half the picture's width at view distance 1
-    double tanY = 1.0; ///< half its height there
+    double tanX = 1.0;      ///< half the picture's width at view distance 1
+    double tanY = 1.0;      ///< half its height there
+    glm::dvec2 centre{0.0}; ///< view-space x and y of the picture's middle there: Camera::lensShift
     /// Sines and cosines of the half angles. Let x be in view space and w the view distance of a point. It lies between
-    /// the planes left and right where w * sinX >= |x| * cosX; above and below alike.
+    /// the planes left and right where w * sinX >= |x - w * centre.x| * cosX; above and below alike. Where the lens is shifted,
+    /// the cosine is that of the edge farther from the axis. A sphere beyond the other edge then counts as in view a little too
+    /// long.
     double sinX = 0.0;
-    double cosX = 1.0;           ///< of half the horizontal angle
-    double sinY = 0.0;           ///< of half the vertical angle
-    double cosY = 1.0;           ///< of half the vertical angle
+    double cosX = 1.0;
+    double sinY = 0.0;
+    double cosY = 1.0;
     double aspect = 1.0;         ///< width over height
     double footprintSlope = 0.0; ///< what a pixel covers per unit of view distance, in scene units
+
+    /// Where the x and y axes of the picture point in world space: a point's x - w * centre.x is along `right`. They are not unit
+    /// where the lens is shifted.
+    glm::dvec3 rightOf(const Camera& camera) const { return camera.right + centre.x * camera.back; }
+    glm::dvec3 upOf(const Camera& camera) const { return camera.up + centre.y * camera.back; }
 };
 
 /// The frustum of a usable camera.

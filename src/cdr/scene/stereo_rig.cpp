@@ -11,8 +11,8 @@ namespace cdr::scene {
 
 namespace {
 
-constexpr base::EnumNames<StereoMode, kStereoModes.size()> kStereoModeNames{"stereo",
-                                                                            {"parallel", "toed-in"}};
+constexpr base::EnumNames<StereoMode, kStereoModes.size()> kStereoModeNames{
+    "stereo", {"parallel", "toed-in", "off-axis"}};
 
 void requireStereoDistance(double distance, const char* what) {
     if (!std::isfinite(distance) || distance <= 0.0) {
@@ -23,7 +23,7 @@ void requireStereoDistance(double distance, const char* what) {
 void requireRig(const StereoRig& rig) {
     requireUsable(rig.centre);
     requireStereoDistance(rig.eyeDistance, "eye distance");
-    if (rig.mode == StereoMode::toedIn || rig.convergence != std::numeric_limits<double>::infinity()) {
+    if (rig.mode != StereoMode::parallel || rig.convergence != std::numeric_limits<double>::infinity()) {
         requireStereoDistance(rig.convergence, "convergence distance");
     }
 }
@@ -38,6 +38,9 @@ Camera eyeOf(const StereoRig& rig, double side) {
         // Of the offsets alone: far from the origin the difference of two positions would be rounded.
         const glm::dvec3 forward = -rig.convergence * centre.back - aside;
         eye = lookAlong(eye, eye.position, forward, centre.up);
+    }
+    if (rig.mode == StereoMode::offAxis) {
+        eye.lensShift.x -= side * 0.5 * rig.eyeDistance / rig.convergence;
     }
     requireUsable(eye);
     return eye;
@@ -69,7 +72,7 @@ std::array<Camera, 2> eyesOf(const StereoRig& rig) {
 
 std::uint32_t stereoShift(const StereoRig& rig, std::uint32_t width, std::uint32_t height) {
     requireRig(rig);
-    if (rig.mode == StereoMode::toedIn) {
+    if (rig.mode != StereoMode::parallel) {
         return 0;
     }
     const Frustum frustum = frustumOf(rig.centre, width, height);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace cdr::visibility {
 
@@ -15,7 +16,7 @@ constexpr double kRim = 1.0;
 /// a pixel's centre may be outside the range of depths at its corners.
 constexpr double kRadiiNearer = 1.0;
 
-/// Bounds in view space: x to the right, y up, z the view distance.
+/// Bounds along the picture's axes (SphereTest): x to the right, y up, z the view distance.
 struct ViewBounds {
     glm::dvec3 low;
     glm::dvec3 high;
@@ -30,12 +31,13 @@ class Projection {
           m_perX(0.5 / frustum.tanX),
           m_perY(0.5 / frustum.tanY),
           m_height(2.0 * frustum.tanY / frustum.footprintSlope),
-          m_width(m_height * frustum.aspect) {}
+          m_width(m_height * frustum.aspect),
+          m_radii(std::hypot(1.0, frustum.centre.x), std::hypot(1.0, frustum.centre.y), 1.0) {}
 
     /// @param centres bounds of the centres of spheres no larger than `radius`.
     bool isHidden(const ViewBounds& centres, double radius) const {
-        const glm::dvec3 low = centres.low - radius;
-        const glm::dvec3 high = centres.high + radius;
+        const glm::dvec3 low = centres.low - radius * m_radii;
+        const glm::dvec3 high = centres.high + radius * m_radii;
         if (!(low.z > m_camera.nearView)) { // or not a number
             return false;
         }
@@ -75,6 +77,7 @@ class Projection {
     double m_perY;
     double m_height; ///< of the picture, in pixels
     double m_width;
+    glm::dvec3 m_radii; ///< how far a sphere of radius 1 reaches along the picture's axes
 };
 
 std::uint64_t shown(const InstanceCells& cells, const VisibleCells::Part& part,

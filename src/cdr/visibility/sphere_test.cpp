@@ -32,8 +32,8 @@ void testAll(const SphereTest test, const Spheres spheres, std::size_t count, Te
 
 SphereTest::SphereTest(const scene::Camera& camera, const scene::Frustum& frustum)
     : position(camera.position),
-      right(camera.right),
-      up(camera.up),
+      right(frustum.rightOf(camera)),
+      up(frustum.upOf(camera)),
       back(camera.back),
       cosX(frustum.cosX),
       sinX(frustum.sinX),

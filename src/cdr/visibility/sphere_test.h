@@ -10,11 +10,11 @@ namespace cdr::visibility {
 /// Instances tested together: the working set stays in the first-level cache and the loop over it is vectorised.
 inline constexpr std::size_t kTestBlock = 512;
 
-/// A camera as the test wants it. The frustum is symmetric, so two side planes each stand for two.
+/// A camera as the test wants it. Along the picture's own axes the frustum is symmetric, so two side planes each stand for two.
 struct SphereTest {
     glm::dvec3 position{0.0};
-    glm::dvec3 right{0.0};
-    glm::dvec3 up{0.0};
+    glm::dvec3 right{0.0}; ///< scene::Frustum::rightOf()
+    glm::dvec3 up{0.0};    ///< scene::Frustum::upOf()
     glm::dvec3 back{0.0};
     double cosX = 1.0;
     double sinX = 0.0;

@@ -16,9 +16,10 @@ nlohmann::ordered_json jsonOf(const glm::dvec3& vector) {
 }
 
 nlohmann::ordered_json jsonOf(const scene::Camera& camera) {
-    return {{"eye", jsonOf(camera.position)}, {"right", jsonOf(camera.right)}, {"up", jsonOf(camera.up)},
-            {"back", jsonOf(camera.back)},    {"fov_y", camera.fovY},          {"near", camera.nearView},
-            {"far", camera.farView}};
+    return {{"eye", jsonOf(camera.position)}, {"right", jsonOf(camera.right)},
+            {"up", jsonOf(camera.up)},        {"back", jsonOf(camera.back)},
+            {"fov_y", camera.fovY},           {"near", camera.nearView},
+            {"far", camera.farView},          {"lens_shift", {camera.lensShift.x, camera.lensShift.y}}};
 }
 
 nlohmann::ordered_json jsonOf(const measure::FrameBound& bound) {

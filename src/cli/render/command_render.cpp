@@ -73,8 +73,9 @@ void requireOneView(const RenderArguments& arguments, const RenderPlan& plan) {
     if (plan.views.kind() == options::ViewsKind::one) {
         return;
     }
-    if (plan.views.kind() == options::ViewsKind::six && arguments.camera.fovDegrees) {
-        throw base::InputError("--views six has views of 90 degrees: leave out --fov");
+    if (plan.views.kind() == options::ViewsKind::six &&
+        (arguments.camera.fovDegrees || !arguments.camera.lensShift.empty())) {
+        throw base::InputError("--views six has views of 90 degrees: leave out --fov and --lens-shift");
     }
     if (!arguments.certify.empty()) {
         throw base::InputError("--certify works with one view: leave out --stereo and --views");

@@ -59,7 +59,9 @@ StereoPicture parseStereoPicture(std::string_view name) {
 }
 
 void addStereoOptions(CLI::App& command, ViewsArguments& arguments) {
-    command.add_option("--stereo", arguments.stereo, "Two eyes in one picture: none, parallel or toed-in")
+    command
+        .add_option("--stereo", arguments.stereo,
+                    "Two eyes in one picture: none, parallel, toed-in or off-axis")
         ->capture_default_str();
     command.add_option("--eye-distance", arguments.eyeDistance, "Between the eyes, in scene units");
     command.add_option("--converge", arguments.converge,
@@ -102,9 +104,10 @@ ViewsPlan::ViewsPlan(const ViewsArguments& arguments, std::uint32_t width, std::
     if (!arguments.eyeDistance) {
         throw base::InputError("--stereo needs an --eye-distance");
     }
-    if (!arguments.converge && m_rig.mode == scene::StereoMode::toedIn) {
+    if (!arguments.converge && m_rig.mode != scene::StereoMode::parallel) {
         throw base::InputError(
-            "--stereo toed-in needs a distance at which both pictures coincide: give --converge");
+            fmt::format("--stereo {} needs a distance at which both pictures coincide: give --converge",
+                        nameOf(m_rig.mode)));
     }
     m_rig.eyeDistance = *arguments.eyeDistance;
     if (arguments.converge && !std::isfinite(*arguments.converge)) {

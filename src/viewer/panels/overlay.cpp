@@ -124,8 +124,8 @@ std::optional<ImVec2> onCanvas(const Canvas& canvas, const scene::Camera& camera
     }
     const double aspect = (canvas.high.x - canvas.low.x) / (canvas.high.y - canvas.low.y);
     const scene::Frustum frustum = scene::frustumOf(camera, aspect, 1.0);
-    const double x = view.x / (w * frustum.tanX);
-    const double y = view.y / (w * frustum.tanY);
+    const double x = (view.x / w - frustum.centre.x) / frustum.tanX;
+    const double y = (view.y / w - frustum.centre.y) / frustum.tanY;
     if (std::abs(x) > 1.0 || std::abs(y) > 1.0) {
         return std::nullopt;
     }

@@ -134,6 +134,8 @@ void addCamera(Words& words, const ReproducedView& view) {
         words.addUnless(scene::isLevel(said), "--up", exactText(said.up));
     }
     words.addUnless(camera.fovY == own.fovY, "--fov", fmt::format("{}", scene::degreesOf(camera.fovY)));
+    words.addUnless(camera.lensShift == own.lensShift, "--lens-shift",
+                    fmt::format("{},{}", camera.lensShift.x, camera.lensShift.y));
     words.addUnless(camera.nearView == own.nearView, "--near", fmt::format("{}", camera.nearView));
     words.addUnless(camera.farView == own.farView, "--far", fmt::format("{}", camera.farView));
 }

@@ -225,6 +225,33 @@ TEST_F(RecordTest, GroundOfAHostsIsCutWhereCascadesMeet) {
               0);
 }
 
+TEST_F(RecordTest, AHostsObjectsFollowAShiftedLens) {
+    const scene::Scene scene = boxScene();
+    scene::Camera camera{.fovY = 1.0, .nearView = 1.0, .farView = 100.0};
+    camera.lensShift = {0.4, -0.3};
+    const render::GpuScene gpuScene(device(), scene);
+    const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    const HostRectangles squares(device(), vk::Format(device().depthFormat(depth::DepthFormat::d32f)));
+    HostSide host(device(), extentOf(options));
+    render::Renderer renderer(device(), scene, gpuScene, options);
+    render::HostFrame frame = host.begin();
+    constexpr double kView = 10.0;
+    frame.occupied = {{kView, kView}};
+    frame.draw = [&](const render::HostCascade& cascade) {
+        // Of a square that faces the camera all corners have one w, so its place may take the shift.
+        const double x = 4.0 - kView * double{cascade.lensX} / double{cascade.constants.projectionX};
+        const double y = -3.0 - kView * double{cascade.lensY} / double{cascade.constants.projectionY};
+        squares.draw(cascade, std::array{x, y, kView - cascade.anchorView, 0.5}, 10);
+    };
+    renderer.record(camera, frame);
+    host.submit();
+    const render::SurfaceImage gbuffer = renderer.surfaces().gbuffer;
+    const auto pixels =
+        readImage<render::GBufferPixel>(device(), gbuffer.image, gbuffer.extent, gbuffer.layout);
+    EXPECT_EQ(pixels.at(options.width / 2, options.height / 2).id(), 11u); // what the lens is shifted to
+    EXPECT_EQ(pixels.at(0, 0).id(), 0u);
+}
+
 /// Squares of the host's, 0.00001 units before and behind the faces of boxes 1,000 km away, and one where cdr draws
 /// nothing. Every target and submission shows of each pair the nearer one.
 TEST_F(RecordTest, AHostsObjectsShareTheDepthOfEachCascade) {

@@ -64,11 +64,14 @@ struct Sheets {
         world.setTransform(sheets[1], placeOf(1, time));
     }
     scene::Camera cameraAt(double time) const {
-        return scene::lookAt({.fovY = 4.0 / away, .nearView = 0.1, .farView = 4.0 * away},
-                             {0.3 * time, 0.2, 0.0}, {0.1 * time, 0.0, -away});
+        scene::Camera camera = scene::lookAt({.fovY = 4.0 / away, .nearView = 0.1, .farView = 4.0 * away},
+                                             {0.3 * time, 0.2, 0.0}, {0.1 * time, 0.0, -away});
+        camera.lensShift = shift / away * glm::dvec2(1.0 - time, -0.5 * time);
+        return camera;
     }
 
     double away;
+    double shift = 0.0; ///< of the lens, at the sheets' distance
     scene::World world{boxScene()};
     scene::MeshHandle sheet;
     std::vector<scene::InstanceHandle> sheets;
@@ -134,6 +137,7 @@ TEST_F(DeformedMotionTest, IsThatOfEachVertex) {
 /// The distance of a point in its mesh stays small, however far the mesh is.
 TEST_F(DeformedMotionTest, IsExactAMillionUnitsAway) {
     Sheets sheets(1e6);
+    sheets.shift = 0.6;
     render::GpuScene onDevice(device(), sheets.world);
     render::Renderer renderer(device(), onDevice, motionOptions("anchored"));
     renderer.render(sheets.cameraAt(0.0));

@@ -218,6 +218,29 @@ TEST_F(MotionTest, IsExactForEveryTechniqueNearBy) {
     }
 }
 
+TEST_F(MotionTest, IsExactThroughLensesThatAreShifted) {
+    std::mt19937 random(8);
+    for (const double distance : {50.0, 1e6}) {
+        const double fovY = 40.0 / distance;
+        FarWorld far(distance, 12.0);
+        render::GpuScene onDevice(device(), far.world);
+        render::Renderer renderer(device(), onDevice, options());
+        scene::Camera before = orbiting(far, fovY, 0.0);
+        before.lensShift = glm::dvec2(0.2, -0.1) * fovY;
+        renderer.render(before);
+        const scene::Scene sceneBefore = far.world.scene();
+        scene::Camera now = orbiting(far, 1.1 * fovY, 0.02);
+        now.lensShift = glm::dvec2(-0.1, 0.05) * fovY;
+        far.move(random);
+        const Difference difference =
+            compare(renderer.render(now), {far.world.scene(), now}, {sceneBefore, before});
+        EXPECT_GT(difference.pixels, 20'000u);
+        EXPECT_GT(difference.longest, 50.0);
+        EXPECT_LT(difference.most, 0.01) << distance;
+        EXPECT_GT(difference.leastCompared(), 0.9);
+    }
+}
+
 TEST_F(MotionTest, WhatStandsStillDoesNotMoveToTheBit) {
     FarWorld far(1e6, 2.0);
     render::GpuScene onDevice(device(), far.world);

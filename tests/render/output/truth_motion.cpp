@@ -121,6 +121,7 @@ image::Raster<glm::dvec2> truthMotion(const measure::TruthImage& truth, const Se
     const measure::PixelSlopes slopes = measure::pixelSlopes(now.camera, truth.width, truth.height);
     // The picture's height is 2 tan(fovY / 2) in slopes, for either lens.
     const double perSlope = measure::pixelsPerSlope(before.camera, truth.height);
+    const glm::dvec2 shift = before.camera.lensShift;
     for (std::uint32_t y = 0; y < truth.height; ++y) {
         for (std::uint32_t x = 0; x < truth.width; ++x) {
             const measure::TruthPixel& pixel = truth.at(x, y);
@@ -129,8 +130,8 @@ image::Raster<glm::dvec2> truthMotion(const measure::TruthImage& truth, const Se
             }
             const auto was = motionAt(pixel, seen, instanceOf.at(pixel.id), {slopes.x[x], slopes.y[y]});
             if (was) {
-                motion.at(x, y) = {0.5 * truth.width + was->x * perSlope - (x + 0.5),
-                                   0.5 * truth.height - was->y * perSlope - (y + 0.5)};
+                motion.at(x, y) = {0.5 * truth.width + (was->x - shift.x) * perSlope - (x + 0.5),
+                                   0.5 * truth.height - (was->y - shift.y) * perSlope - (y + 0.5)};
             }
         }
     }

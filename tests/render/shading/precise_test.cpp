@@ -113,6 +113,7 @@ TEST(PreciseDistances, SmallDifferencesOfLargeOnesAreRoundedAsWritten) {
         {"translucent receivers", kTranslucentSortedShadowedFrag, "texelsBefore", 1},
         {"casters", kCasterVert, "main", 6},
         {"geometry", kGeometryVert, "main", 3},
+        {"geometry", kGeometryVert, "projectedOf", 2},
         {"geometry", kGeometryVert, "cdrClipPosition", 2},
         {"geometry", kGeometryVert, "cdrClipPositionLog", 1},
         {"geometry", kGeometryVert, "cdrClipPositionLogTangent", 4},
@@ -121,14 +122,14 @@ TEST(PreciseDistances, SmallDifferencesOfLargeOnesAreRoundedAsWritten) {
         {"geometry, pushed", kGeometryPushedVert, "main", 3},
         {"facets", kFacetVert, "cdrClipPosition", 2},
         {"facets", kFacetVert, "cdrInside", 2},
-        {"translucent surfaces", kTranslucentVert, "main", 4},
-        {"translucent surfaces with detail", kTranslucentDetailedVert, "main", 4},
+        {"translucent surfaces", kTranslucentVert, "main", 6},
+        {"translucent surfaces with detail", kTranslucentDetailedVert, "main", 6},
         {"sorted translucency", kTranslucentSortedFrag, "cdrExactSum", 6},
         {"sorted translucency", kTranslucentSortedFrag, "cdrPairSum", 1},
         {"motion", kOutputMotionFrag, "cdrExactSum", 6},
         {"motion", kOutputMotionFrag, "cdrUpperHalf", 2},
         {"motion", kOutputMotionFrag, "cdrExactProduct", 6},
-        {"motion of deformed meshes", kOutputDeformedMotionVert, "main", 4},
+        {"motion of deformed meshes", kOutputDeformedMotionVert, "main", 5},
     };
     for (const Case& each : cases) {
         SCOPED_TRACE(each.name + ": " + each.function);

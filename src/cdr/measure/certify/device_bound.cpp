@@ -42,7 +42,9 @@ DeviceBound::DeviceBound(const DrawnFrame& frame, double rounding, double snapPi
     : m_rounding(rounding),
       m_snapPixels(snapPixels),
       m_pixelsPerSlope(pixelsPerSlope(frame.camera, frame.ids.height)),
-      m_picturePixels(double{1.0} * frame.ids.width + frame.ids.height) {}
+      m_picturePixels(double{1.0} * frame.ids.width + frame.ids.height),
+      m_shiftPixels(m_pixelsPerSlope *
+                    std::max(std::abs(frame.camera.lensShift.x), std::abs(frame.camera.lensShift.y))) {}
 
 DeviceBound DeviceBound::ofFloat64(const DrawnFrame& frame) {
     return {frame, kDoubleOperation, kMinPixels};
@@ -102,10 +104,10 @@ const DeviceBound::Cell& DeviceBound::cellAt(double distanceView) const {
 
 TriangleBound DeviceBound::of(const TriangleReach& reach) const {
     TriangleBound bound;
-    // The roundings of x; those of w, by which x is divided; those of the viewport and of a plane over the picture.
+    // The roundings of x; those of w, by which x is divided; those of the viewport and of a plane over the picture; and those of a lens shift.
     bound.pixels = m_snapPixels + m_rounding * (reach.acrossView * m_pixelsPerSlope / reach.leastView *
                                                     (10.0 + 4.0 * reach.alongView / reach.leastView) +
-                                                4.0 * m_picturePixels);
+                                                4.0 * (m_picturePixels + m_shiftPixels));
     double depth = 0.0;
     double beyondAnchor = m_ranges.empty() ? reach.mostView : 0.0;
     for (const Range& range : m_ranges) {

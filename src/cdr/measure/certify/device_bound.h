@@ -44,7 +44,7 @@ struct FrameBound {
 /// How far off a device may draw, from its stated sub-pixel bits and from float32's arithmetic. With u = 2^-24:
 ///
 /// - A corner's x has at most 4 roundings of a sum of products, 2 of a projection and 2 of w, itself a sum. A division adds
-///   one, and a viewport 2. Half a sub-pixel is added to these.
+///   one, and a viewport 2. A lens shift has 2, of its product and of the difference. Half a sub-pixel is added to these.
 /// - A distance has 2 roundings of its own and at most 4 of its sum of products. That is 8 u of the largest
 ///   number in it.
 /// - A depth has 3 roundings as depth::DepthRounding counts them. Drivers form it from a plane over the picture, by a
@@ -108,6 +108,7 @@ class DeviceBound {
     double m_snapPixels;
     double m_pixelsPerSlope;
     double m_picturePixels; ///< width and height
+    double m_shiftPixels;   ///< of the lens
     bool m_bends = false;
 };
 

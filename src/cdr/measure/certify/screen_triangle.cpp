@@ -45,11 +45,11 @@ InstanceTriangles::InstanceTriangles(const scene::Camera& camera, std::uint32_t 
       m_bound(bound),
       m_clipView(0.5 * camera.nearView),
       m_pixelsPerSlope(pixelsPerSlope(camera, height)),
-      m_middle(0.5 * (width - 1.0), 0.5 * (height - 1.0)) {}
+      m_axis(axisPixel(camera, width, height)) {}
 
 glm::dvec2 InstanceTriangles::pixelOf(const glm::dvec3& view) const {
     const double scale = m_pixelsPerSlope / view.z;
-    return {m_middle.x + view.x * scale, m_middle.y - view.y * scale};
+    return {m_axis.x + view.x * scale, m_axis.y - view.y * scale};
 }
 
 TriangleBound InstanceTriangles::boundOf(double leastView, double mostView) const {
@@ -162,8 +162,7 @@ void InstanceTriangles::append(const MeshOutline::Face& face, Side side) {
     const glm::dvec3 perSlope = plane.normal / plane.distance;
     const double alongX = perSlope.x / m_pixelsPerSlope;
     const double alongY = -perSlope.y / m_pixelsPerSlope;
-    const std::array<double, 3> inverse{perSlope.z - alongX * m_middle.x - alongY * m_middle.y, alongX,
-                                        alongY};
+    const std::array<double, 3> inverse{perSlope.z - alongX * m_axis.x - alongY * m_axis.y, alongX, alongY};
     const Polygon polygon = clipped(face, goesOn);
     for (std::size_t i = 2; i < polygon.count; ++i) {
         std::array corners{polygon.corners[0], polygon.corners[i - 1], polygon.corners[i]};

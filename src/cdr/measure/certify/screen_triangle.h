@@ -66,7 +66,7 @@ class InstanceTriangles {
     const DeviceBound& m_bound;
     double m_clipView;
     double m_pixelsPerSlope;
-    glm::dvec2 m_middle;
+    glm::dvec2 m_axis;         ///< axisPixel()
     glm::dvec3 m_centre{0.0};  ///< view space, of the instance
     double m_acrossView = 0.0; ///< TriangleReach, of the instance
     double m_alongView = 0.0;

@@ -12,12 +12,12 @@ PixelSlopes pixelSlopes(const scene::Camera& camera, std::uint32_t width, std::u
     slopes.step = 2.0 * perPixel;
     slopes.x.reserve(width);
     slopes.y.reserve(height);
-    // 2i + 1 - n is exact, so the picture's two halves mirror each other to the bit.
+    // 2i + 1 - n is exact, so the two halves of a picture about the view axis mirror each other to the bit.
     for (std::uint32_t i = 0; i < width; ++i) {
-        slopes.x.push_back((2.0 * i + 1.0 - width) * perPixel);
+        slopes.x.push_back((2.0 * i + 1.0 - width) * perPixel + camera.lensShift.x);
     }
     for (std::uint32_t j = 0; j < height; ++j) {
-        slopes.y.push_back((height - 1.0 - 2.0 * j) * perPixel);
+        slopes.y.push_back((height - 1.0 - 2.0 * j) * perPixel + camera.lensShift.y);
     }
     return slopes;
 }

@@ -87,12 +87,11 @@ std::optional<Footprint> footprint(const ViewBox& box, const scene::Camera& came
     });
     // The inverse of pixelSlopes.
     const double perSlope = pixelsPerSlope(camera, height);
-    const double middleX = 0.5 * (width - 1.0);
-    const double middleY = 0.5 * (height - 1.0);
-    const auto columns = pixelsWithin(middleX + x.least * perSlope - marginPixels,
-                                      middleX + x.most * perSlope + marginPixels, width);
-    const auto rows = pixelsWithin(middleY - y.most * perSlope - marginPixels,
-                                   middleY - y.least * perSlope + marginPixels, height);
+    const glm::dvec2 axis = axisPixel(camera, width, height);
+    const auto columns = pixelsWithin(axis.x + x.least * perSlope - marginPixels,
+                                      axis.x + x.most * perSlope + marginPixels, width);
+    const auto rows = pixelsWithin(axis.y - y.most * perSlope - marginPixels,
+                                   axis.y - y.least * perSlope + marginPixels, height);
     const PixelRect pixels{columns[0], rows[0], columns[1], rows[1]};
     return pixels.empty() ? std::nullopt : std::optional(Footprint{pixels, nearestView});
 }

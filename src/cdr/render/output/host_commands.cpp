@@ -82,11 +82,14 @@ void requireDraws(const HostFrame& host, const RenderOptions& options) {
 HostCascade hostCascadeOf(const gpu::Device& device, const RenderOptions& options, const FrameView& view,
                           std::size_t cascade, vk::CommandBuffer commands) {
     const CascadeView& made = view.cascades[cascade];
+    const glm::vec2 lens = clipLensShift(view.frustum);
     return {.commands = commands,
             .index = static_cast<std::uint32_t>(cascade),
             .clipRange = made.clipRange,
             .anchorView = made.terms.anchorView,
             .constants = makeCascadeConstants(view, cascade),
+            .lensX = lens.x,
+            .lensY = lens.y,
             .depthFormat = device.depthFormat(options.technique.format),
             .depthCompare = static_cast<VkCompareOp>(depthCompareOf(options.technique.mapping))};
 }

@@ -36,8 +36,11 @@ glm::dvec2 pixelsOf(const scene::Frustum& lens, const vk::Extent2D& extent) {
 
 MotionMaker::MotionMaker(const FrameView& view, const scene::Camera& before, vk::Extent2D extent)
     : m_projection(1.0 / view.frustum.tanX, -1.0 / view.frustum.tanY),
+      m_lensShift(clipLensShift(view.frustum)),
+      m_centre(view.frustum.centre),
       m_lens(pixelsOf(view.frustum, extent)),
       m_lensBefore(pixelsOf(scene::frustumOf(before, extent.width, extent.height), extent)),
+      m_centreBefore(before.lensShift),
       m_position(view.camera.position),
       m_axes(axesOf(view.camera)),
       m_axesBefore(axesOf(before)),
@@ -55,7 +58,8 @@ shaders::MotionHeader MotionMaker::header(std::uint32_t objects) const {
             .pixels = glm::vec2(m_lensBefore),
             .pixelsAdded = glm::vec2(m_lensBefore - m_lens),
             .objects = objects,
-            .unused = {}};
+            .unused = 0,
+            .middle = glm::vec2(m_centre * m_lens - m_centreBefore * m_lensBefore)};
 }
 
 shaders::MotionRecord MotionMaker::record(const MovedObject& moved) const {
@@ -86,6 +90,7 @@ shaders::DeformedPush MotionMaker::push(const DrawSource& source, const scene::T
             .upBefore = glm::vec4(rowOf(was, 1), 0.0f),
             .aheadBefore = glm::vec4(rowOf(was, 2), 0.0f),
             .projection = glm::vec2(m_projection),
+            .lens = m_lensShift,
             .id = source.id & shaders::kIdMask,
             .unused = 0};
 }

@@ -22,8 +22,11 @@ class MotionMaker {
 
   private:
     glm::dvec2 m_projection; ///< clip x and y per unit of right and up at view distance 1
-    glm::dvec2 m_lens;       ///< pixels per unit of right and up at view distance 1
+    glm::vec2 m_lensShift;
+    glm::dvec2 m_centre; ///< Frustum::centre
+    glm::dvec2 m_lens;   ///< pixels per unit of right and up at view distance 1
     glm::dvec2 m_lensBefore;
+    glm::dvec2 m_centreBefore;
     glm::dvec3 m_position;
     glm::dmat3 m_axes;       ///< of this camera: world space to right, up and ahead
     glm::dmat3 m_axesBefore; ///< of the last one

@@ -16,8 +16,8 @@ constexpr double kPlaceRounding = 0x1p-18;
 bool reachesView(const scene::PointLight& light, const scene::Camera& camera, const scene::Frustum& frustum) {
     const glm::dvec3 place = light.position - camera.position;
     const double w = -glm::dot(camera.back, place);
-    const double x = std::abs(glm::dot(camera.right, place));
-    const double y = std::abs(glm::dot(camera.up, place));
+    const double x = std::abs(glm::dot(frustum.rightOf(camera), place));
+    const double y = std::abs(glm::dot(frustum.upOf(camera), place));
     const double radius = *light.range * (1.0 + kRangeRounding) + glm::length(place) * kPlaceRounding;
     return w + radius >= camera.nearView && w - radius <= camera.farView &&
            x * frustum.cosX - w * frustum.sinX <= radius && y * frustum.cosY - w * frustum.sinY <= radius;

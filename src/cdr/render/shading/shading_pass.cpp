@@ -180,6 +180,7 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
     }
     header.occlusionRadius = static_cast<float>(m_effects.occlusion.radius);
     header.rayScale = glm::vec2(frustum.tanX, frustum.tanY);
+    header.rayCentre = glm::vec2(frustum.centre);
     header.pictureSize = glm::vec2(m_extent.width, m_extent.height);
     m_lightForm = lightFormOf(scene);
     const std::vector<std::uint32_t> seen = seenLights(scene.lights, camera, frustum);

@@ -33,8 +33,8 @@ std::array<glm::dvec3, 8> cornersOf(const scene::Camera& camera, const scene::Fr
     std::array<glm::dvec3, 8> corners;
     for (int i = 0; i < 8; ++i) {
         const double w = (i & 4) != 0 ? farView : nearView;
-        const double x = ((i & 1) != 0 ? 1.0 : -1.0) * frustum.tanX * w;
-        const double y = ((i & 2) != 0 ? 1.0 : -1.0) * frustum.tanY * w;
+        const double x = (((i & 1) != 0 ? 1.0 : -1.0) * frustum.tanX + frustum.centre.x) * w;
+        const double y = (((i & 2) != 0 ? 1.0 : -1.0) * frustum.tanY + frustum.centre.y) * w;
         corners[static_cast<std::size_t>(i)] = camera.right * x + camera.up * y - camera.back * w;
     }
     return corners;

@@ -45,8 +45,8 @@ FullscreenPassOptions receiverOptions(const gpu::Image& gbuffer) {
 vk::Rect2D areaOf(const ReceiverSlice& slice, const scene::Frustum& frustum, vk::Extent2D extent) {
     const glm::dvec2 size(extent.width, extent.height);
     const glm::dvec2 lens(frustum.tanX, -frustum.tanY);
-    const glm::dvec2 one = (slice.lowRay / lens * 0.5 + 0.5) * size;
-    const glm::dvec2 other = (slice.highRay / lens * 0.5 + 0.5) * size;
+    const glm::dvec2 one = ((slice.lowRay - frustum.centre) / lens * 0.5 + 0.5) * size;
+    const glm::dvec2 other = ((slice.highRay - frustum.centre) / lens * 0.5 + 0.5) * size;
     // At least a pixel is left, wherever the slice is.
     const glm::dvec2 low = glm::clamp(glm::floor(glm::min(one, other)) - 1.0, glm::dvec2(0.0), size - 1.0);
     const glm::dvec2 high = glm::clamp(glm::ceil(glm::max(one, other)) + 1.0, low + 1.0, size);

@@ -32,6 +32,8 @@ shaders::BinningView viewOf(const FrameView& view, double wideSpan) {
     block.sinX = view.frustum.sinX;
     block.cosY = view.frustum.cosY;
     block.sinY = view.frustum.sinY;
+    block.centreX = view.frustum.centre.x;
+    block.centreY = view.frustum.centre.y;
     block.nearView = camera.nearView;
     block.farView = camera.farView;
     block.hasWideSpan = std::isfinite(wideSpan) ? 1 : 0;

@@ -50,7 +50,8 @@ FullscreenPassOptions mergeOptions(const TargetsOptions& options) {
 shaders::LayerPush makeLayerPush(const FrameView& view, std::size_t cascade, double radius) {
     return {.rayScale = glm::vec2(view.frustum.tanX, view.frustum.tanY),
             .anchorView = static_cast<float>(view.cascades[cascade].terms.anchorView),
-            .radius = static_cast<float>(radius)};
+            .radius = static_cast<float>(radius),
+            .rayCentre = glm::vec2(view.frustum.centre)};
 }
 
 } // namespace

@@ -142,6 +142,7 @@ void TranslucentDraws::writeRecords(const scene::Camera& camera) {
 shaders::TranslucentPush TranslucentDraws::pushOf(std::size_t range, vk::Extent2D extent,
                                                   std::uint32_t capacity) const {
     const depth::Cascade& ends = m_ranges[range];
+    const glm::vec2 lens = clipLensShift(m_frustum);
     return {.projectionX = static_cast<float>(1.0 / m_frustum.tanX),
             .projectionY = static_cast<float>(-1.0 / m_frustum.tanY),
             .behind = static_cast<float>(0.5 * m_nearView),
@@ -150,7 +151,9 @@ shaders::TranslucentPush TranslucentDraws::pushOf(std::size_t range, vk::Extent2
             .width = extent.width,
             .capacity = capacity,
             .layerOffset = 0.0f,
-            .layerSlope = 0.0f};
+            .layerSlope = 0.0f,
+            .lensX = lens.x,
+            .lensY = lens.y};
 }
 
 void TranslucentDraws::record(vk::CommandBuffer commands, std::size_t range,

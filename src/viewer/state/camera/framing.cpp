@@ -38,7 +38,9 @@ scene::Camera framed(const scene::Camera& camera, const Ball& ball, double aspec
         std::clamp(away, ball.radius + 2.0 * camera.nearView,
                    std::max(camera.farView - ball.radius, ball.radius + 2.0 * camera.nearView));
     scene::Camera moved = camera;
-    moved.position = ball.centre + distance * camera.back;
+    const glm::dvec3 throughMiddle =
+        camera.lensShift.x * camera.right + camera.lensShift.y * camera.up - camera.back;
+    moved.position = ball.centre - distance * throughMiddle;
     return moved;
 }
 

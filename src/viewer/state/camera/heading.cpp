@@ -47,7 +47,7 @@ scene::Camera lookingAlong(const scene::Camera& camera, const Heading& heading) 
 glm::dvec2 slopeOf(const scene::Camera& camera, const glm::dvec2& pixel, std::uint32_t width,
                    std::uint32_t height) {
     const double slope = footprintSlope(camera, height);
-    return {slope * (pixel.x - 0.5 * width), slope * (0.5 * height - pixel.y)};
+    return camera.lensShift + slope * glm::dvec2(pixel.x - 0.5 * width, 0.5 * height - pixel.y);
 }
 
 double footprintSlope(const scene::Camera& camera, std::uint32_t height) {

@@ -30,6 +30,8 @@ Heading headingToSee(const glm::dvec3& target, const glm::dvec2& seen, const Hea
 scene::Camera setLens(const scene::Camera& camera, double fovDegrees) {
     scene::Camera set = camera;
     set.fovY = scene::radiansOf(std::clamp(fovDegrees, kNarrowestDegrees, kWidestDegrees));
+    set.lensShift *=
+        std::tan(0.5 * set.fovY) / std::tan(0.5 * camera.fovY); // in halves of the picture it stays
     return set;
 }
 
