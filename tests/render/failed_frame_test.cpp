@@ -158,6 +158,39 @@ TEST_F(FailedFrameTest, ASizeThatIsNotMadeLeavesTheLastFrame) {
 }
 
 /// However far it came: once the mesh is gone that had no room, or there is room for it, all others are there.
+/// A fitted split keeps to the last frame that was drawn.
+TEST_F(FailedFrameTest, AFrameThatIsRefusedDoesNotMoveFittedCascades) {
+    const auto drawnAfter = [&](bool isRefusedBetween, std::size_t views) {
+        scene::World world(boxScene());
+        std::vector<scene::InstanceHandle> parts;
+        for (const double x : {-1.5, 1.5}) {
+            parts.push_back(world.addInstance({.mesh = world.mesh(0),
+                                               .material = world.material(0),
+                                               .object = 7,
+                                               .transform = {{x, 0.0, -8.0}}}));
+        }
+        render::GpuScene onDevice(device(), world);
+        render::RenderOptions chosen = thumbnailOptions(depth::parseTechnique("anchored/fitted:0.001"));
+        chosen.motion = true;
+        render::ViewsRenderer renderer(device(), onDevice, chosen, views);
+        const auto camerasAt = [&](double z) {
+            scene::Camera camera = cameraAt(0.0);
+            camera.position.z = z;
+            return std::vector<scene::Camera>(views, camera);
+        };
+        renderer.render(camerasAt(0.0));
+        if (isRefusedBetween) {
+            world.setTransform(parts[1], {.position = {1.6, 0.0, -8.0}}); // parts of one object move apart
+            EXPECT_THROW(renderer.render(camerasAt(0.04)), base::InputError);
+            world.setTransform(parts[1], {.position = {1.5, 0.0, -8.0}});
+        }
+        return renderer.render(camerasAt(0.02)).front().cascades;
+    };
+    for (const std::size_t views : {std::size_t{1}, std::size_t{2}}) {
+        EXPECT_EQ(drawnAfter(true, views), drawnAfter(false, views)) << views;
+    }
+}
+
 TEST_F(FailedFrameTest, MeshesOutliveAnUploadWithoutMemory) {
     const std::string wanted = hashOf(draw(m_scene, cameraAt(0.0), options()));
     std::size_t failures = 0;

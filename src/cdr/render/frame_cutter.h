@@ -31,6 +31,9 @@ class FrameCutter {
     bool needsVisible() const { return m_split.needsVisible(); }
     /// The next frame is cut as a first one is.
     void forget() { m_split.forget(); }
+    /// As FrameSplit has them.
+    const depth::Cascades& previous() const { return m_split.previous(); }
+    void takeBack(depth::Cascades previous) { m_split.takeBack(std::move(previous)); }
 
   private:
     const Targets& m_targets;

@@ -59,6 +59,7 @@ struct Renderer::Slot {
     struct Before {
         FrameView view;
         Destination destination = Destination::device;
+        depth::Cascades cut;           ///< the last frame's, as its split remembers them
         bool isMotionFollowed = false; ///< by the frame that is on its way
     };
     Before before;

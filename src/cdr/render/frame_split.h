@@ -6,6 +6,7 @@
 #include <cdr/visibility/cull_cells.h>
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace cdr::render {
@@ -28,6 +29,10 @@ class FrameSplit {
 
     /// The next frame is cut as a first one is.
     void forget() { m_previous.clear(); }
+    /// The last frame's cascades.
+    const depth::Cascades& previous() const { return m_previous; }
+    /// Takes back the last cut: the frame that it was made for is not drawn. @param previous as it was before.
+    void takeBack(depth::Cascades previous) { m_previous = std::move(previous); }
 
     /// Whether cut() reads the visible list.
     bool needsVisible() const { return std::holds_alternative<depth::SplitFitted>(m_technique.split); }

@@ -159,6 +159,10 @@ const scene::ChangeLog& GpuScene::instanceChanges() const {
     return isLive() ? m_state->m_world->changes().instances : kNone;
 }
 
+std::uint64_t GpuScene::followedInstances() const {
+    return m_state->m_followed.instances;
+}
+
 std::uint32_t GpuScene::generation(std::size_t instance) const {
     if (scene().instances.radius[instance] == scene::kNoRadius) {
         return 0;

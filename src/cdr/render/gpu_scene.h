@@ -81,6 +81,8 @@ class CDR_EXPORT GpuScene {
     /// Which instances changed.
     /// @lifetime That of the world, or the program's where there is none.
     const scene::ChangeLog& instanceChanges() const;
+    /// How far in that log update() has come: what was noted later, sources() do not have yet.
+    std::uint64_t followedInstances() const;
     /// Tells apart the instances that were at one place of a world one after the other; 0 while none is there.
     std::uint32_t generation(std::size_t instance) const;
     /// Of all meshes, one after another.

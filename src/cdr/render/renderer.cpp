@@ -300,6 +300,7 @@ void Renderer::commit(Slot& slot) {
 void Renderer::abandon(Slot& slot) {
     slot.view = std::move(slot.before.view);
     slot.destination = slot.before.destination;
+    m_passes->cutter.takeBack(std::move(slot.before.cut));
     if (slot.before.isMotionFollowed) {
         m_motion->forget();
     }
@@ -311,7 +312,10 @@ Renderer::Slot& Renderer::prepare(const scene::Camera& camera, const Delivery& d
     followScene();
     Slot& slot = slotOf(m_frames);
     settle(slot);
-    slot.before = {.view = std::move(slot.view), .destination = slot.destination, .isMotionFollowed = false};
+    slot.before = {.view = std::move(slot.view),
+                   .destination = slot.destination,
+                   .cut = m_passes->cutter.previous(),
+                   .isMotionFollowed = false};
     try {
         decide(slot, camera, delivery);
     } catch (...) {

@@ -1,3 +1,4 @@
+#include "../../support/all_cases.h"
 #include "../fixture.h"
 #include "../host/host_side.h"
 #include "../host/read_image.h"
@@ -5,6 +6,7 @@
 #include "truth_motion.h"
 
 #include <cdr/base/error.h>
+#include <cdr/shaders/motion_shared.h>
 #include <scenes/cubes.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -409,6 +411,33 @@ TEST_F(MotionTest, GoesIntoAHostsImage) {
     image.format = VK_FORMAT_R8G8B8A8_UNORM;
     frame.motion = image;
     EXPECT_THROW(renderer.record(orbiting(far, 1e-5, 0.0), frame), base::InputError);
+}
+
+/// So many objects move that room for half as much again is more than a storage buffer may have.
+TEST_F(MotionTest, RoomStaysWithinTheDevicesBuffers) {
+    const std::size_t most = device().info().maxStorageBufferBytes / sizeof(shaders::MotionRecord);
+    const std::size_t count = most / 10 * 7;
+    if (!test::takesAllCases() || count > 2'000'000) {
+        GTEST_SKIP()
+            << "all cases are not taken (CDR_ALL_CASES), or buffers of the device hold over 2,000,000 records";
+    }
+    scene::Scene scene = boxScene();
+    for (std::size_t i = 0; i < count; ++i) {
+        addBox(scene, {0.0, 500.0, 50.0}); // behind the camera
+    }
+    scene::World world(std::move(scene));
+    render::GpuScene onDevice(device(), world);
+    render::RenderOptions chosen = thumbnailOptions(depth::parseTechnique("reversed"));
+    chosen.motion = true;
+    render::Renderer renderer(device(), onDevice, chosen);
+    renderer.draw({});
+    std::vector<scene::InstanceHandle> all;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        all.push_back(world.instance(i));
+    }
+    world.setTransforms(all, std::vector<scene::Transform>(count, {.position = {0.0, 501.0, 50.0}}));
+    renderer.draw({});
+    EXPECT_EQ(messageCount(), 0u);
 }
 
 TEST_F(MotionTest, OffIsNotThere) {

@@ -283,6 +283,25 @@ TEST_F(LightViewTest, CastersAreAllThatMayStandBetween) {
     }
 }
 
+/// A sphere that reaches a little into the side of the view. It and the view's slice both reach behind the light, though what is
+/// in both lies in front of it.
+TEST_F(LightViewTest, BodiesThatReachBehindALightStillHaveMaps) {
+    m_camera.position = glm::dvec3(0.0);
+    m_camera.fovY = 2.0 * std::atan(0.5625);
+    const std::vector<render::SeenSphere> seen{{glm::dvec3(94.0, 0.0, -24.0), 64.0, 24.0}};
+    std::size_t maps = 0;
+    for (const ReceiverSlice& slice : render::receiverSlices(m_camera, frustum(), seen)) {
+        for (const LightView& view : viewsOf({4.0, 32.2, -24.0}, slice)) {
+            EXPECT_TRUE(std::isfinite(view.texel)) << slice.nearView;
+            EXPECT_TRUE(std::isfinite(view.low.x) && std::isfinite(view.low.y)) << slice.nearView;
+            EXPECT_GE(view.size.width, 1u) << slice.nearView;
+            EXPECT_GE(view.size.height, 1u) << slice.nearView;
+            ++maps;
+        }
+    }
+    EXPECT_GT(maps, 0u);
+}
+
 } // namespace
 
 } // namespace cdr::render_test

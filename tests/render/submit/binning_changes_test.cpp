@@ -128,6 +128,27 @@ TEST_F(BinningChangesTest, WhatIsAddedOrPaintedIsDrawn) {
     EXPECT_EQ(messageCount(), 0u);
 }
 
+/// Pipelines that snap vertices are made for a size, and lists with them.
+TEST_F(BinningChangesTest, EditsBeforeAnotherSizeAreDrawn) {
+    if (!canDrawGpuDriven()) {
+        GTEST_SKIP() << "the device does not draw gpu-driven";
+    }
+    scene::Scene scene = boxScene();
+    addBox(scene, {-3.0, 0.0, -8.0});
+    scene::World world(scene);
+    render::GpuScene onDevice(device(), world);
+    render::RenderOptions options = thumbnailOptions(depth::parseTechnique("reversed"));
+    options.submission = render::Submission::gpuDriven;
+    options.snapping = render::Snapping::inPlane;
+    render::Renderer renderer(device(), onDevice, options);
+    const scene::Camera camera{.farView = 1000.0};
+    renderer.draw(camera);
+    world.setTransform(world.instance(0), {.position = {3.0, 0.0, -8.0}});
+    renderer.resize(2 * options.width, options.height);
+    const render::Frame frame = renderer.render(camera);
+    EXPECT_EQ(hashOf(frame), hashOf(draw(world.scene(), camera, renderer.options())));
+}
+
 } // namespace
 
 } // namespace cdr::render_test

@@ -43,6 +43,7 @@ void OcclusionCulling::drawDepth(const FrameView& view, const visibility::Visibl
     m_device.endLabel(primary);
     copyOccluders(primary, m_depth, m_copy.handle());
     recordHostBarrier(primary);
+    vk::Device(m_device.handle()).resetFences(*m_done); // a wait that failed has left it signalled
     gpu::submit(m_device, m_path.end(view), *m_done);
     gpu::waitAndReset(m_device, *m_done);
     m_copy.invalidate();

@@ -1,8 +1,11 @@
+#include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
 #include <cdr/render/output/motion_pass.h>
 #include <cdr/render/output/motion_records.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/output_motion_frag.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <span>
@@ -17,12 +20,29 @@ using Access = vk::AccessFlagBits2;
 constexpr std::uint32_t kRecordsBinding = 2;
 constexpr std::uint32_t kTableBinding = 3;
 
+constexpr std::uint64_t kRoomStep = 16; ///< bytes; of what records and tables hold
+
+std::uint64_t roundedUp(std::uint64_t bytes) {
+    return (bytes + kRoomStep - 1) / kRoomStep * kRoomStep;
+}
+
 std::size_t bytesOf(std::size_t records) {
     return sizeof(shaders::MotionHeader) + records * sizeof(shaders::MotionRecord);
 }
 
-gpu::Buffer makeInput(const gpu::Device& device, std::size_t bytes, const char* name) {
-    return {device, bytes, vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryUse::hostWrites, name};
+/// A buffer with room for half as much again, as far as the device has such buffers.
+/// @throws base::RunError with both figures where it has none of `bytes`.
+gpu::Buffer makeInput(const gpu::Device& device, std::uint64_t bytes, const char* name) {
+    const std::uint64_t most = device.info().maxStorageBufferBytes / kRoomStep * kRoomStep;
+    if (bytes > most) {
+        throw base::RunError(fmt::format("motion: {} take {} bytes, more than the {} of a buffer of {}", name,
+                                         bytes, most, device.info().name));
+    }
+    const std::uint64_t room = std::min(roundedUp(bytes + bytes / 2), most);
+    if (gpu::takesDeviceBytes(device, gpu::MemoryUse::hostWrites)) {
+        gpu::requireDeviceBytes(device, room, name);
+    }
+    return {device, room, vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryUse::hostWrites, name};
 }
 
 } // namespace
@@ -51,13 +71,13 @@ MotionPass::Inputs MotionPass::makeInputs(const ShadingInputs& shading) const {
 
 void MotionPass::makeRoom(Inputs& inputs, std::size_t records, std::size_t objects) const {
     if (inputs.m_records.size() < bytesOf(records)) {
-        inputs.m_records = makeInput(m_device, bytesOf(records + records / 2), "motion records");
+        inputs.m_records = makeInput(m_device, bytesOf(records), "motion records");
         inputs.m_inputs.setBuffer(kRecordsBinding, inputs.m_records);
     }
     if (inputs.m_table.size() < objects * sizeof(std::uint32_t)) {
-        const std::size_t room = objects + objects / 2;
-        inputs.m_table = makeInput(m_device, room * sizeof(std::uint32_t), "motion table");
-        const std::span<std::uint32_t> table = inputs.m_table.as<std::uint32_t>(room);
+        inputs.m_table = makeInput(m_device, objects * sizeof(std::uint32_t), "motion table");
+        const std::span<std::uint32_t> table =
+            inputs.m_table.as<std::uint32_t>(inputs.m_table.size() / sizeof(std::uint32_t));
         std::fill(table.begin(), table.end(), 0u);
         inputs.m_inTable.clear();
         inputs.m_inputs.setBuffer(kTableBinding, inputs.m_table);

@@ -54,6 +54,14 @@ Cover coverOf(const LightView& view, const Corners& corners, const glm::dvec3& s
     return cover;
 }
 
+/// Whether a body lies wholly in front of a light, and not so near that its place in the view grows without bound.
+bool isInFront(const LightView& view, const Corners& corners, const glm::dvec3& shift) {
+    constexpr double kNearestW = 1.0 / 16.0; // 1 in the middle of the slice
+    return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
+        return view.w(view.toLight(corner - shift).z) >= kNearestW;
+    });
+}
+
 /// Whether a body lies wholly beside one of the four planes of a side of the light.
 bool isBeside(const LightView& side, const Corners& corners, const glm::dvec3& shift) {
     std::array<bool, 4> beside{true, true, true, true};
@@ -168,8 +176,11 @@ std::vector<LightView> lightViews(const scene::PointLight& light, const glm::dve
         view.right = across(view.ahead);
         view.up = glm::cross(view.ahead, view.right);
         view.wPerUnit = 1.0 / distance;
-        add(view.origin - camera);
-        return views;
+        // Both bodies may reach behind the light, though what is in both does not. Then neither bounds a map.
+        if (isInFront(view, slice.view, slice.middle) || isInFront(view, slice.boxes, slice.middle)) {
+            add(slice.middle);
+            return views;
+        }
     }
     view.origin = light.position;
     view.wOffset = 0.0;

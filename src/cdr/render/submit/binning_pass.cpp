@@ -138,7 +138,7 @@ void BinningPass::groupAll() {
 void BinningPass::groupMore() {
     const GpuScene& gpuScene = m_drawn.uploaded;
     m_tables = gpuScene.tablesRevision();
-    m_followed = gpuScene.instanceChanges().end();
+    m_followed = gpuScene.followedInstances();
     const std::size_t before = m_kinds.size();
     m_spheres.resize(gpuScene.sources().size());
     m_looks.resize(gpuScene.sources().size());

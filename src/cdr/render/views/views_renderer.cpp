@@ -121,6 +121,7 @@ void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
         renderer->settle(renderer->slotOf(renderer->m_frames));
     }
     const host::Stopwatch watch;
+    depth::Cascades before = m_split->previous();
     const depth::Cascades cascades = look(cameras, occupiedBy(how.hosts));
     const double lookMs = watch.milliseconds();
     std::vector<Renderer::Delivery> deliveries;
@@ -131,10 +132,15 @@ void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
     }
     deliveries.front().sync.waits = how.sync.waits;
     deliveries.back().sync.signals = how.sync.signals;
-    if (mayBeTogether(how)) {
-        launchTogether(cameras, deliveries);
-    } else {
-        launchInTurn(cameras, deliveries);
+    try {
+        if (mayBeTogether(how)) {
+            launchTogether(cameras, deliveries);
+        } else {
+            launchInTurn(cameras, deliveries);
+        }
+    } catch (...) {
+        m_split->takeBack(std::move(before));
+        throw;
     }
     lastSlot(0).stats.times.cullMs += lookMs;
 }

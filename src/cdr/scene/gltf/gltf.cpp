@@ -260,8 +260,9 @@ std::uint64_t Importer::readBounded(int mesh) {
 void Importer::addNode(const MeshNode& node) {
     const std::string nodeName = fullNameOf(itemAt(m_sources.document.root, "nodes", node.node, "node"));
     const std::string& meshName = m_sourceMeshes.at(node.mesh).name;
+    // A mesh may be that of many nodes, so what they take of its name is bounded.
     const std::string name = !nodeName.empty()   ? nodeName
-                             : !meshName.empty() ? meshName
+                             : !meshName.empty() ? oneLine(meshName, kMaxNameLength)
                                                  : fmt::format("node {}", node.node);
     std::size_t copies = 0;
     forEachCopy(node, [&](const MeshNode& copy) {

@@ -31,6 +31,16 @@ std::vector<bool> wantedNodes(const json& root, const PlacedNodes& nodes, std::v
     return wanted;
 }
 
+bool isMorphedAtRest(const FileRig& rig, std::size_t node) {
+    if (!rig.nodeOf[node]) {
+        return false;
+    }
+    const RigNode& placed = rig.rig.nodes[*rig.nodeOf[node]];
+    const auto first = rig.rig.weights.begin() + static_cast<std::ptrdiff_t>(placed.firstWeight);
+    return std::any_of(first, first + static_cast<std::ptrdiff_t>(placed.weightCount),
+                       [](double weight) { return weight != 0.0; });
+}
+
 } // namespace
 
 MovingParts::MovingParts(const json& root, const PlacedNodes& nodes, Accessors& accessors,
@@ -48,6 +58,10 @@ MovingParts::MovingParts(const json& root, const PlacedNodes& nodes, Accessors& 
             m_made->skins.push_back(readSkin(root, *node.skin, accessors, m_rig));
         }
     }
+    // Once for each node: it may have millions of copies.
+    for (std::size_t i = 0; i < m_morphed.size(); ++i) {
+        m_morphed[i] = m_morphed[i] || isMorphedAtRest(m_rig, i);
+    }
     for (const std::size_t i : nodes.order) {
         const auto parent = nodes.all[i].parent;
         m_animated[i] = m_animated[i] || (parent && m_animated[*parent]);
@@ -63,13 +77,8 @@ std::optional<std::size_t> MovingParts::skinOf(const MeshNode& node, const Primi
 }
 
 bool MovingParts::deforms(const MeshNode& node, const Primitive& primitive) const {
-    if (skinOf(node, primitive)) {
-        return true;
-    }
-    const std::vector<double> weights = restWeights(m_root, itemAt(m_root, "nodes", node.node, "node"));
-    const bool isMorphed = m_morphed[static_cast<std::size_t>(node.node)] ||
-                           std::any_of(weights.begin(), weights.end(), [](double w) { return w != 0.0; });
-    return isMorphed && !primitive.targets.empty();
+    return skinOf(node, primitive) ||
+           (m_morphed[static_cast<std::size_t>(node.node)] && !primitive.targets.empty());
 }
 
 void MovingParts::carry(const MeshNode& node, std::uint32_t instance, const glm::dvec3& origin) {

@@ -57,7 +57,7 @@ class MovingParts {
     Accessors& m_accessors;
     Notes& m_notes;
     std::vector<bool> m_animated; ///< by node of the file
-    std::vector<bool> m_morphed;  ///< by node of the file
+    std::vector<bool> m_morphed;  ///< by node of the file, by an animation or at rest
     FileRig m_rig;
     std::map<int, std::size_t> m_skins; ///< by skin of the file, into SceneAnimation::skins
     std::shared_ptr<SceneAnimation> m_made = std::make_shared<SceneAnimation>();
