@@ -218,6 +218,42 @@ TEST_F(FailedFrameTest, MeshesOutliveAnUploadWithoutMemory) {
     EXPECT_EQ(messageCount(), 0u);
 }
 
+/// More lights than there is room for, in a frame that runs out of memory. Without them again all is drawn as before.
+TEST_F(FailedFrameTest, LightsThatFindNoRoomLeaveWhatSlotsRead) {
+    m_scene.materials.push_back(
+        {.name = "glass", .baseColorFactor = {1.0f, 0.0f, 0.0f, 0.5f}, .alphaMode = scene::AlphaMode::blend});
+    scene::addInstance(m_scene, 0, 1, 1, {0.5, 0.0, -4.0}, glm::mat3(0.5f));
+    render::RenderOptions chosen = options();
+    chosen.shadows.method = render::ShadowMethod::anchored;
+    const scene::Camera camera = cameraAt(0.0);
+    const std::string wanted = hashOf(draw(m_scene, camera, chosen));
+    std::size_t failures = 0;
+    for (bool hasFailed = true; hasFailed; failures += hasFailed ? 1 : 0) {
+        scene::World world(m_scene);
+        render::GpuScene onDevice(device(), world);
+        render::Renderer renderer(device(), onDevice, chosen);
+        renderer.draw(camera);
+        std::vector<scene::LightHandle> added;
+        for (int i = 0; i < 3; ++i) {
+            added.push_back(world.addLight({.position = {-5.0, 10.0, 0.0}}));
+        }
+        {
+            const FailingCall failing("vkCreateBuffer", failures);
+            try {
+                renderer.draw(camera);
+            } catch (const base::RunError&) {
+            }
+            hasFailed = FailingCall::hasFailed();
+        }
+        for (const scene::LightHandle light : added) {
+            world.removeLight(light);
+        }
+        EXPECT_EQ(hashOf(renderer.render(camera)), wanted) << "buffer " << failures;
+    }
+    EXPECT_GE(failures, 3u);
+    EXPECT_EQ(messageCount(), 0u);
+}
+
 } // namespace
 
 } // namespace cdr::render_test

@@ -25,13 +25,8 @@
 
 namespace cdr::render {
 
-/// What one frame in flight owns, and what it was drawn from.
-struct Renderer::Slot {
-    std::unique_ptr<DrawPath> path;
-    /// Where surfaces are lit while they are drawn: draws them once more, into a visibility buffer, for whoever reads that.
-    std::unique_ptr<DrawPath> readPath;
-    HostCommands host{};                       ///< of the frame that is being recorded
-    std::vector<vk::CommandBuffer> commands{}; ///< that the frame submits; none that a host does
+/// What the passes of one frame in flight read. Made anew as a whole, where a scene has more lights than there is room for.
+struct Renderer::SlotInputs {
     ShadingInputs shading;
     PassInputs resolve;                               ///< where a visibility buffer is drawn
     std::optional<TranslucentPass::Slot> translucent; ///< where the scene has blended materials
@@ -39,6 +34,16 @@ struct Renderer::Slot {
     FocusInputs focus;                                ///< where the lens has one
     std::optional<DepthOutput::Inputs> depthOutput;   ///< once a host asked for depth
     std::optional<MotionPass::Inputs> motion;         ///< where it is worked out
+};
+
+/// What one frame in flight owns, and what it was drawn from.
+struct Renderer::Slot {
+    std::unique_ptr<DrawPath> path;
+    /// Where surfaces are lit while they are drawn: draws them once more, into a visibility buffer, for whoever reads that.
+    std::unique_ptr<DrawPath> readPath;
+    HostCommands host{};                       ///< of the frame that is being recorded
+    std::vector<vk::CommandBuffer> commands{}; ///< that the frame submits; none that a host does
+    std::unique_ptr<SlotInputs> inputs; ///< always there; some of them refer to others by their address
     vk::UniqueFence done;
     std::optional<gpu::DeviceClock> clock; ///< where frames are timed by it
     /// A host's timeline semaphore and the value that says that the frame is done, in place of `done`.

@@ -169,7 +169,7 @@ void Renderer::makePasses() {
             if (m_options.deviceClock && gpu::DeviceClock::isThere(m_device)) {
                 begun.clock.emplace(m_device, fmt::format("frame slot {}", slot));
             }
-            makeInputs(begun, m_passes->lightRoom);
+            begun.inputs = makeInputs(m_passes->lightRoom);
         }
     } catch (...) {
         std::swap(m_passes, made);
@@ -178,25 +178,22 @@ void Renderer::makePasses() {
     }
 }
 
-void Renderer::makeInputs(Slot& slot, std::size_t lightRoom) {
-    slot.shading = m_passes->shading.makeInputs(lightRoom);
+std::unique_ptr<Renderer::SlotInputs> Renderer::makeInputs(std::size_t lightRoom) const {
+    auto made = std::make_unique<SlotInputs>();
+    made->shading = m_passes->shading.makeInputs(lightRoom);
     if (m_passes->resolve != nullptr) {
-        slot.resolve = m_passes->resolve->makeInputs(slot.shading);
+        made->resolve = m_passes->resolve->makeInputs(made->shading);
     }
-    slot.shadows.reset();
     if (m_passes->shadows != nullptr) {
-        slot.shadows.emplace(m_passes->shadows->makeSlot(slot.shading));
+        made->shadows.emplace(m_passes->shadows->makeSlot(made->shading));
     }
-    slot.focus = {};
-    slot.depthOutput.reset();
-    slot.motion.reset();
     if (m_passes->motion != nullptr) {
-        slot.motion.emplace(m_passes->motion->makeInputs(slot.shading));
+        made->motion.emplace(m_passes->motion->makeInputs(made->shading));
     }
-    slot.translucent.reset();
     if (m_passes->translucent != nullptr) {
-        slot.translucent.emplace(m_passes->translucent->makeSlot(slot.shading));
+        made->translucent.emplace(m_passes->translucent->makeSlot(made->shading));
     }
+    return made;
 }
 
 Renderer::~Renderer() {
@@ -242,7 +239,7 @@ void Renderer::cull(const FrameView& view) {
 }
 
 bool Renderer::readsVisible(const Slot& slot) const {
-    return slot.path->needsVisible() || m_passes->cutter.needsVisible() || slot.shadows;
+    return slot.path->needsVisible() || m_passes->cutter.needsVisible() || slot.inputs->shadows;
 }
 
 Renderer::Slot& Renderer::slotOf(std::size_t frame) const {
@@ -265,8 +262,8 @@ void Renderer::settle(Slot& slot) {
             if (slot.path->needsVisible()) {
                 cull(slot.view); // by now the list may be a later frame's
             }
-            if (slot.translucent) {
-                m_passes->translucent->prepareAgain(*slot.translucent, slot.view, m_workers);
+            if (slot.inputs->translucent) {
+                m_passes->translucent->prepareAgain(*slot.inputs->translucent, slot.view, m_workers);
             }
             launch(slot, {.destination = slot.destination});
         }
@@ -276,7 +273,8 @@ void Renderer::settle(Slot& slot) {
 bool Renderer::hasRoomSufficed(Slot& slot) {
     const bool opaqueSufficed = slot.path->settle(slot.stats);
     const bool blendedSufficed =
-        !slot.translucent || m_passes->translucent->settle(*slot.translucent, slot.stats.translucency);
+        !slot.inputs->translucent ||
+        m_passes->translucent->settle(*slot.inputs->translucent, slot.stats.translucency);
     return opaqueSufficed && blendedSufficed;
 }
 
@@ -345,30 +343,31 @@ void Renderer::decide(Slot& slot, const scene::Camera& camera, const Delivery& d
                                  ? std::span<const depth::Interval>(delivery.host->occupied)
                                  : std::span<const depth::Interval>());
     }
-    slot.shading.update(m_drawn.scene, camera, slot.view.frustum, slot.view.anchorsView());
-    if (slot.motion) {
+    slot.inputs->shading.update(m_drawn.scene, camera, slot.view.frustum, slot.view.anchorsView());
+    if (slot.inputs->motion) {
         slot.before.isMotionFollowed = true;
-        m_passes->motion->update(*slot.motion, m_drawn, slot.view, m_motion->follow(m_drawn, camera));
+        m_passes->motion->update(*slot.inputs->motion, m_drawn, slot.view, m_motion->follow(m_drawn, camera));
     }
     slot.stats.times.splitMs = watch.lap("split");
-    if (slot.shadows) {
-        m_passes->shadows->prepare(*slot.shadows, slot.view, *m_visible, subPixelBits(m_device, m_options),
-                                   m_workers);
-        slot.stats.shadows = {.maps = slot.shadows->views.size(), .casters = slot.shadows->casters.draws()};
+    if (slot.inputs->shadows) {
+        m_passes->shadows->prepare(*slot.inputs->shadows, slot.view, *m_visible,
+                                   subPixelBits(m_device, m_options), m_workers);
+        slot.stats.shadows = {.maps = slot.inputs->shadows->views.size(),
+                              .casters = slot.inputs->shadows->casters.draws()};
         slot.stats.times.shadowsMs = watch.lap("shadows");
     }
     if (auto* byCpu = findIn<OcclusionCulling>(m_passes->occlusion)) {
         slot.stats.occluders = byCpu->drop(slot.view, m_workers, *m_visible);
         slot.stats.times.occludersMs = watch.lap("occluders");
     }
-    if (slot.translucent) {
+    if (slot.inputs->translucent) {
         using AfterRefusal = TranslucentPass::AfterRefusal;
-        m_passes->translucent->prepare(*slot.translucent, slot.view,
+        m_passes->translucent->prepare(*slot.inputs->translucent, slot.view,
                                        delivery.isAwaited ? AfterRefusal::sorted : AfterRefusal::weighted,
                                        subPixelBits(m_device, m_options), m_workers);
-        if (slot.translucent->shadows) {
-            slot.stats.shadows.maps += slot.translucent->shadows->maps();
-            slot.stats.shadows.casters += slot.translucent->shadows->casters();
+        if (slot.inputs->translucent->shadows) {
+            slot.stats.shadows.maps += slot.inputs->translucent->shadows->maps();
+            slot.stats.shadows.casters += slot.inputs->translucent->shadows->casters();
         }
         slot.stats.times.translucentMs = watch.lap("translucent draws");
     }

@@ -123,6 +123,7 @@ class CDR_EXPORT Renderer {
   private:
     friend class ViewsRenderer; // culls and cuts for several at once
     struct Slot;
+    struct SlotInputs;
     struct Passes;
     struct Delivery;
     /// What of the scene decides which passes and pipelines there are.
@@ -151,7 +152,8 @@ class CDR_EXPORT Renderer {
     void makePasses();
     /// For what the scene needs, or for a picture of another size. Nothing may be in flight.
     void remake(const Needs& needs, const RenderOptions& options);
-    void makeInputs(Slot& slot, std::size_t lightRoom);
+    /// Those of one slot.
+    std::unique_ptr<SlotInputs> makeInputs(std::size_t lightRoom) const;
     /// Takes over what changed in the scene.
     void followScene();
     /// base::InputError unless record() can record into a frame.

@@ -68,8 +68,8 @@ void Renderer::finishFrame(Slot& slot, const Delivery& delivery, host::StageWatc
         shade(slot);
     }
     recordSurfaces(slot, delivery);
-    if (slot.translucent) {
-        m_passes->translucent->record(slot.path->primary(), *slot.translucent);
+    if (slot.inputs->translucent) {
+        m_passes->translucent->record(slot.path->primary(), *slot.inputs->translucent);
     }
     m_passes->picture.finish(slot.path->primary());
     if (destination != Destination::device) {
@@ -109,7 +109,7 @@ void Renderer::dropRecorded() {
 
 bool Renderer::isRead(const Slot& slot, const Delivery& delivery) {
     const bool wantsDepth = delivery.host != nullptr && delivery.host->depth.has_value();
-    return delivery.destination == Destination::host || wantsDepth || slot.motion;
+    return delivery.destination == Destination::host || wantsDepth || slot.inputs->motion;
 }
 
 void Renderer::recordReadSurfaces(Slot& slot, const HostFrame* host) {
@@ -125,29 +125,29 @@ void Renderer::recordReadSurfaces(Slot& slot, const HostFrame* host) {
 
 void Renderer::shade(Slot& slot) {
     if (m_passes->resolve != nullptr) {
-        slot.shading.setFacets(slot.path->facets());
-        if (slot.shadows) {
-            slot.shadows->inputs.setTexels(ShadingInputs::kFacetsBinding, slot.path->facets());
+        slot.inputs->shading.setFacets(slot.path->facets());
+        if (slot.inputs->shadows) {
+            slot.inputs->shadows->inputs.setTexels(ShadingInputs::kFacetsBinding, slot.path->facets());
         }
     }
     if (const auto* focus = std::get_if<std::unique_ptr<FocusLayers>>(&m_passes->ownTargets)) {
-        (*focus)->light(slot.path->primary(), slot.shading, slot.focus);
+        (*focus)->light(slot.path->primary(), slot.inputs->shading, slot.inputs->focus);
     } else {
-        m_passes->shading.begin(slot.path->primary(), slot.shading);
-        if (slot.shadows) {
-            m_passes->shadows->record(slot.path->primary(), *slot.shadows);
+        m_passes->shading.begin(slot.path->primary(), slot.inputs->shading);
+        if (slot.inputs->shadows) {
+            m_passes->shadows->record(slot.path->primary(), *slot.inputs->shadows);
         }
-        m_passes->shading.record(slot.path->primary(), slot.shading);
+        m_passes->shading.record(slot.path->primary(), slot.inputs->shading);
     }
 }
 
 void Renderer::recordSurfaces(Slot& slot, const Delivery& delivery) {
     if (m_passes->resolve != nullptr && isRead(slot, delivery)) {
         const DrawPath& drawn = slot.readPath != nullptr ? *slot.readPath : *slot.path;
-        m_passes->resolve->record(slot.path->primary(), slot.resolve, drawn.facets());
+        m_passes->resolve->record(slot.path->primary(), slot.inputs->resolve, drawn.facets());
     }
-    if (slot.motion) {
-        m_passes->motion->record(slot.path->primary(), *slot.motion);
+    if (slot.inputs->motion) {
+        m_passes->motion->record(slot.path->primary(), *slot.inputs->motion);
     }
 }
 

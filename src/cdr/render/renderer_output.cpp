@@ -48,10 +48,11 @@ void Renderer::recordOutputs(Slot& slot, const HostFrame& host) {
         if (m_passes->depthOutput == nullptr) {
             m_passes->depthOutput = std::make_unique<DepthOutput>(m_device);
         }
-        if (!slot.depthOutput) {
-            slot.depthOutput = m_passes->depthOutput->makeInputs(m_passes->gbuffer(), slot.shading);
+        if (!slot.inputs->depthOutput) {
+            slot.inputs->depthOutput =
+                m_passes->depthOutput->makeInputs(m_passes->gbuffer(), slot.inputs->shading);
         }
-        m_passes->depthOutput->record(primary, *slot.depthOutput, *host.depth);
+        m_passes->depthOutput->record(primary, *slot.inputs->depthOutput, *host.depth);
     }
     recordColorOutput(primary, m_passes->picture.encoded(), host.color);
     if (host.motion) {

@@ -4,6 +4,7 @@
 #include <cdr/render/renderer_setup.h>
 
 #include <utility>
+#include <vector>
 
 namespace cdr::render {
 
@@ -66,8 +67,12 @@ void Renderer::followScene() {
     if (lights > m_passes->lightRoom) {
         finish();
         const std::size_t room = lights + lights / 2;
-        for (Slot& slot : m_passes->slots) {
-            makeInputs(slot, room);
+        std::vector<std::unique_ptr<SlotInputs>> made; // those of all slots first, since this may throw
+        for (std::size_t i = 0; i < m_passes->slots.size(); ++i) {
+            made.push_back(makeInputs(room));
+        }
+        for (std::size_t i = 0; i < made.size(); ++i) {
+            m_passes->slots[i].inputs = std::move(made[i]);
         }
         m_passes->lightRoom = room;
     }
