@@ -191,6 +191,7 @@ void Command::endProgress() const {
 nlohmann::ordered_json Command::makeDocument(nlohmann::ordered_json options) const {
     nlohmann::ordered_json document = output::makeDocument(
         m_name, m_opened ? m_opened->documentDevice() : output::DocumentDevice{}, std::move(options));
+    document["given"] = givenOptions(m_app);
     if (m_global.hostCpus != 0) {
         document["host"]["cpus"] = m_measuresTime ? host::allowedCpus().size() : m_global.hostCpus;
     }

@@ -225,7 +225,7 @@ void addReportOptions(CLI::App& command, ReportArguments& arguments) {
 void addReport(CLI::App& program, const GlobalOptions& global) {
     addCommand<ReportArguments>(
         program, global, "report",
-        "Every experiment in one folder with a page that opens offline, the thesis beside it",
+        "All experiments but models in one folder with a page that opens offline, the thesis beside it",
         addReportOptions, runReport, RankUse::all);
 }
 

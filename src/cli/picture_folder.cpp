@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace cdr::cli {
@@ -33,6 +34,12 @@ void requireFolder(const fs::path& path) {
     }
 }
 
+/// Names of techniques, such as "standard/count:3", are parts of the names of pictures.
+std::string nameInFolder(std::string name) {
+    std::replace(name.begin(), name.end(), '/', '-');
+    return name;
+}
+
 } // namespace
 
 PictureFolder::PictureFolder(fs::path path, CommandFiles& files, const std::string& stem)
@@ -46,7 +53,7 @@ PictureFolder::PictureFolder(fs::path path, CommandFiles& files, const std::stri
 void PictureFolder::write(const std::string& name, const image::ImageRgba8& picture) const {
     if (isWanted()) {
         host::makeFolder(m_path);
-        image::writeImage(m_path / name, picture);
+        image::writeImage(m_path / nameInFolder(name), picture);
     }
 }
 
@@ -54,7 +61,7 @@ void PictureFolder::write(const char* key, const std::string& name, const image:
                           nlohmann::ordered_json& row) const {
     if (isWanted()) {
         write(name, picture);
-        row[key] = name;
+        row[key] = nameInFolder(name);
     }
 }
 

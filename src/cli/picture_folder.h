@@ -23,7 +23,7 @@ class PictureFolder {
     bool isWanted() const { return !m_path.empty(); }
     const std::filesystem::path& path() const { return m_path; }
 
-    /// Writes a picture, if the folder is wanted.
+    /// Writes a picture, if the folder is wanted. A slash in its name becomes a dash.
     void write(const std::string& name, const image::ImageRgba8& picture) const;
     /// The same, and its name as a field of a row.
     void write(const char* key, const std::string& name, const image::ImageRgba8& picture,

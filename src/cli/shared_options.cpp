@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 #include <options/number_checks.h>
 
 #include <algorithm>
@@ -69,6 +70,21 @@ std::string textOf(const CLI::App& command) {
         }
     }
     return text;
+}
+
+nlohmann::ordered_json givenOptions(const CLI::App& command) {
+    constexpr std::array<std::string_view, 10> kWhereResultsGo{
+        "help", "json", "state", "output", "out", "csv", "plot", "trace", "certify", "heat-map"};
+    auto given = nlohmann::ordered_json::object();
+    for (const CLI::Option* option : command.get_options()) {
+        const std::string name = option->get_single_name();
+        const bool isPlace =
+            std::find(kWhereResultsGo.begin(), kWhereResultsGo.end(), name) != kWhereResultsGo.end();
+        if (option->count() > 0 && !isPlace) {
+            given[name] = option->results();
+        }
+    }
+    return given;
 }
 
 void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height) {

@@ -5,6 +5,7 @@
 #include <cdr/depth/technique.h>
 #include <cdr/render/geometry/snapping.h>
 
+#include <nlohmann/json_fwd.hpp>
 #include <options/camera_options.h>
 #include <options/effect_options.h>
 #include <ranks/ranks.h>
@@ -65,6 +66,8 @@ void addState(CLI::App& command, std::filesystem::path& state);
 
 /// All options that were given, in words, except where JSON and the state go. It identifies the run that a state belongs to.
 std::string textOf(const CLI::App& command);
+/// Options that were given and what was given, as words by name, for JSON. Without those that say where results go.
+nlohmann::ordered_json givenOptions(const CLI::App& command);
 
 /// `--size WIDTHxHEIGHT`. base::InputError for anything that is not two whole numbers above 0.
 void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height);

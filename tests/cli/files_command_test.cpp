@@ -32,10 +32,12 @@ TEST(Files, AnOutputNeverReplacesTheInput) {
     fs::create_symlink("in.gltf", folder.path() / "link.gltf");
     fs::create_hard_link(folder.path() / "in.gltf", folder.path() / "other.json");
     const std::string before = readText(folder.path() / "in.gltf");
-    for (const char* arguments : {"render in.gltf --json in.gltf", "render in.gltf --json link.gltf",
-                                  "render in.gltf --json other.json", "render in.gltf --trace in.gltf",
-                                  "pictures --scenes in.gltf --json in.gltf", "detail in.gltf --json in.gltf",
-                                  "render cubes --path in.gltf --json in.gltf"}) {
+    for (const char* arguments :
+         {"render in.gltf --json in.gltf", "render in.gltf --json link.gltf",
+          "render in.gltf --json other.json", "render in.gltf --trace in.gltf",
+          "pictures --scenes in.gltf --json in.gltf", "detail in.gltf --json in.gltf",
+          "render cubes --path in.gltf --json in.gltf", "inspect cubes --path in.gltf --json in.gltf",
+          "shadows alley --path in.gltf --json in.gltf"}) {
         const ProgramResult result = runProgram(arguments, folder.path());
         EXPECT_EQ(result.status, 2) << arguments;
         EXPECT_NE(result.err.find("would replace what the command reads"), std::string::npos) << result.err;

@@ -211,6 +211,19 @@ TEST(InspectCommand, LooksAtAFileFromAllSides) {
     }
 }
 
+/// A picture without surfaces tells nothing of a technique.
+TEST(InspectCommand, JudgesNothingByAnEmptyView) {
+    const TemporaryFolder folder;
+    const std::string away =
+        "inspect cubes --eye 0,0,0 --direction 0,-1,0 --near 0.1 --far 1 --size 64x36 --json a.json";
+    const ProgramResult result = runProgram(away, folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(readText(folder.path() / "a.json"));
+    EXPECT_TRUE(document.at("simplest").is_null());
+    EXPECT_TRUE(isSaid(document, "No technique could be judged"));
+    EXPECT_EQ(runProgram(away + " --fail-above 0.5", folder.path()).status, 3);
+}
+
 TEST(InspectCommand, SaysHowMuchMemoryAPictureNeeds) {
     if (std::string(CDR_FILE_FAULTS).empty()) {
         GTEST_SKIP() << "sanitizers take more addresses than the limit";

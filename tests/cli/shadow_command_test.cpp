@@ -36,6 +36,19 @@ TEST(ShadowCommand, ComparesBothMethodsWithTheTruth) {
     EXPECT_LE(document["results"][1]["wrong_fraction"], document["results"][0]["wrong_fraction"]);
 }
 
+/// A technique's name is a part of the names of pictures.
+TEST(ShadowCommand, TechniquesWithASplitHavePictures) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        "shadows alley --techniques standard/count:3 --methods plain --size 64x36 --out p --json s.json",
+        folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto picture =
+        json::parse(readText(folder.path() / "s.json"))["results"][0]["picture"].get<std::string>();
+    EXPECT_EQ(picture.find("standard-count:3"), 0u) << picture;
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "p" / picture));
+}
+
 /// Of frames after the first, where the camera moves.
 TEST(ShadowCommand, CountsFlipsSinceTheFrameBefore) {
     const TemporaryFolder folder;

@@ -132,6 +132,23 @@ TEST(Advice, CountsSnappingWhereAskedTo) {
     EXPECT_TRUE(advise(asked).simplest);
 }
 
+/// Pairs of a ladder have outlines alike, so a measurement knows nothing of it.
+TEST(Advice, MeasurementsDoNotOverruleSnapping) {
+    AdviceQuestion asked = question(1e6, 1e-5);
+    asked.scene.footprintSlope = 1e-6;
+    const std::size_t rows = advise(asked).rows.size();
+    const std::vector<std::optional<Measurement>> measured(
+        rows, Measurement{.resolvedView = 1e-6, .largestView = 1.0});
+    EXPECT_TRUE(advise(asked, measured).simplest);
+    asked.scene.subPixelBits = 4;
+    const Advice snapped = advise(asked, measured);
+    EXPECT_FALSE(snapped.simplest);
+    EXPECT_NE(explain(asked, snapped).front().find("limited by the snapping"), std::string::npos);
+    // Where snapping is worth less than the question, no sentence calls its reach measured.
+    asked.separationView = 1.0;
+    EXPECT_EQ(explain(asked, advise(asked, measured)).front().find("was measured"), std::string::npos);
+}
+
 /// A measurement overrules the formula in both directions.
 TEST(Advice, MeasurementsDecideWhereThereAreAny) {
     const AdviceQuestion asked = question(1e6, 0.5);

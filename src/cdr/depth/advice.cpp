@@ -76,7 +76,8 @@ std::optional<std::size_t> simplestOf(const std::vector<AdviceRow>& rows) {
 
 /// The verb of a row: predicted or measured.
 std::string saysOf(const AdviceRow& row) {
-    return row.measured ? "was measured to resolve" : "resolves";
+    const bool isMeasured = row.measured && row.measured->resolvedView == row.resolvedView();
+    return isMeasured ? "was measured to resolve" : "resolves";
 }
 
 std::string limitOf(const AdviceRow& row) {
@@ -154,8 +155,10 @@ double AdviceRow::resolvedView() const {
     if (!measured) {
         return forecast.resolvedView();
     }
-    // Beyond the largest separation tried there is only the prediction, which is at least that separation.
-    return measured->resolvedView.value_or(std::max(forecast.resolvedView(), measured->largestView));
+    // Beyond the largest separation tried there is only the prediction, which is at least that separation. What was measured
+    // has outlines alike, which snap alike: that says nothing of surfaces whose outlines differ.
+    return std::max(measured->resolvedView.value_or(std::max(forecast.resolvedView(), measured->largestView)),
+                    forecast.rounding.snapGapView);
 }
 
 Advice advise(const AdviceQuestion& question) {

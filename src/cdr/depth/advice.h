@@ -43,7 +43,8 @@ struct CDR_EXPORT AdviceRow {
     std::optional<Measurement> measured; ///< on a device; empty: it was not tried
     bool suffices = false;               ///< as measured, else as predicted
 
-    /// The smallest separation it resolves: as measured where there is a measurement, else as predicted.
+    /// The smallest separation it resolves: as measured where there is a measurement, else as predicted. Never below what
+    /// snapping moves, where the question asks for it: measurements do not show that.
     double resolvedView() const;
 };
 

@@ -152,6 +152,9 @@ void run(Command& command, InspectArguments& arguments) {
         }
         command.files().writes("--heat-map", arguments.heatMap);
     }
+    if (!arguments.camera.path.empty()) {
+        command.reads(arguments.camera.path);
+    }
     const scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed, arguments.choice);
     const std::vector<scene::Camera> cameras = camerasOf(setup, arguments);
     const Inspection inspection =
@@ -165,7 +168,8 @@ void run(Command& command, InspectArguments& arguments) {
     if (!arguments.heatMap.empty()) {
         image::writeImage(arguments.heatMap, inspection.heatMap);
     }
-    const bool fails = arguments.failAbove && inspection.badFraction() > *arguments.failAbove;
+    const bool fails =
+        arguments.failAbove && (inspection.badFraction() > *arguments.failAbove || !inspection.couldJudge());
     auto document = command.makeDocument({{"scene", arguments.scene},
                                           {"views", cameras.size()},
                                           {"width", options.width},

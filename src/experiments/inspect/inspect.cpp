@@ -192,7 +192,7 @@ Inspection runInspect(const gpu::Device& device, const scene::Scene& scene,
         std::find_if(techniques.begin(), techniques.end(), isJudged) - techniques.begin());
     const auto suffices =
         std::find_if(techniques.begin(), techniques.end(), [&](const InspectedTechnique& each) {
-            return each.wrong.fraction() <= options.allowedShare &&
+            return each.wrong.pixels > 0 && each.wrong.fraction() <= options.allowedShare &&
                    each.undecidedFraction() <= std::max(options.allowedShare, kNearlyNone);
         });
     if (suffices != techniques.end()) {

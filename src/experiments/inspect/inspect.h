@@ -61,6 +61,8 @@ struct Inspection {
     double coplanarFraction() const {
         return objectPixels ? static_cast<double>(coplanarPixels) / static_cast<double>(objectPixels) : 0.0;
     }
+    /// Whether a view shows surfaces off edges that some technique could order.
+    bool couldJudge() const { return techniques[judged].wrong.pixels > 0; }
     /// Share of pixels that the judged technique gets wrong or that no technique gets right.
     double badFraction() const { return techniques[judged].wrong.fraction() + coplanarFraction(); }
 };

@@ -30,6 +30,9 @@ std::string simplestLine(const Inspection& inspection) {
     const auto pixels = [](const InspectedTechnique& each) {
         return fmt::format("{} of {} pixels", each.wrong.wrong, each.wrong.pixels);
     };
+    if (!inspection.couldJudge()) {
+        return "No technique could be judged: no view shows a surface off edges that a technique can order.";
+    }
     if (inspection.simplest) {
         const InspectedTechnique& simplest = inspection.techniques[*inspection.simplest];
         return fmt::format("{} in {} is the simplest that suffices: {} are wrong.", nameOf(simplest),

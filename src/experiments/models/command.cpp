@@ -116,16 +116,15 @@ void requirePictureMemory(std::size_t models, const experiments::ModelsOptions& 
 }
 
 /// A model as chosen. Of one without animations no moment is chosen.
-scene::SceneSetup openModel(Command& command, const std::string& file, const scene::GltfChoice& choice,
-                            std::optional<double> seconds) {
+scene::OpenedScene openModel(const std::string& file, const scene::GltfChoice& choice,
+                             std::optional<double> seconds) {
     scene::GltfChoice chosen = choice;
     scene::OpenedScene opened = scenes::openScene(file, scenes::kDefaultSeed, chosen);
     if (seconds && !opened.animations.empty()) {
         chosen.seconds = seconds;
         opened = scenes::openScene(file, scenes::kDefaultSeed, chosen);
     }
-    command.note(file, opened.notes);
-    return std::move(opened.setup);
+    return opened;
 }
 
 void writePictures(const PictureFolder& folder, const std::vector<experiments::ModelResult>& results,
@@ -158,11 +157,12 @@ void run(Command& command, ModelsArguments& arguments) {
         choice.light = light;
         choice.textureMiB = command.global().textureMiB;
         choice.pointRadius = command.global().pointRadius;
-        const scene::SceneSetup model = openModel(command, file, choice, arguments.seconds);
+        const scene::OpenedScene model = openModel(file, choice, arguments.seconds);
+        command.note(file, model.notes);
         choice.light = scene::ModelLight::lamps;
-        scene::OpenedScene plain = scenes::openScene(file, scenes::kDefaultSeed, choice);
+        const scene::OpenedScene plain = openModel(file, choice, arguments.seconds);
         results.push_back(
-            experiments::compareModel(command.device(), model, plain.setup, light, arguments.options));
+            experiments::compareModel(command.device(), model.setup, plain.setup, light, arguments.options));
         results.back().model = names[results.size() - 1];
     }
     command.endProgress();

@@ -223,6 +223,20 @@ void run(Command& command, ScalingArguments& arguments) {
     }
 }
 
+/// Ranks are measured without what only threads have.
+void excludeThreadOptions(CLI::App& command) {
+    CLI::Option* ranks = command.get_option("--ranks");
+    CLI::Option* project = command.get_option("--project");
+    for (const char* name : {"--threads", "--targets", "--submissions", "--free", "--csv", "--plot"}) {
+        ranks->excludes(command.get_option(name));
+        project->excludes(command.get_option(name));
+    }
+    ranks->excludes(project)->excludes(command.get_option("--size"));
+    project->excludes(command.get_option("--cascades"));
+    command.get_option("--heights")->needs(ranks);
+    command.get_option("--frames")->needs(project);
+}
+
 void addOptions(CLI::App& command, ScalingArguments& arguments) {
     experiments::ScalingOptions& options = arguments.options;
     command.add_option("--draws", options.draws, "Numbers of cubes, such as 1000,50000")
@@ -251,6 +265,7 @@ void addOptions(CLI::App& command, ScalingArguments& arguments) {
     addRankSweepOptions(command, arguments.ranks);
     command.add_option("--csv", arguments.csv, "Write the results as CSV to FILE");
     command.add_option("--plot", arguments.plot, "Plot into a .png or .svg file, by gnuplot");
+    excludeThreadOptions(command);
 }
 
 } // namespace

@@ -35,7 +35,8 @@ std::string scalingPlot(const ScalingResult& result, const std::string& measured
     std::vector<std::vector<ScalingPoint>> sweeps;
     std::size_t mostThreads = 1;
     for (const ScalingPoint& point : result.points) {
-        if (point.targets != first.targets || point.cascades != first.cascades) {
+        if (point.targets != first.targets || point.cascades != first.cascades ||
+            point.submission != first.submission) {
             continue;
         }
         if (sweeps.empty() || sweeps.back().front().cubes != point.cubes) {
@@ -48,22 +49,23 @@ std::string scalingPlot(const ScalingResult& result, const std::string& measured
     for (std::size_t i = 0; i < sweeps.size(); ++i) {
         blocks += dataBlock(sweeps[i], i);
     }
-    return fmt::format("{}set multiplot layout 1,2 title {}\n"
-                       "set grid lc rgb '#dddddd'\n"
-                       "set xlabel 'threads'\n"
-                       "set xrange [0.8:{}]\n"
-                       "set xtics 1\n"
-                       "set yrange [0:*]\n"
-                       "set ylabel 'record, ns per draw'\n"
-                       "plot {}\n"
-                       "set ylabel 'record, times as fast as one thread'\n"
-                       "set key top left\n"
-                       "plot {}, x with lines dashtype 2 linecolor rgb '#888888' title 'ideal'\n"
-                       "unset multiplot\n",
-                       blocks,
-                       output::gnuplotQuote(fmt::format("Recording, targets {}, cascades {}; {}",
-                                                        nameOf(first.targets), first.cascades, measuredOn)),
-                       static_cast<double>(mostThreads) + 0.2, plotLines(sweeps, 2), plotLines(sweeps, 3));
+    return fmt::format(
+        "{}set multiplot layout 1,2 title {}\n"
+        "set grid lc rgb '#dddddd'\n"
+        "set xlabel 'threads'\n"
+        "set xrange [0.8:{}]\n"
+        "set xtics 1\n"
+        "set yrange [0:*]\n"
+        "set ylabel 'record, ns per draw'\n"
+        "plot {}\n"
+        "set ylabel 'record, times as fast as one thread'\n"
+        "set key top left\n"
+        "plot {}, x with lines dashtype 2 linecolor rgb '#888888' title 'ideal'\n"
+        "unset multiplot\n",
+        blocks,
+        output::gnuplotQuote(fmt::format("Recording, targets {}, cascades {}, {}; {}", nameOf(first.targets),
+                                         first.cascades, nameOf(first.submission), measuredOn)),
+        static_cast<double>(mostThreads) + 0.2, plotLines(sweeps, 2), plotLines(sweeps, 3));
 }
 
 } // namespace cdr::experiments
