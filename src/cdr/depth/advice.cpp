@@ -81,8 +81,10 @@ std::string saysOf(const AdviceRow& row) {
 }
 
 std::string limitOf(const AdviceRow& row) {
-    if (row.forecast.rounding.snapGapView >
-        std::max(row.forecast.bufferStepView, row.forecast.rounding.distanceGapView)) {
+    const bool isBeyondMeasured = row.measured && row.forecast.rounding.snapGapView == row.resolvedView();
+    if (isBeyondMeasured ||
+        row.forecast.rounding.snapGapView >
+            std::max(row.forecast.bufferStepView, row.forecast.rounding.distanceGapView)) {
         return "the snapping of vertices to sub-pixels";
     }
     if (row.forecast.bufferStepView >= 4.0 * row.forecast.rounding.distanceGapView) {
