@@ -73,6 +73,41 @@ vk::StencilOpState stencilState(Stencil stencil) {
             .reference = 1};
 }
 
+bool attachesDepth(const GraphicsPipelineOptions& options) {
+    return options.stencil != Stencil::testsMarks;
+}
+
+bool hasDepth(const GraphicsPipelineOptions& options) {
+    return options.usesDepth && attachesDepth(options) && options.depthFormat != vk::Format::eUndefined;
+}
+
+vk::PipelineDepthStencilStateCreateInfo depthState(const GraphicsPipelineOptions& options) {
+    return {.depthTestEnable = hasDepth(options),
+            .depthWriteEnable = hasDepth(options) && options.writesDepth,
+            .depthCompareOp = options.depthCompare,
+            .stencilTestEnable = options.stencil != Stencil::none,
+            .front = stencilState(options.stencil),
+            .back = stencilState(options.stencil)};
+}
+
+std::vector<vk::DynamicState> dynamicStatesOf(const GraphicsPipelineOptions& options) {
+    std::vector<vk::DynamicState> states{vk::DynamicState::eViewport, vk::DynamicState::eScissor,
+                                         vk::DynamicState::eCullMode, vk::DynamicState::eFrontFace};
+    if (options.hasDepthBias) {
+        states.push_back(vk::DynamicState::eDepthBias);
+    }
+    return states;
+}
+
+/// @param options whose formats it refers to.
+vk::PipelineRenderingCreateInfo renderingOf(const GraphicsPipelineOptions& options) {
+    return {.colorAttachmentCount = static_cast<std::uint32_t>(options.colorFormats.size()),
+            .pColorAttachmentFormats = options.colorFormats.data(),
+            .depthAttachmentFormat = attachesDepth(options) ? options.depthFormat : vk::Format::eUndefined,
+            .stencilAttachmentFormat =
+                options.stencil != Stencil::none ? options.depthFormat : vk::Format::eUndefined};
+}
+
 vk::UniquePipeline createGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options) {
     const vk::UniqueShaderModule vertex = makeModule(device, options.vertexSpirv);
     const bool isShaded = !options.fragmentSpirv.words.empty();
@@ -95,36 +130,20 @@ vk::UniquePipeline createGraphicsPipeline(const Device& device, const GraphicsPi
         .vertexAttributeDescriptionCount = static_cast<std::uint32_t>(options.attributes.size()),
         .pVertexAttributeDescriptions = options.attributes.data()};
     const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = vk::PrimitiveTopology::eTriangleList};
-    const bool hasStencil = options.stencil != Stencil::none;
-    const bool attachesDepth = options.stencil != Stencil::testsMarks;
-    const bool hasDepth = options.usesDepth && attachesDepth && options.depthFormat != vk::Format::eUndefined;
     const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
     const vk::PipelineRasterizationStateCreateInfo raster{
-        .depthClampEnable = hasDepth, .depthBiasEnable = options.hasDepthBias, .lineWidth = 1.0f};
+        .depthClampEnable = hasDepth(options), .depthBiasEnable = options.hasDepthBias, .lineWidth = 1.0f};
     const vk::PipelineMultisampleStateCreateInfo multisample{};
-    const vk::PipelineDepthStencilStateCreateInfo depth{.depthTestEnable = hasDepth,
-                                                        .depthWriteEnable = hasDepth && options.writesDepth,
-                                                        .depthCompareOp = options.depthCompare,
-                                                        .stencilTestEnable = hasStencil,
-                                                        .front = stencilState(options.stencil),
-                                                        .back = stencilState(options.stencil)};
+    const vk::PipelineDepthStencilStateCreateInfo depth = depthState(options);
     const std::vector<vk::PipelineColorBlendAttachmentState> blends(options.colorFormats.size(),
                                                                     blendState(options.blend));
     const vk::PipelineColorBlendStateCreateInfo blend{
         .attachmentCount = static_cast<std::uint32_t>(blends.size()), .pAttachments = blends.data()};
-    std::vector<vk::DynamicState> dynamicStates{vk::DynamicState::eViewport, vk::DynamicState::eScissor,
-                                                vk::DynamicState::eCullMode, vk::DynamicState::eFrontFace};
-    if (options.hasDepthBias) {
-        dynamicStates.push_back(vk::DynamicState::eDepthBias);
-    }
+    const std::vector<vk::DynamicState> dynamicStates = dynamicStatesOf(options);
     const vk::PipelineDynamicStateCreateInfo dynamic{.dynamicStateCount =
                                                          static_cast<std::uint32_t>(dynamicStates.size()),
                                                      .pDynamicStates = dynamicStates.data()};
-    const vk::PipelineRenderingCreateInfo rendering{
-        .colorAttachmentCount = static_cast<std::uint32_t>(options.colorFormats.size()),
-        .pColorAttachmentFormats = options.colorFormats.data(),
-        .depthAttachmentFormat = attachesDepth ? options.depthFormat : vk::Format::eUndefined,
-        .stencilAttachmentFormat = hasStencil ? options.depthFormat : vk::Format::eUndefined};
+    const vk::PipelineRenderingCreateInfo rendering = renderingOf(options);
     auto [result, pipeline] =
         vk::Device(device.handle())
             .createGraphicsPipelineUnique(device.pipelineCache(), {.pNext = &rendering,
