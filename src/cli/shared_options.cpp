@@ -1,14 +1,11 @@
 #include "shared_options.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/worker_pool.h>
 #include <cdr/image/picture_size.h>
-#include <cdr/render/render_options.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
-#include <options/number_checks.h>
 
 #include <algorithm>
 #include <array>
@@ -100,16 +97,6 @@ void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height) {
         ->default_str(fmt::format("{}x{}", width, height));
 }
 
-void addThreads(CLI::App& command, std::size_t& threads, const std::string& help) {
-    command.add_option("--threads", threads, help)
-        ->check(CLI::Range(std::size_t{1}, host::WorkerPool::kMaxThreads))
-        ->capture_default_str();
-}
-
-void addSeed(CLI::App& command, std::uint64_t& seed, const std::string& help) {
-    command.add_option("--seed", seed, help)->check(options::wholeNumber())->capture_default_str();
-}
-
 void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help, std::uint32_t most) {
     command.add_option("--frames", frames, help)->check(CLI::Range(1u, most))->capture_default_str();
 }
@@ -143,23 +130,6 @@ void addRivalList(CLI::App& command, std::vector<rivals::NamedRival>& chosen, co
                         fmt::join(known, ", "), otherwise))
         ->expected(CLI::detail::expected_max_vector_size)
         ->delimiter(',');
-}
-
-void addSnapBits(CLI::App& command, std::uint32_t& snapBits) {
-    command
-        .add_option("--snap-bits", snapBits,
-                    "Round vertices to this many sub-pixel bits, as graphics cards do; 0: the device decides")
-        ->check(CLI::Range(0u, render::kMaxSnapBits))
-        ->capture_default_str();
-}
-
-void addSnapping(CLI::App& command, render::Snapping& snapping) {
-    command
-        .add_option_function<std::string>(
-            "--snapping", [&snapping](const std::string& name) { snapping = render::parseSnapping(name); },
-            "How vertices get to sub-pixels: by-device, which rounds them, or in-plane, which moves them in the "
-            "plane of their facet, so that depth stays exact")
-        ->default_str(std::string(nameOf(snapping)));
 }
 
 } // namespace cdr::cli

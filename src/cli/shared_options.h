@@ -3,11 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <cdr/base/quantity_text.h>
 #include <cdr/depth/technique.h>
-#include <cdr/render/geometry/snapping.h>
 
 #include <nlohmann/json_fwd.hpp>
 #include <options/camera_options.h>
+#include <options/drawing_options.h>
 #include <options/effect_options.h>
+#include <options/scene_options.h>
 #include <ranks/ranks.h>
 #include <rivals/rival.h>
 
@@ -56,6 +57,11 @@ using options::kMaxFrames;
 
 using options::kMaxTranslucencyMiB;
 
+using options::addSeed;
+using options::addSnapBits;
+using options::addSnapping;
+using options::addThreads;
+
 // Each adds an option; what it refers to must live as long as the command.
 
 /// `--json [FILE]`; without a file, or with "-", JSON goes to standard output and the table to standard error.
@@ -72,12 +78,6 @@ nlohmann::ordered_json givenOptions(const CLI::App& command);
 /// `--size WIDTHxHEIGHT`. base::InputError for anything that is not two whole numbers above 0.
 void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height);
 
-/// `--threads`, 1 to host::WorkerPool::kMaxThreads.
-void addThreads(CLI::App& command, std::size_t& threads, const std::string& help);
-
-/// `--seed`.
-void addSeed(CLI::App& command, std::uint64_t& seed, const std::string& help);
-
 /// `--frames`, 1 to `most`.
 void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help,
                std::uint32_t most = kMaxFrames);
@@ -88,10 +88,5 @@ void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techni
 /// `--rivals A,B,...`.
 /// @param otherwise which there are where none are listed, for the help.
 void addRivalList(CLI::App& command, std::vector<rivals::NamedRival>& chosen, const std::string& otherwise);
-
-/// `--snap-bits`, as render::RenderOptions has it.
-void addSnapBits(CLI::App& command, std::uint32_t& snapBits);
-/// `--snapping`, as render::RenderOptions has it.
-void addSnapping(CLI::App& command, render::Snapping& snapping);
 
 } // namespace cdr::cli

@@ -1,6 +1,6 @@
 #include "camera_options.h"
 
-#include "number_checks.h"
+#include "parsed_option.h"
 
 #include <CLI/CLI.hpp>
 #include <cdr/base/error.h>
@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 
 namespace cdr::options {
@@ -38,24 +37,30 @@ glm::dvec2 parseLensShift(const std::string& text) {
             base::parseNumber("--lens-shift", text.substr(comma + 1))};
 }
 
+CLI::Option* addPoint(CLI::App& command, const char* name, std::optional<glm::dvec3>& point,
+                      const char* help) {
+    return addParsed(
+        command, name, point, [name](const std::string& text) { return parsePoint(name, text); }, help);
+}
+
 /// The camera where and as the options say it stands; as it is where they say nothing.
 scene::Camera placed(const scene::Camera& camera, const CameraOptions& options) {
-    if (options.eye.empty() && options.target.empty() && options.direction.empty() && options.up.empty()) {
+    if (!options.eye && !options.target && !options.direction && !options.up) {
         return camera;
     }
-    const glm::dvec3 eye = options.eye.empty() ? camera.position : parsePoint("--eye", options.eye);
+    const glm::dvec3 eye = options.eye.value_or(camera.position);
     glm::dvec3 forward = -camera.back; // without target and direction, it stays
-    if (!options.target.empty()) {
-        const scene::Camera looking = scene::lookAt(camera, eye, parsePoint("--target", options.target));
-        if (options.up.empty()) {
+    if (options.target) {
+        const scene::Camera looking = scene::lookAt(camera, eye, *options.target);
+        if (!options.up) {
             return looking;
         }
         forward = -looking.back;
-    } else if (!options.direction.empty()) {
-        forward = parsePoint("--direction", options.direction);
+    } else if (options.direction) {
+        forward = *options.direction;
     }
-    return options.up.empty() ? scene::lookAlong(camera, eye, forward)
-                              : scene::lookAlong(camera, eye, forward, parsePoint("--up", options.up));
+    return options.up ? scene::lookAlong(camera, eye, forward, *options.up)
+                      : scene::lookAlong(camera, eye, forward);
 }
 
 } // namespace
@@ -71,13 +76,13 @@ void addCameraOptions(CLI::App& command, CameraOptions& options) {
     CLI::Option* path = command.add_option("--path", options.path,
                                            "Camera path recorded by cdr-viewer, instead of the scene's");
     CLI::Option* eye =
-        command.add_option("--eye", options.eye, "Camera position x,y,z instead of the scene's");
-    CLI::Option* target = command.add_option("--target", options.target, "Point x,y,z to look at");
-    CLI::Option* direction = command.add_option(
-        "--direction", options.direction,
-        "View direction x,y,z, instead of a target: exact at any distance from the origin");
+        addPoint(command, "--eye", options.eye, "Camera position x,y,z instead of the scene's");
+    CLI::Option* target = addPoint(command, "--target", options.target, "Point x,y,z to look at");
+    CLI::Option* direction =
+        addPoint(command, "--direction", options.direction,
+                 "View direction x,y,z, instead of a target: exact at any distance from the origin");
     CLI::Option* up =
-        command.add_option("--up", options.up, "Direction x,y,z that is up in the picture; else world y");
+        addPoint(command, "--up", options.up, "Direction x,y,z that is up in the picture; else world y");
     target->excludes(direction);
     for (CLI::Option* place : {eye, target, direction, up}) {
         place->excludes(path);
@@ -86,55 +91,12 @@ void addCameraOptions(CLI::App& command, CameraOptions& options) {
         frame->excludes(path);
     }
     command.add_option("--fov", options.fovDegrees, "Vertical field of view in degrees");
-    command.add_option(
-        "--lens-shift", options.lensShift,
+    addParsed(
+        command, "--lens-shift", options.lensShift, parseLensShift,
         "How far the middle of the picture lies to the right of the view axis and above it, at distance 1: "
         "x,y");
     command.add_option("--near", options.nearView, "Near plane, view distance");
     command.add_option("--far", options.farView, "Far plane, view distance");
-}
-
-void addColours(CLI::App& command, std::string& colours) {
-    command.add_option("--colours", colours, "Of a generated scene: thesis (one grey) or bright")
-        ->capture_default_str();
-}
-
-void addLayers(CLI::App& command, std::vector<std::string>& layers) {
-    command
-        .add_option(
-            "--layer", layers,
-            "MATERIAL=LAYER: decides between faces at one place. Those of the material count as nearer by "
-            "LAYER scene units; MATERIAL is a name, or #N from 0. May be repeated")
-        ->allow_extra_args(false);
-}
-
-void addTextureMemory(CLI::App& command, std::optional<std::uint64_t>& textureMiB) {
-    command
-        .add_option("--texture-memory", textureMiB,
-                    "Most MiB of a glTF file's textures, which are shown smaller to fit")
-        ->check(CLI::Range(std::uint64_t{1}, scene::kMaxTextureMiB));
-}
-
-void addPointRadius(CLI::App& command, std::optional<double>& radius) {
-    command
-        .add_option(
-            "--points", radius,
-            "Radius of a glTF file's points and lines, in scene units; else by how far they are apart")
-        ->check(numberFrom(scene::kMinPointRadius, scene::kMaxPointRadius));
-}
-
-void addSceneChoice(CLI::App& command, scene::GltfChoice& choice) {
-    command.add_option("--gltf-scene", choice.scene, "Scene of a glTF file, from 0; its default one");
-    command.add_option("--camera", choice.camera,
-                       "Look through a glTF scene's camera, from 0; else the view shows all of the scene");
-}
-
-void addAnimationChoice(CLI::App& command, scene::GltfChoice& choice) {
-    command.add_option("--animation", choice.animation,
-                       "Animation of a glTF file, by name or from 0; with --time or --fps the first");
-    command.add_option("--time", choice.seconds, "Seconds of the animation at frame 0");
-    command.add_option("--fps", choice.framesPerSecond,
-                       "Frames of --frames to a second of the animation; else all show one moment");
 }
 
 FrameCameras::FrameCameras(const CameraOptions& options)
@@ -162,9 +124,7 @@ scene::Camera overridden(scene::Camera camera, const CameraOptions& options) {
     if (options.fovDegrees) {
         camera.fovY = scene::radiansOf(*options.fovDegrees);
     }
-    if (!options.lensShift.empty()) {
-        camera.lensShift = parseLensShift(options.lensShift);
-    }
+    camera.lensShift = options.lensShift.value_or(camera.lensShift);
     camera.nearView = options.nearView.value_or(camera.nearView);
     camera.farView = options.farView.value_or(camera.farView);
     scene::requireUsable(camera);

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <cdr/scene/camera_path.h>
-#include <cdr/scene/gltf/open_gltf.h>
 
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 // CLI11's own name. NOLINTNEXTLINE(readability-identifier-naming)
 namespace CLI {
@@ -23,12 +21,12 @@ struct CameraOptions {
     std::uint32_t frame = 0;
     std::optional<std::uint32_t> frames;
     std::string path; ///< file of a scene::CameraRecording
-    std::string eye;
-    std::string target;
-    std::string direction;
-    std::string up;
+    std::optional<glm::dvec3> eye;
+    std::optional<glm::dvec3> target;
+    std::optional<glm::dvec3> direction;
+    std::optional<glm::dvec3> up;
     std::optional<double> fovDegrees;
-    std::string lensShift;
+    std::optional<glm::dvec2> lensShift;
     std::optional<double> nearView;
     std::optional<double> farView;
 };
@@ -37,18 +35,6 @@ struct CameraOptions {
 void addFrameOptions(CLI::App& command, CameraOptions& options);
 /// Adds --path, --eye, --target, --direction, --up, --fov, --lens-shift, --near and --far.
 void addCameraOptions(CLI::App& command, CameraOptions& options);
-/// Adds --texture-memory.
-void addTextureMemory(CLI::App& command, std::optional<std::uint64_t>& textureMiB);
-/// Adds --points.
-void addPointRadius(CLI::App& command, std::optional<double>& radius);
-/// Adds --gltf-scene and --camera.
-void addSceneChoice(CLI::App& command, scene::GltfChoice& choice);
-/// Adds --animation, --time and --fps.
-void addAnimationChoice(CLI::App& command, scene::GltfChoice& choice);
-/// Adds --layer.
-void addLayers(CLI::App& command, std::vector<std::string>& layers);
-/// Adds --colours.
-void addColours(CLI::App& command, std::string& colours);
 
 /// The camera with what the options override. base::InputError for an unusable one.
 scene::Camera overridden(scene::Camera camera, const CameraOptions& options);

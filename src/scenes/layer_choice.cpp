@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <string_view>
 
 namespace cdr::scenes {
 
@@ -46,30 +46,6 @@ base::InputError unknownMaterial(const scene::Scene& scene, std::string_view nam
 }
 
 } // namespace
-
-LayerChoice parseLayer(std::string_view text) {
-    const std::size_t equals = text.rfind('=');
-    if (equals == 0 || equals == std::string_view::npos) {
-        throw base::InputError(fmt::format("a layer must be MATERIAL=LAYER, such as paint=0.002, not '{}'",
-                                           text.substr(0, kMaxShown)));
-    }
-    const auto layer = static_cast<float>(base::parseNumber("a layer", text.substr(equals + 1)));
-    if (!std::isfinite(layer)) {
-        throw base::InputError(
-            fmt::format("a layer must be a finite float, not '{}'", text.substr(equals + 1, kMaxShown)));
-    }
-    return {.material = std::string(text.substr(0, equals)), .layer = layer};
-}
-
-std::vector<LayerChoice> parseLayers(std::span<const std::string> texts) {
-    std::vector<LayerChoice> choices;
-    std::transform(texts.begin(), texts.end(), std::back_inserter(choices), parseLayer);
-    return choices;
-}
-
-std::string nameOf(const LayerChoice& choice) {
-    return fmt::format("{}={}", choice.material, choice.layer);
-}
 
 std::string materialName(const scene::Scene& scene, std::uint32_t material) {
     const std::string& name = scene.materials.at(material).name;

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace cdr::scenes {
@@ -17,13 +16,6 @@ struct LayerChoice {
 
     bool operator==(const LayerChoice&) const = default;
 };
-
-/// Reads "MATERIAL=LAYER". base::InputError unless the layer is a finite number that a float can hold.
-LayerChoice parseLayer(std::string_view text);
-/// parseLayer() of each.
-std::vector<LayerChoice> parseLayers(std::span<const std::string> texts);
-/// What parseLayer() reads.
-std::string nameOf(const LayerChoice& choice);
 
 /// How a choice names one material: its name where no other has it, else "#N".
 std::string materialName(const scene::Scene& scene, std::uint32_t material);

@@ -2,7 +2,8 @@
 #include <cdr/depth/make_cascades.h>
 #include <cdr/depth/technique.h>
 #include <cdr/visibility/level_choice.h>
-#include <scenes/layer_choice.h>
+
+#include <options/layer_text.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -46,8 +47,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     checkWord(text, depth::parseTechnique,
               [](const depth::Technique& technique) { return partsOf(technique); });
     checkWord(text, visibility::parseDetail, [](const visibility::Detail& detail) { return nameOf(detail); });
-    checkWord(text, cdr::scenes::parseLayer,
-              [](const cdr::scenes::LayerChoice& choice) { return nameOf(choice); });
+    checkWord(text, cdr::options::parseLayer,
+              [](const cdr::scenes::LayerChoice& choice) { return cdr::options::textOf(choice); });
     cut(text);
     return 0;
 }

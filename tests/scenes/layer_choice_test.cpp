@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,33 +21,6 @@ Scene sceneWith(const std::vector<std::string>& names) {
         scene.materials.push_back({.name = name, .layer = 0.5f});
     }
     return scene;
-}
-
-std::string refusalOf(const std::string& text) {
-    try {
-        parseLayer(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
-TEST(LayerChoice, ReadsWhatItWrites) {
-    for (const LayerChoice& choice :
-         {LayerChoice{"paint", 0.002f}, LayerChoice{"a=b", -3.0f}, LayerChoice{"#7", 0.0f},
-          LayerChoice{"name with blanks", std::numeric_limits<float>::denorm_min()},
-          LayerChoice{"=", std::numeric_limits<float>::lowest()}}) {
-        EXPECT_EQ(parseLayer(nameOf(choice)), choice) << nameOf(choice);
-    }
-}
-
-TEST(LayerChoice, RefusesInOneLine) {
-    for (const char* text : {"", "=", "paint", "=0.1", "paint=", "paint=x", "paint=nan", "paint=inf",
-                             "paint=1e39", "paint=-1e300", "paint=0.1m"}) {
-        const std::string refusal = refusalOf(text);
-        EXPECT_NE(refusal.find("layer"), std::string::npos) << text << ": " << refusal;
-        EXPECT_EQ(refusal.find('\n'), std::string::npos) << text;
-    }
 }
 
 TEST(LayerChoice, MeansMaterialsByNameAndByNumber) {

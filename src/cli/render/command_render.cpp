@@ -1,6 +1,5 @@
 #include "../command.h"
 #include "../commands.h"
-#include "frame_division.h"
 #include "frame_maker.h"
 #include "render_arguments.h"
 #include "render_results.h"
@@ -31,12 +30,8 @@ namespace {
 
 /// What the arguments mean. Nothing is loaded or made yet.
 struct RenderPlan {
-    output::Aov aov;
-    scenes::Colours colours;
-    std::vector<scenes::LayerChoice> layers;
     SequenceName name;
     options::FrameCameras cameras;
-    FrameDivision division;
     render::RenderOptions options;
     options::ViewsPlan views;
 };
@@ -74,41 +69,35 @@ void requireOneView(const RenderArguments& arguments, const RenderPlan& plan) {
         return;
     }
     if (plan.views.kind() == options::ViewsKind::six &&
-        (arguments.camera.fovDegrees || !arguments.camera.lensShift.empty())) {
+        (arguments.camera.fovDegrees || arguments.camera.lensShift)) {
         throw base::InputError("--views six has views of 90 degrees: leave out --fov and --lens-shift");
     }
     if (!arguments.certify.empty()) {
         throw base::InputError("--certify works with one view: leave out --stereo and --views");
     }
-    if (plan.division == FrameDivision::cascades) {
+    if (arguments.ranks == FrameDivision::cascades) {
         throw base::InputError("--ranks cascades works with one view: leave out --stereo and --views");
     }
-    if (plan.views.isAnaglyph() && plan.aov != output::Aov::color) {
+    if (plan.views.isAnaglyph() && arguments.aov != output::Aov::color) {
         throw base::InputError(
             "--stereo-picture anaglyph shows colors: leave out --aov, or take side-by-side");
     }
 }
 
 RenderPlan planOf(Command& command, const RenderArguments& arguments) {
-    const output::Aov aov = output::parseAov(arguments.aov);
-    const scenes::Colours colours = scenes::parseColours(arguments.colours);
     const SequenceName name(arguments.file);
-    render::RenderOptions options = optionsOf(arguments, aov);
+    render::RenderOptions options = optionsOf(arguments);
     if (!arguments.camera.path.empty()) {
         command.reads(arguments.camera.path);
     }
-    RenderPlan plan{.aov = aov,
-                    .colours = colours,
-                    .layers = scenes::parseLayers(arguments.layers),
-                    .name = name,
+    RenderPlan plan{.name = name,
                     .cameras = options::FrameCameras(arguments.camera),
-                    .division = parseFrameDivision(arguments.ranks),
                     .options = options,
-                    .views = options::ViewsPlan(arguments.views, arguments.width, arguments.height)};
+                    .views = options::ViewsPlan(arguments.views, options.width, options.height)};
     requireOneView(arguments, plan);
     checkFiles(arguments, plan, command.files());
     const ranks::Place& place = command.ranks().place();
-    if (plan.division == FrameDivision::cascades) {
+    if (arguments.ranks == FrameDivision::cascades) {
         plan.options.part = {.index = place.index, .count = place.count};
     }
     if (!arguments.trace.empty() && !command.ranks().isAlone()) {
@@ -139,16 +128,15 @@ std::vector<scene::Camera> camerasOf(const scene::CameraPath& path, const option
 }
 
 /// The scene as it is drawn: in its colours, with levels of detail, and without what other ranks draw.
-scene::SceneSetup openDrawn(Command& command, RenderArguments& arguments, const RenderPlan& plan,
+scene::SceneSetup openDrawn(Command& command, const RenderArguments& arguments, const RenderPlan& plan,
                             const WantedOfFrames& wanted, host::WorkerPool& workers) {
-    arguments.choice.light = options::lightOf(arguments.effects);
     scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed,
                                                 scenes::shownChoice(arguments.scene, arguments.choice));
-    scenes::paint(setup.scene, arguments.scene, plan.colours);
-    scenes::setLayers(setup.scene, plan.layers);
+    scenes::paint(setup.scene, arguments.scene, *arguments.colours);
+    scenes::setLayers(setup.scene, arguments.layers.choices);
     // An unusable camera ends here, before the device is made.
     plan.views.camerasOf(plan.cameras.at(setup.path, plan.cameras.first));
-    if (plan.division == FrameDivision::cascades) {
+    if (arguments.ranks == FrameDivision::cascades) {
         requireDivisible(plan.options,
                          {.blended = hasBlended(setup.scene)}); // one process refuses what several do
         if (plan.options.part.count > 1 && !setup.motion && !wanted.truth && !wanted.certificate) {
@@ -174,14 +162,14 @@ std::string whatWasWritten(const RenderArguments& arguments, const RenderPlan& p
 }
 
 /// Draws all frames of the plan that no earlier run has made, into the results.
-void drawFrames(Command& command, const RenderPlan& plan, const scene::CameraPath& path,
-                const std::string& scene, FrameMaker& maker, RenderResults& results) {
+void drawFrames(Command& command, const RenderArguments& arguments, const RenderPlan& plan,
+                const scene::CameraPath& path, FrameMaker& maker, RenderResults& results) {
     const std::uint32_t first = plan.cameras.first;
     std::uint32_t next = first;
     const auto numberOf = [&](std::size_t frame) { return first + static_cast<std::uint32_t>(frame); };
     const auto draw = [&](std::size_t frame) {
         const std::uint32_t number = numberOf(frame);
-        command.console().progress(frame, plan.cameras.frames, scene);
+        command.console().progress(frame, plan.cameras.frames, arguments.scene);
         for (; next < number; ++next) {
             maker.skip(next, plan.cameras.at(path, next));
         }
@@ -193,7 +181,7 @@ void drawFrames(Command& command, const RenderPlan& plan, const scene::CameraPat
         return results.describe(frame, maker.finish(numberOf(frame), std::move(drawn)));
     };
     const auto take = [&](std::size_t frame, output::Json made) { results.take(frame, std::move(made)); };
-    makeFrames(command.ranks(), plan.division, results.missing(),
+    makeFrames(command.ranks(), arguments.ranks, results.missing(),
                {.draw = draw, .describe = describe, .take = take});
     command.endProgress();
 }
@@ -204,10 +192,10 @@ void runRender(Command& command, RenderArguments& arguments) {
     if (!arguments.trace.empty()) {
         plan.options.trace = &trace.emplace(plan.options.threads);
     }
-    const bool finishes = plan.division == FrameDivision::frames || command.ranks().isFirst();
-    const WantedOfFrames wanted{.truth = plan.aov == output::Aov::wrong && finishes,
+    const bool finishes = arguments.ranks == FrameDivision::frames || command.ranks().isFirst();
+    const WantedOfFrames wanted{.truth = arguments.aov == output::Aov::wrong && finishes,
                                 .certificate = !arguments.certify.empty() && finishes};
-    host::WorkerPool workers(arguments.threads);
+    host::WorkerPool workers(arguments.drawing.threads);
     scene::SceneSetup setup = openDrawn(command, arguments, plan, wanted, workers);
     std::optional<scenes::MovingScene> moving;
     if (setup.motion) {
@@ -215,8 +203,8 @@ void runRender(Command& command, RenderArguments& arguments) {
     }
     FrameMaker maker(command.device(), moving ? moving->world().scene() : setup.scene,
                      moving ? &*moving : nullptr, plan.options, plan.views, wanted, workers);
-    RenderResults results(command, arguments, plan.options, plan.views, plan.name, plan.aov, plan.cameras);
-    drawFrames(command, plan, setup.path, arguments.scene, maker, results);
+    RenderResults results(command, arguments, plan.options, plan.views, plan.name, plan.cameras);
+    drawFrames(command, arguments, plan, setup.path, maker, results);
     if (trace) {
         trace->write(arguments.trace);
     }

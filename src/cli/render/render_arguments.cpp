@@ -2,66 +2,46 @@
 
 #include "../shared_options.h"
 
-#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
-#include <scenes/colours.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
-#include <array>
-#include <string_view>
+#include <options/effect_options.h>
+#include <options/parsed_option.h>
 
 namespace cdr::cli {
 
 depth::NamedTechnique techniqueOf(const RenderArguments& arguments) {
-    const bool byParts = !arguments.depth.empty() || !arguments.split.empty();
-    if (byParts && !arguments.technique.empty()) {
+    if (arguments.parts.isGiven() && arguments.technique) {
         throw base::InputError("give either --technique, or --depth and --split");
     }
-    depth::NamedTechnique named =
-        depth::namedTechnique(arguments.technique.empty() ? "reversed" : arguments.technique);
-    if (byParts) {
-        named.technique = {.mapping =
-                               depth::parseMapping(arguments.depth.empty() ? "standard" : arguments.depth),
-                           .split = depth::parseSplit(arguments.split.empty() ? "none" : arguments.split)};
+    depth::NamedTechnique named = arguments.technique.value_or(depth::namedTechnique("reversed"));
+    if (arguments.parts.isGiven()) {
+        named.technique = arguments.parts.technique();
         named.name = partsOf(named.technique);
     }
-    if (!arguments.format.empty()) {
-        named.technique.format = depth::parseDepthFormat(arguments.format);
-    }
+    named.technique.format = arguments.format.value_or(named.technique.format);
     return named;
 }
 
-render::RenderOptions optionsOf(const RenderArguments& arguments, output::Aov aov) {
-    render::RenderOptions options{.width = arguments.width,
-                                  .height = arguments.height,
-                                  .technique = techniqueOf(arguments).technique,
-                                  .targets = render::parseTargets(arguments.targets),
-                                  .threads = arguments.threads,
-                                  .submission = render::parseSubmission(arguments.submission),
-                                  .batching = render::parseBatching(arguments.batching),
-                                  .surface = render::parseSurfacePath(arguments.surface),
-                                  .detail = visibility::parseDetail(arguments.detail),
-                                  .effects = options::effectsOf(arguments.effects),
-                                  .focus = options::focusOf(arguments.effects),
-                                  .translucency = options::translucencyOf(arguments.effects)};
-    options.snapBits = arguments.snapBits;
-    options.snapping = arguments.snapping;
-    options.occlusionCulling = arguments.occlusionCulling;
-    options.shadows = options::shadowsOf(arguments.effects);
-    options.translucency.countsFragments = aov == output::Aov::coverage;
+render::RenderOptions optionsOf(const RenderArguments& arguments) {
+    render::RenderOptions options = arguments.drawing;
+    options.technique = techniqueOf(arguments).technique;
+    options.translucency.countsFragments = arguments.aov == output::Aov::coverage;
     return options;
 }
 
 nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth::Technique& technique) {
-    nlohmann::ordered_json options{
-        {"scene", arguments.scene},         {"mapping", nameOf(technique.mapping)},
-        {"split", nameOf(technique.split)}, {"format", nameOf(technique.format)},
-        {"width", arguments.width},         {"height", arguments.height},
-        {"seed", arguments.seed},           {"aov", arguments.aov},
-        {"snap_bits", arguments.snapBits},  {"snapping", nameOf(arguments.snapping)}};
+    nlohmann::ordered_json options{{"scene", arguments.scene},
+                                   {"mapping", nameOf(technique.mapping)},
+                                   {"split", nameOf(technique.split)},
+                                   {"format", nameOf(technique.format)},
+                                   {"width", arguments.drawing.width},
+                                   {"height", arguments.drawing.height},
+                                   {"seed", arguments.seed},
+                                   {"aov", nameOf(arguments.aov)},
+                                   {"snap_bits", arguments.drawing.snapBits},
+                                   {"snapping", nameOf(arguments.drawing.snapping)}};
     const auto add = [&](const char* key, const auto& value) {
         if (value) {
             options[key] = *value;
@@ -70,8 +50,8 @@ nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth
     add("animation", arguments.choice.animation);
     add("time", arguments.choice.seconds);
     add("fps", arguments.choice.framesPerSecond);
-    if (!arguments.layers.empty()) {
-        options["layers"] = arguments.layers;
+    if (!arguments.layers.texts.empty()) {
+        options["layers"] = arguments.layers.texts;
     }
     options::addViewsJson(options, arguments.views);
     return options;
@@ -80,41 +60,20 @@ nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth
 namespace {
 
 void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
-    command.add_option("--technique", arguments.technique,
+    options::addParsed(command, "--technique", arguments.technique, depth::namedTechnique,
                        "Preset: standard, cdr, log, logcdr, reversed (default) or anchored");
-    command.add_option("--depth", arguments.depth,
-                       "Depth mapping, instead of a preset: " + base::listNames(depth::kMappings));
-    command.add_option(
-        "--split", arguments.split,
-        "How cascades are cut: none, ratio:R, count:K, at:a,b,..., minimax:K or fitted[:TARGET[px][,max=K]]");
-    command.add_option("--format", arguments.format, "Depth buffer: d16, d24 or d32f");
-    command
-        .add_option("--targets", arguments.targets,
-                    "How cascades reach the G-buffer, pool as pool:LAYERS too: " +
-                        base::listNames(render::kTargetsKinds))
-        ->capture_default_str();
-    command
-        .add_option("--submission", arguments.submission,
-                    "How draws reach the device: secondaries, primaries or gpu-driven")
-        ->capture_default_str();
-    command
-        .add_option("--batching", arguments.batching,
-                    "How draws become commands: per-object, push-constants or instanced")
-        ->capture_default_str();
-    command
-        .add_option("--surface", arguments.surface,
-                    "What is kept of surfaces until they are shaded: gbuffer or visibility; or lit, "
-                    "which shades matt surfaces while they are drawn")
-        ->capture_default_str();
-    command.add_flag("--occlusion-culling", arguments.occlusionCulling,
+    options::addTechniqueParts(command, arguments.parts);
+    options::addDepthFormat(command, arguments.format);
+    render::RenderOptions& options = arguments.drawing;
+    options::addTargets(command, options.targets);
+    options::addSubmission(command, options);
+    options::addNamed(command, "--surface", options.surface, render::parseSurfacePath,
+                      "What is kept of surfaces until they are shaded: gbuffer or visibility; or lit, "
+                      "which shades matt surfaces while they are drawn");
+    command.add_flag("--occlusion-culling", options.occlusionCulling,
                      "Leave out what opaque surfaces hide; the picture is the same");
-    command
-        .add_option(
-            "--detail", arguments.detail,
-            "Level of detail by projected error: none, object[:PIXELS], cascade[:PIXELS] or cluster[:PIXELS]")
-        ->capture_default_str();
-    command.add_option("--threads", arguments.threads, "Threads that cull, bin and record")
-        ->capture_default_str();
+    options::addDetail(command, options.detail);
+    addThreads(command, options.threads);
 }
 
 } // namespace
@@ -127,7 +86,7 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     command.option_defaults()->group("Technique");
     addTechniqueOptions(command, arguments);
     command.option_defaults()->group("Effects");
-    options::addEffectOptions(command, arguments.effects);
+    options::addEffectOptions(command, arguments.drawing, arguments.choice);
     command.option_defaults()->group("Camera");
     options::addFrameOptions(command, arguments.camera);
     options::addCameraOptions(command, arguments.camera);
@@ -141,20 +100,18 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     options::addColours(command, arguments.colours);
     options::addLayers(command, arguments.layers);
     command.option_defaults()->group("Ranks");
-    command
-        .add_option(
-            "--ranks", arguments.ranks,
-            "What the ranks of an MPI run divide: frames, or the cascades of each frame, which are drawn apart "
-            "and laid over each other, the nearest on top. Cascades go without smoothed edges, whole-picture "
-            "occlusion, a focus, blended materials and gpu-driven draws")
-        ->capture_default_str();
+    options::addParsed(
+        command, "--ranks", arguments.ranks, parseFrameDivision,
+        "What the ranks of an MPI run divide: frames, or the cascades of each frame, which are drawn apart "
+        "and laid over each other, the nearest on top. Cascades go without smoothed edges, whole-picture "
+        "occlusion, a focus, blended materials and gpu-driven draws")
+        ->default_str("frames");
     command.option_defaults()->group("Output");
-    addSize(command, arguments.width, arguments.height);
-    addSnapBits(command, arguments.snapBits);
-    addSnapping(command, arguments.snapping);
-    command
-        .add_option("--aov", arguments.aov, "Output: color, id, distance, normal, cascade, wrong or coverage")
-        ->capture_default_str();
+    addSize(command, arguments.drawing.width, arguments.drawing.height);
+    addSnapBits(command, arguments.drawing.snapBits);
+    addSnapping(command, arguments.drawing.snapping);
+    options::addNamed(command, "--aov", arguments.aov, output::parseAov,
+                      "Output: color, id, distance, normal, cascade, wrong or coverage");
     command.add_option("-o,--output", arguments.file,
                        "Picture to write: .png, .tga or .exr; %04d stands for the frame");
     command.add_option(

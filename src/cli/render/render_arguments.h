@@ -1,5 +1,7 @@
 #pragma once
 
+#include "frame_division.h"
+
 #include <CLI/CLI.hpp>
 #include <cdr/depth/technique.h>
 #include <cdr/render/render_options.h>
@@ -8,39 +10,27 @@
 
 #include <nlohmann/json.hpp>
 #include <options/camera_options.h>
-#include <options/effect_options.h>
+#include <options/drawing_options.h>
+#include <options/scene_options.h>
 #include <options/views/views_plan.h>
 #include <output/aov.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
-#include <vector>
 
 namespace cdr::cli {
 
 /// What `render` was given.
 struct RenderArguments {
     std::string scene;
-    std::string technique;
-    std::string depth;
-    std::string split;
-    std::string format;
-    std::string targets = "single";
-    std::string submission = "secondaries";
-    std::string batching = "instanced";
-    std::string surface = "gbuffer";
-    bool occlusionCulling = false;
-    options::EffectArguments effects;
-    std::string detail = "none";
-    std::uint32_t snapBits = 0;
-    render::Snapping snapping = render::Snapping::byDevice;
-    std::size_t threads = 1;
-    std::uint32_t width = 1280;
-    std::uint32_t height = 720;
-    std::string ranks = "frames";
-    std::string aov = "color";
+    std::optional<depth::NamedTechnique> technique; ///< a preset, or mapping/split
+    options::TechniqueParts parts;                  ///< instead of it
+    std::optional<depth::DepthFormat> format;
+    render::RenderOptions drawing; ///< but for the technique, for which there is optionsOf()
+    FrameDivision ranks = FrameDivision::frames;
+    output::Aov aov = output::Aov::color;
     std::string file;
     bool hash = false;
     std::filesystem::path trace;
@@ -48,17 +38,17 @@ struct RenderArguments {
     std::filesystem::path state;
     options::CameraOptions camera;
     options::ViewsArguments views;
-    std::string colours = "thesis";
-    std::vector<std::string> layers; ///< for scenes::parseLayer()
+    std::optional<scenes::Colours> colours = scenes::Colours::thesis;
+    options::LayerArguments layers;
     std::uint64_t seed = scenes::kDefaultSeed;
     scene::GltfChoice choice;
 };
 
-/// The technique of --technique, or of --depth and --split. base::InputError where both are given or a name is unknown.
+/// The technique of --technique, or of --depth and --split. base::InputError where both are given.
 depth::NamedTechnique techniqueOf(const RenderArguments& arguments);
 
-/// base::InputError where a name is unknown.
-render::RenderOptions optionsOf(const RenderArguments& arguments, output::Aov aov);
+/// What a renderer is made with. base::InputError as techniqueOf().
+render::RenderOptions optionsOf(const RenderArguments& arguments);
 
 /// "options" of the command's JSON.
 nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth::Technique& technique);

@@ -39,13 +39,12 @@ std::vector<std::string> notesOn(Command& command, std::size_t index, const Fram
 
 RenderResults::RenderResults(Command& command, const RenderArguments& arguments,
                              const render::RenderOptions& options, const options::ViewsPlan& views,
-                             const SequenceName& name, output::Aov aov, const options::FrameCameras& cameras)
+                             const SequenceName& name, const options::FrameCameras& cameras)
     : m_command(command),
       m_arguments(arguments),
       m_options(options),
       m_views(views),
       m_name(name),
-      m_aov(aov),
       m_cameras(cameras),
       m_technique(techniqueOf(arguments).name),
       m_columns(renderColumns({.hash = arguments.hash, .certificate = !arguments.certify.empty()})),
@@ -84,8 +83,9 @@ std::vector<std::size_t> RenderResults::missing() {
 }
 
 output::Json RenderResults::describe(std::size_t frame, const FrameOutput& made) {
-    const std::string hash =
-        m_arguments.hash || m_command.output().json || !m_arguments.state.empty() ? made.hash(m_aov) : "";
+    const std::string hash = m_arguments.hash || m_command.output().json || !m_arguments.state.empty()
+                                 ? made.hash(m_arguments.aov)
+                                 : "";
     const RenderRow row{made,
                         m_options,
                         m_views,
@@ -99,11 +99,11 @@ output::Json RenderResults::describe(std::size_t frame, const FrameOutput& made)
         {"notes", notesOn(m_command, frame, made)},
         {"row", output::jsonOf(m_columns, row)},
         {"cells", output::cellsOf(m_columns, row)},
-        {"certificate", certified
-                            ? certificateOf(made.number(), made.frame().camera, *certified, made.hash(m_aov))
-                            : output::Json()},
-        {"file",
-         isWritten ? output::Json::binary(made.encoded(m_name.at(made.number()), m_aov)) : output::Json()}};
+        {"certificate",
+         certified ? certificateOf(made.number(), made.frame().camera, *certified, made.hash(m_arguments.aov))
+                   : output::Json()},
+        {"file", isWritten ? output::Json::binary(made.encoded(m_name.at(made.number()), m_arguments.aov))
+                           : output::Json()}};
 }
 
 void RenderResults::take(std::size_t frame, output::Json made) {

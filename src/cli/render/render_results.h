@@ -25,7 +25,7 @@ class RenderResults {
   public:
     /// @param options as the frames are drawn. What is given by reference must outlive the results.
     RenderResults(Command& command, const RenderArguments& arguments, const render::RenderOptions& options,
-                  const options::ViewsPlan& views, const SequenceName& name, output::Aov aov,
+                  const options::ViewsPlan& views, const SequenceName& name,
                   const options::FrameCameras& cameras);
 
     /// The frames of the run, counted from its first, that are still to make; the same on all ranks, which all ask.
@@ -53,7 +53,6 @@ class RenderResults {
     const render::RenderOptions& m_options;
     const options::ViewsPlan& m_views;
     const SequenceName& m_name;
-    output::Aov m_aov;
     const options::FrameCameras& m_cameras;
     std::string m_technique;
     std::optional<CertificateFile> m_certificates;

@@ -58,8 +58,7 @@ std::vector<scene::Camera> camerasOf(const scene::SceneSetup& setup, const Inspe
         }
         return cameras;
     }
-    const bool isStill = !options.eye.empty() || !options.target.empty() || !options.direction.empty() ||
-                         arguments.choice.camera.has_value();
+    const bool isStill = options.eye || options.target || options.direction || arguments.choice.camera;
     if (!isStill && own.frames == 1) {
         return experiments::viewsAround(setup.scene, options::overridden(own.at(0), options),
                                         arguments.views);

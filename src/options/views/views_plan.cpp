@@ -1,5 +1,7 @@
 #include "views_plan.h"
 
+#include "../parsed_option.h"
+
 #include <CLI/CLI.hpp>
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
@@ -37,6 +39,14 @@ std::optional<scene::StereoMode> parseStereo(std::string_view name) {
     return std::nullopt;
 }
 
+StereoPicture parsePicture(std::string_view name) {
+    return kStereoPictureNames.parse(name);
+}
+
+ViewsKind parseKind(std::string_view name) {
+    return kViewsNames.parse(name);
+}
+
 void requireStereoAlone(const ViewsArguments& arguments) {
     const auto refuse = [](bool isGiven, const char* option) {
         if (isGiven) {
@@ -54,36 +64,28 @@ std::string_view nameOf(StereoPicture picture) {
     return kStereoPictureNames.nameOf(picture);
 }
 
-StereoPicture parseStereoPicture(std::string_view name) {
-    return kStereoPictureNames.parse(name);
-}
-
 void addStereoOptions(CLI::App& command, ViewsArguments& arguments) {
-    command
-        .add_option("--stereo", arguments.stereo,
-                    "Two eyes in one picture: none, parallel, toed-in or off-axis")
-        ->capture_default_str();
+    addParsed(command, "--stereo", arguments.stereo, parseStereo,
+              "Two eyes in one picture: none, parallel, toed-in or off-axis")
+        ->default_str(std::string(kNoStereo));
     command.add_option("--eye-distance", arguments.eyeDistance, "Between the eyes, in scene units");
     command.add_option("--converge", arguments.converge,
                        "Distance at which both eyes' pictures coincide, in scene units; without it that of "
                        "parallel eyes is infinite");
-    command
-        .add_option("--stereo-picture", arguments.picture,
-                    "How the eyes become one picture: side-by-side or anaglyph (red left, cyan right)")
-        ->capture_default_str();
+    addNamed(command, "--stereo-picture", arguments.picture, parsePicture,
+             "How the eyes become one picture: side-by-side or anaglyph (red left, cyan right)");
 }
 
 void addViewsOption(CLI::App& command, ViewsArguments& arguments) {
-    command
-        .add_option("--views", arguments.views,
-                    "one, or six: the sides of a cube about the camera, side by side: right, left, up, down, "
-                    "behind, ahead")
-        ->capture_default_str();
+    addParsed(command, "--views", arguments.kind, parseKind,
+              "one, or six: the sides of a cube about the camera, side by side: right, left, up, down, "
+              "behind, ahead")
+        ->default_str(std::string(kViewsNames.nameOf(arguments.kind)));
 }
 
 ViewsPlan::ViewsPlan(const ViewsArguments& arguments, std::uint32_t width, std::uint32_t height)
-    : m_kind(kViewsNames.parse(arguments.views)),
-      m_picture(kStereoPictureNames.parse(arguments.picture)),
+    : m_kind(arguments.kind),
+      m_picture(arguments.picture),
       m_rig{},
       m_width(width),
       m_height(height) {
@@ -91,12 +93,11 @@ ViewsPlan::ViewsPlan(const ViewsArguments& arguments, std::uint32_t width, std::
         throw base::InputError(fmt::format(
             "--views six has square pictures: give a --size such as 512x512, not {}x{}", width, height));
     }
-    const std::optional<scene::StereoMode> stereo = parseStereo(arguments.stereo);
-    if (!stereo) {
+    if (!arguments.stereo) {
         requireStereoAlone(arguments);
         return;
     }
-    m_rig.mode = *stereo;
+    m_rig.mode = *arguments.stereo;
     if (m_kind == ViewsKind::six) {
         throw base::InputError("give either --stereo or --views six");
     }
@@ -170,14 +171,14 @@ measure::TruthImage ViewsPlan::join(const std::vector<measure::TruthImage>& view
 }
 
 void addViewsJson(nlohmann::ordered_json& options, const ViewsArguments& arguments) {
-    if (arguments.views != ViewsArguments{}.views) {
-        options["views"] = arguments.views;
+    if (arguments.kind != ViewsArguments{}.kind) {
+        options["views"] = kViewsNames.nameOf(arguments.kind);
     }
-    if (arguments.stereo == ViewsArguments{}.stereo) {
+    if (!arguments.stereo) {
         return;
     }
-    options["stereo"] = arguments.stereo;
-    options["stereo_picture"] = arguments.picture;
+    options["stereo"] = nameOf(*arguments.stereo);
+    options["stereo_picture"] = nameOf(arguments.picture);
     if (arguments.eyeDistance) {
         options["eye_distance"] = *arguments.eyeDistance;
     }

@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,22 +20,6 @@ class App;
 
 namespace cdr::options {
 
-/// What a command line says of several views.
-struct ViewsArguments {
-    std::string views = "one";
-    std::string stereo = "none";
-    std::optional<double> eyeDistance;
-    std::optional<double> converge;
-    std::string picture = "side-by-side";
-
-    bool operator==(const ViewsArguments&) const = default;
-};
-
-/// Adds --stereo, --eye-distance, --converge and --stereo-picture.
-void addStereoOptions(CLI::App& command, ViewsArguments& arguments);
-/// Adds --views.
-void addViewsOption(CLI::App& command, ViewsArguments& arguments);
-
 /// Which views a picture is of: one, the sides of a cube, or two eyes.
 enum class ViewsKind : std::uint8_t { one, six, stereo };
 
@@ -44,14 +27,28 @@ enum class ViewsKind : std::uint8_t { one, six, stereo };
 enum class StereoPicture : std::uint8_t { sideBySide, anaglyph };
 /// "side-by-side" or "anaglyph".
 std::string_view nameOf(StereoPicture picture);
-/// base::InputError with a suggestion for another name.
-StereoPicture parseStereoPicture(std::string_view name);
 inline constexpr std::array kStereoPictures{StereoPicture::sideBySide, StereoPicture::anaglyph};
+
+/// What a command line says of several views.
+struct ViewsArguments {
+    ViewsKind kind = ViewsKind::one;         ///< one or six; `stereo` makes two eyes of one view
+    std::optional<scene::StereoMode> stereo; ///< how two eyes look; nothing for one eye
+    std::optional<double> eyeDistance;
+    std::optional<double> converge;
+    StereoPicture picture = StereoPicture::sideBySide;
+
+    bool operator==(const ViewsArguments&) const = default;
+};
+
+/// Adds --stereo, --eye-distance, --converge and --stereo-picture. base::InputError for unknown names.
+void addStereoOptions(CLI::App& command, ViewsArguments& arguments);
+/// Adds --views. base::InputError for unknown names.
+void addViewsOption(CLI::App& command, ViewsArguments& arguments);
 
 /// From which cameras a frame is rendered, and how the pictures become one.
 class ViewsPlan {
   public:
-    /// base::InputError for unknown names, and for options that contradict each other or the size of a view.
+    /// base::InputError for options that contradict each other or the size of a view.
     ViewsPlan(const ViewsArguments& arguments, std::uint32_t width, std::uint32_t height);
 
     ViewsKind kind() const { return m_kind; }

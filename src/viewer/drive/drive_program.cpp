@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 #include <options/number_checks.h>
+#include <options/parsed_option.h>
 
 #include <filesystem>
 #include <optional>
@@ -34,7 +35,7 @@ struct DriveArguments {
     Arguments viewer;
     std::optional<std::filesystem::path> script;
     std::optional<double> soakSeconds;
-    std::optional<std::string> largest; ///< window of a soak
+    std::optional<PictureExtent> largest; ///< window of a soak
     std::vector<std::string> soakScenes;
     std::optional<double> largestGrowth; ///< in percent
 };
@@ -48,9 +49,8 @@ void addDriveOptions(CLI::App& program, DriveArguments& arguments) {
                         "Play random input worth so many seconds, as fast as frames come, and quit")
             ->check(options::numberFrom(1.0, kMaxSoakSeconds))
             ->excludes(script);
-    program
-        .add_option("--largest", arguments.largest,
-                    "WIDTHxHEIGHT of the largest window of a soak, 1920x1080 unless told")
+    options::addParsed(program, "--largest", arguments.largest, parseWindowSize,
+                       "WIDTHxHEIGHT of the largest window of a soak, 1920x1080 unless told")
         ->needs(soak);
     const auto generated = scenes::generatedScenes();
     program
@@ -84,9 +84,7 @@ void run(const DriveArguments& arguments) {
         keepFreeMemoryLow();
         SoakOptions input{.seed = arguments.viewer.seed};
         if (arguments.largest) {
-            Arguments window;
-            window.size = *arguments.largest;
-            input.largest = windowSize(window);
+            input.largest = *arguments.largest;
         }
         if (!arguments.soakScenes.empty()) {
             input.scenes = arguments.soakScenes;

@@ -6,6 +6,7 @@
 #include <viewer/state/technique_label.h>
 
 #include <fmt/format.h>
+#include <options/layer_text.h>
 
 namespace cdr::viewer {
 
@@ -26,11 +27,12 @@ std::string stateLine(const ViewerModel& model) {
         model.camera.orbits ? 1 : 0, kMotions.nameOf(model.camera.motion), nameOf(settings.colours),
         exactText(model.camera.now.position));
     if (const auto eyes = stereoPictureOf(settings)) {
-        line += fmt::format(" eyes={} stereo={} apart={} meet={}", nameOf(*eyes), settings.views.stereo,
-                            settings.views.eyeDistance.value_or(0.0), settings.views.converge.value_or(0.0));
+        line +=
+            fmt::format(" eyes={} stereo={} apart={} meet={}", nameOf(*eyes), nameOf(*settings.views.stereo),
+                        settings.views.eyeDistance.value_or(0.0), settings.views.converge.value_or(0.0));
     }
     for (const scenes::LayerChoice& layer : settings.layers) {
-        line += fmt::format(" layer=\"{}\"", nameOf(layer));
+        line += fmt::format(" layer=\"{}\"", options::textOf(layer));
     }
     if (model.picture.shown != nullptr && !model.picture.shown->sides.empty()) {
         const SideResult& side = model.picture.shown->sides.front();

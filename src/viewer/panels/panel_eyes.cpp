@@ -36,8 +36,8 @@ void drawEyesPanel(const Widgets& widgets, ViewerModel& model) {
         if (mode != scene::kStereoModes.front()) {
             widgets.beside();
         }
-        if (widgets.toggle(nameOf(mode), settings.views.stereo == nameOf(mode))) {
-            settings.views.stereo = nameOf(mode);
+        if (widgets.toggle(nameOf(mode), settings.views.stereo == mode)) {
+            settings.views.stereo = mode;
         }
     }
     widgets.beside();

@@ -1,16 +1,17 @@
 #include "arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
-#include <cdr/host/worker_pool.h>
-#include <cdr/render/targets/targets_choice.h>
-#include <scenes/open_scene.h>
+#include <cdr/image/picture_size.h>
+#include <viewer/state/command_line.h>
+#include <viewer/window/window.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <options/effect_options.h>
 #include <options/help_format.h>
 #include <options/number_checks.h>
+#include <options/parsed_option.h>
 #include <program/build_info.h>
 
 #include <memory>
@@ -24,50 +25,34 @@ void addViewOptions(CLI::App& program, Arguments& arguments) {
         .add_option("scene", arguments.scene,
                     fmt::format("{}, or a .gltf or .glb file", fmt::join(scenes::generatedScenes(), ", ")))
         ->capture_default_str();
-    program.add_option("--seed", arguments.seed, "Seed of a random scene")
-        ->check(options::wholeNumber())
-        ->capture_default_str();
+    options::addSeed(program, arguments.seed, "Seed of a random scene");
     options::addColours(program, arguments.colours);
     options::addLayers(program, arguments.layers);
-    CLI::Option* technique = program.add_option(
-        "--technique", arguments.technique,
+    CLI::Option* technique = options::addParsed(
+        program, "--technique", arguments.technique, depth::parseTechnique,
         "One picture: a preset (standard, cdr, log, logcdr, reversed, anchored) or mapping/split");
-    program
-        .add_option("--compare", arguments.compare, "Two techniques, LEFT,RIGHT, with a divider between them")
-        ->capture_default_str()
+    options::addParsed(program, "--compare", arguments.compare, parsePair,
+                       "Two techniques, LEFT,RIGHT, with a divider between them")
+        ->default_str("standard,anchored")
         ->excludes(technique);
-    program
-        .add_option("--targets", arguments.targets,
-                    "How cascades reach the G-buffer, pool as pool:LAYERS too: " +
-                        base::listNames(render::kTargetsKinds))
-        ->capture_default_str();
-    program.add_option("--format", arguments.format, "Depth buffer: d16, d24 or d32f");
-    program.add_option("--threads", arguments.threads, "Threads that cull, bin and record")
-        ->check(CLI::Range(std::size_t{1}, host::WorkerPool::kMaxThreads))
-        ->capture_default_str();
+    options::addTargets(program, arguments.drawing.targets);
+    options::addDepthFormat(program, arguments.format);
+    options::addThreads(program, arguments.drawing.threads);
     program.add_flag("--play", arguments.plays, "Follow the scene's camera path from the start");
 }
 
 /// What a line of `cdr render` says besides, as the viewer copies it.
 void addRenderLine(CLI::App& program, Arguments& arguments) {
     program.option_defaults()->group("As cdr render takes it");
-    program.add_option("--depth", arguments.depth, "Depth mapping, instead of a technique");
-    program.add_option("--split", arguments.split, "How cascades are cut, instead of a technique");
-    program.add_option("--submission", arguments.submission, "secondaries, primaries or gpu-driven")
-        ->capture_default_str();
-    program.add_option("--batching", arguments.batching, "per-object, push-constants or instanced")
-        ->capture_default_str();
-    program
-        .add_option("--snapping", arguments.snapping, "How vertices get to sub-pixels: by-device or in-plane")
-        ->capture_default_str();
-    program
-        .add_option("--detail", arguments.detail,
-                    "none, object[:PIXELS], cascade[:PIXELS] or cluster[:PIXELS]")
-        ->capture_default_str();
-    options::addEffectOptions(program, arguments.effects);
+    options::addTechniqueParts(program, arguments.parts);
+    options::addSubmission(program, arguments.drawing);
+    options::addSnapping(program, arguments.drawing.snapping);
+    options::addDetail(program, arguments.drawing.detail);
+    options::addEffectOptions(program, arguments.drawing, arguments.choice);
     options::addStereoOptions(program, arguments.views);
-    program.add_option("--aov", arguments.aov, "View: color, cascade, distance, id or wrong")
-        ->capture_default_str();
+    options::addParsed(program, "--aov", arguments.view, viewOfAov,
+                       "View: color, cascade, distance, id or wrong")
+        ->default_str("color");
     program.add_option("-o,--output", arguments.output,
                        "Not written: the panels hide, and the thesis' colours stay");
     program.option_defaults()->group("Options");
@@ -87,14 +72,14 @@ void addPlace(CLI::App& program, Arguments& arguments) {
 }
 
 void addWindowOptions(CLI::App& program, Arguments& arguments) {
-    program.add_option("--size", arguments.size, "WIDTHxHEIGHT of the window")->capture_default_str();
+    options::addParsed(program, "--size", arguments.size, parseWindowSize, "WIDTHxHEIGHT of the window")
+        ->default_str(fmt::format("{}x{}", arguments.size.width, arguments.size.height));
     program.add_option("--device", arguments.device, "Vulkan device by number or part of its name");
     program.add_flag("--validate", arguments.validate,
                      "Run under the Khronos validation layer; any message is a failure");
     program.add_flag("--vsync", arguments.waitsForDisplay, "Show frames at the display's pace");
-    program
-        .add_option("--unit", arguments.unit, "Unit of lengths: auto, um, mm, m, km, or none for scene units")
-        ->capture_default_str();
+    options::addNamed(program, "--unit", arguments.unit, base::parseLengthUnit,
+                      "Unit of lengths: auto, um, mm, m, km, or none for scene units");
     program.add_option("--ui-scale", arguments.uiScale, "Size of text; 1 is 96 dots per inch")
         ->check(options::numberFrom(0.5, 4.0));
 }
@@ -107,6 +92,24 @@ void addMeasuringOptions(CLI::App& program, Arguments& arguments) {
 }
 
 } // namespace
+
+std::array<depth::Technique, 2> parsePair(std::string_view text) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string_view::npos) {
+        throw base::InputError(fmt::format("--compare must be LEFT,RIGHT, not '{}'", text.substr(0, 60)));
+    }
+    return {depth::parseTechnique(text.substr(0, comma)), depth::parseTechnique(text.substr(comma + 1))};
+}
+
+PictureExtent parseWindowSize(std::string_view text) {
+    const auto size = image::parsePictureSize(text);
+    constexpr auto kMax = static_cast<std::uint32_t>(kMaxWindowSide);
+    if (!size || size->width > kMax || size->height > kMax) {
+        throw base::InputError(fmt::format("size must be WIDTHxHEIGHT, 1 to {}, such as 1280x720, not '{}'",
+                                           kMaxWindowSide, text.substr(0, 60)));
+    }
+    return {.width = size->width, .height = size->height};
+}
 
 void addViewerOptions(CLI::App& program, Arguments& arguments) {
     const program::BuildInfo build = program::buildInfo();

@@ -1,16 +1,20 @@
 #pragma once
 
+#include <cdr/base/quantity_text.h>
 #include <scenes/open_scene.h>
+#include <viewer/state/view_settings.h>
 
 #include <options/camera_options.h>
-#include <options/effect_options.h>
+#include <options/drawing_options.h>
+#include <options/scene_options.h>
 #include <options/views/views_plan.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
+#include <string_view>
 
 // CLI11's own name. NOLINTNEXTLINE(readability-identifier-naming)
 namespace CLI {
@@ -19,6 +23,12 @@ class App;
 
 namespace cdr::viewer {
 
+/// Reads "LEFT,RIGHT". base::InputError for anything that is not two techniques.
+std::array<depth::Technique, 2> parsePair(std::string_view text);
+
+/// Reads "WIDTHxHEIGHT" of a window. base::InputError unless each side is 1 to kMaxWindowSide.
+PictureExtent parseWindowSize(std::string_view text);
+
 /// The command line of cdr-viewer.
 struct Arguments {
     std::string scene = "afc";
@@ -26,33 +36,27 @@ struct Arguments {
     scene::GltfChoice choice;
     options::CameraOptions camera;
     std::uint64_t seed = scenes::kDefaultSeed;
-    std::vector<std::string> layers;           ///< for scenes::parseLayer()
-    std::string colours;                       ///< empty: bright, except for a line that renders a picture
-    std::string technique;                     ///< of one picture
-    std::string compare = "standard,anchored"; ///< "LEFT,RIGHT", unless there is one technique
-    std::string depth;                         ///< with `split`, instead of a technique
-    std::string split;
-    std::string submission = "secondaries";
-    std::string batching = "instanced";
-    std::string snapping = "by-device";
-    std::string detail = "none";
-    options::EffectArguments effects;
+    options::LayerArguments layers;
+    std::optional<scenes::Colours> colours;    ///< else bright, except for a line that renders a picture
+    std::optional<depth::Technique> technique; ///< of one picture
+    std::array<depth::Technique, 2> compare =
+        parsePair("standard,anchored"); ///< left and right, unless there is one technique
+    options::TechniqueParts parts;      ///< instead of a technique
+    std::optional<depth::DepthFormat> format;
+    render::RenderOptions drawing; ///< what both pictures are drawn with
     options::ViewsArguments views; ///< one eye, or two
-    std::string aov = "color";
+    ViewKind view = ViewKind::shaded;
     std::string output; ///< of a line that renders a picture, which is shown instead; empty without
-    std::string targets = "single";
-    std::string format;
-    std::size_t threads = 1;
-    std::string size = "1280x720";
+    PictureExtent size{.width = 1280, .height = 720}; ///< of the window
     std::string device;
     bool validate = false;
-    bool plays = false;                  ///< the scene's camera path from the start
-    bool waitsForDisplay = false;        ///< FIFO instead of mailbox
-    std::string unit = "auto";           ///< of lengths
-    double uiScale = 0.0;                ///< 0: the display's
-    std::optional<std::uint64_t> frames; ///< UI frames after which to quit
-    std::filesystem::path screenshot;    ///< of the window, when it quits
-    bool statistics = false;             ///< prints frame times when it quits
+    bool plays = false;                                  ///< the scene's camera path from the start
+    bool waitsForDisplay = false;                        ///< FIFO instead of mailbox
+    base::LengthUnit unit = base::LengthUnit::automatic; ///< of lengths
+    double uiScale = 0.0;                                ///< 0: the display's
+    std::optional<std::uint64_t> frames;                 ///< UI frames after which to quit
+    std::filesystem::path screenshot;                    ///< of the window, when it quits
+    bool statistics = false;                             ///< prints frame times when it quits
 };
 
 /// Adds the viewer's options to a program, which fills `arguments` when it parses a command line.

@@ -1,9 +1,6 @@
 #include "startup.h"
 
 #include <cdr/base/error.h>
-#include <cdr/image/picture_size.h>
-#include <viewer/state/command_line.h>
-#include <viewer/window/window.h>
 
 #include <fmt/format.h>
 
@@ -12,45 +9,45 @@ namespace cdr::viewer {
 namespace {
 
 void chooseTechniques(const Arguments& arguments, ViewSettings& settings) {
-    const std::size_t comma = arguments.compare.find(',');
-    if (!arguments.depth.empty() || !arguments.split.empty()) {
-        if (!arguments.technique.empty() || arguments.compare != Arguments{}.compare) {
+    if (arguments.parts.isGiven()) {
+        if (arguments.technique || arguments.compare != Arguments{}.compare) {
             throw base::InputError("give either --technique or --compare, or --depth and --split");
         }
-        settings.technique.mapping =
-            depth::parseMapping(arguments.depth.empty() ? "standard" : arguments.depth);
-        settings.technique.split = depth::parseSplit(arguments.split.empty() ? "none" : arguments.split);
-    } else if (!arguments.technique.empty()) {
-        settings.technique = depth::parseTechnique(arguments.technique);
-    } else if (comma != std::string::npos) {
-        settings.technique = depth::parseTechnique(arguments.compare.substr(0, comma));
-        settings.second = depth::parseTechnique(arguments.compare.substr(comma + 1));
+        settings.technique = arguments.parts.technique();
+    } else if (arguments.technique) {
+        settings.technique = *arguments.technique;
     } else {
-        throw base::InputError(
-            fmt::format("--compare must be LEFT,RIGHT, not '{}'", arguments.compare.substr(0, 60)));
+        settings.technique = arguments.compare[0];
+        settings.second = arguments.compare[1];
+    }
+    if (arguments.format) {
+        settings.technique.format = *arguments.format;
+        if (settings.second) {
+            settings.second->format = *arguments.format;
+        }
     }
 }
 
 ViewSettings settingsOf(const Arguments& arguments) {
+    const render::RenderOptions& drawn = arguments.drawing;
     ViewSettings settings;
     settings.scene = arguments.scene;
     settings.seed = arguments.seed;
-    const char* colours = arguments.output.empty() ? "bright" : "thesis";
-    settings.colours = scenes::parseColours(arguments.colours.empty() ? colours : arguments.colours);
-    settings.layers = scenes::parseLayers(arguments.layers);
-    settings.targets = render::parseTargets(arguments.targets);
-    settings.submission = render::parseSubmission(arguments.submission);
-    settings.batching = render::parseBatching(arguments.batching);
-    settings.snapping = render::parseSnapping(arguments.snapping);
-    settings.threads = arguments.threads;
+    settings.colours = arguments.colours.value_or(arguments.output.empty() ? scenes::Colours::bright
+                                                                           : scenes::Colours::thesis);
+    settings.layers = arguments.layers.choices;
+    settings.targets = drawn.targets;
+    settings.submission = drawn.submission;
+    settings.batching = drawn.batching;
+    settings.snapping = drawn.snapping;
+    settings.threads = drawn.threads;
     settings.choice = arguments.choice;
-    settings.choice.light = options::lightOf(arguments.effects);
-    settings.view = viewOfAov(arguments.aov);
-    settings.finish = {.detail = visibility::parseDetail(arguments.detail),
-                       .translucency = options::translucencyOf(arguments.effects),
-                       .shadows = options::shadowsOf(arguments.effects),
-                       .effects = options::effectsOf(arguments.effects),
-                       .focus = options::focusOf(arguments.effects)};
+    settings.view = arguments.view;
+    settings.finish = {.detail = drawn.detail,
+                       .translucency = drawn.translucency,
+                       .shadows = drawn.shadows,
+                       .effects = drawn.effects,
+                       .focus = drawn.focus};
     settings.views = arguments.views;
     options::ViewsPlan(settings.views, 1, 1); // refuses what contradicts itself
     chooseTechniques(arguments, settings);
@@ -64,12 +61,6 @@ ViewerModel initialModel(const Arguments& arguments) {
     ViewSettings& settings = model.settings;
     settings = settingsOf(arguments);
     model.interface.showsPanel = arguments.output.empty();
-    if (!arguments.format.empty()) {
-        settings.technique.format = depth::parseDepthFormat(arguments.format);
-        if (settings.second) {
-            settings.second->format = settings.technique.format;
-        }
-    }
     model.camera.playback = playbackOf(settings.choice, arguments.camera.frame);
     model.camera.playback.isPlaying = arguments.plays;
     model.camera.motion = arguments.plays ? Motion::scenePath : Motion::free;
@@ -77,22 +68,12 @@ ViewerModel initialModel(const Arguments& arguments) {
         model.camera.recorder.load(scene::readRecording(arguments.camera.path));
         model.camera.motion = Motion::recording;
     }
-    model.interface.unit = base::parseLengthUnit(arguments.unit);
+    model.interface.unit = arguments.unit;
     model.camera.first = arguments.camera;
     if (arguments.isFirstUse) {
         model.interface.firstSteps.begin();
     }
     return model;
-}
-
-PictureExtent windowSize(const Arguments& arguments) {
-    const auto size = image::parsePictureSize(arguments.size);
-    constexpr auto kMax = static_cast<std::uint32_t>(kMaxWindowSide);
-    if (!size || size->width > kMax || size->height > kMax) {
-        throw base::InputError(fmt::format("size must be WIDTHxHEIGHT, 1 to {}, such as 1280x720, not '{}'",
-                                           kMaxWindowSide, arguments.size.substr(0, 60)));
-    }
-    return {.width = size->width, .height = size->height};
 }
 
 std::filesystem::path freeName(const std::string& stem, const std::string& extension) {

@@ -13,9 +13,6 @@ namespace cdr::viewer {
 /// What the command line asks to see first. base::InputError says what cannot be.
 ViewerModel initialModel(const Arguments& arguments);
 
-/// Of the window, screen coordinates. base::InputError unless it is WIDTHxHEIGHT.
-PictureExtent windowSize(const Arguments& arguments);
-
 /// STEM-0001EXTENSION in the current folder, or the first number above that is free.
 std::filesystem::path freeName(const std::string& stem, const std::string& extension);
 

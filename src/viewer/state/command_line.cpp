@@ -5,6 +5,7 @@
 #include <viewer/state/camera/stereo_view.h>
 
 #include <fmt/format.h>
+#include <options/layer_text.h>
 #include <output/aov.h>
 
 #include <algorithm>
@@ -93,7 +94,7 @@ void addEyes(Words& words, const ViewSettings& settings) {
         return;
     }
     const options::ViewsArguments& views = settings.views;
-    words.add("--stereo", views.stereo);
+    words.add("--stereo", nameOf(*views.stereo));
     words.add("--eye-distance", fmt::format("{}", views.eyeDistance.value_or(0.0)));
     words.addUnless(!views.converge, "--converge", fmt::format("{}", views.converge.value_or(0.0)));
     const bool isOfColours = aovOf(settings.view) == Aov::color; // other outputs have no anaglyph
@@ -156,7 +157,7 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
     const bool isGrey = settings.colours == scenes::Colours::thesis || scene::isGltfPath(settings.scene);
     words.addUnless(isGrey, "--colours", nameOf(settings.colours));
     for (const scenes::LayerChoice& layer : settings.layers) {
-        words.add("--layer", nameOf(layer));
+        words.add("--layer", options::textOf(layer));
     }
     const auto addChoice = [&words](std::string_view option, const std::optional<std::uint32_t>& number) {
         words.addUnless(!number, option, fmt::format("{}", number.value_or(0)));

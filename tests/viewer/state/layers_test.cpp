@@ -52,7 +52,7 @@ TEST(LayerEdits, ChooseForOneMaterialAndClear) {
 TEST(LayerEdits, StandBesideChoicesOfSeveralMaterials) {
     const scene::Scene scene = sceneOfObjects();
     ViewSettings settings;
-    settings.layers = scenes::parseLayers(std::vector<std::string>{"paint=1"});
+    settings.layers = {{"paint", 1.0f}};
     EXPECT_EQ(chosenLayer(settings, scene, 2), 1.0f);
     chooseLayer(settings, scene, 2, 3.0f);
     EXPECT_EQ(scenes::layersOf(scene, settings.layers), (std::vector<float>{0.0f, 1.0f, 3.0f}));

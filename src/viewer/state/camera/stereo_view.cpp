@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <string>
 #include <utility>
 
 namespace cdr::viewer {
@@ -23,10 +22,7 @@ double threeDigits(double value) {
 } // namespace
 
 std::optional<options::StereoPicture> stereoPictureOf(const ViewSettings& settings) {
-    if (settings.views.stereo == options::ViewsArguments{}.stereo) {
-        return std::nullopt;
-    }
-    return options::parseStereoPicture(settings.views.picture);
+    return settings.views.stereo ? std::optional(settings.views.picture) : std::nullopt;
 }
 
 void fitEyes(options::ViewsArguments& views, double surfaceView) {
@@ -42,10 +38,10 @@ ViewSettings withStereo(ViewSettings settings, std::optional<options::StereoPict
         return settings;
     }
     if (!stereoPictureOf(settings)) {
-        settings.views.stereo = nameOf(scene::StereoMode::parallel);
+        settings.views.stereo = scene::StereoMode::parallel;
         fitEyes(settings.views, surfaceView);
     }
-    settings.views.picture = nameOf(*picture);
+    settings.views.picture = *picture;
     return settings;
 }
 
@@ -81,9 +77,9 @@ std::string_view explain(std::optional<options::StereoPicture> picture) {
 }
 
 ViewSettings withOtherEyes(ViewSettings settings) {
-    if (stereoPictureOf(settings)) {
-        const bool isToedIn = settings.views.stereo == nameOf(scene::StereoMode::toedIn);
-        settings.views.stereo = nameOf(isToedIn ? scene::StereoMode::parallel : scene::StereoMode::toedIn);
+    if (settings.views.stereo) {
+        const bool isToedIn = settings.views.stereo == scene::StereoMode::toedIn;
+        settings.views.stereo = isToedIn ? scene::StereoMode::parallel : scene::StereoMode::toedIn;
     }
     return settings;
 }

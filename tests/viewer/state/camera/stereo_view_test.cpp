@@ -22,7 +22,7 @@ TEST(StereoViewTest, StepsThroughOneEyeTwoAndAnAnaglyph) {
     EXPECT_EQ(beside.views.eyeDistance, 2.04);
     const ViewSettings anaglyph = withNextStereo(withOtherEyes(beside), 5.0);
     EXPECT_EQ(stereoPictureOf(anaglyph), StereoPicture::anaglyph);
-    EXPECT_EQ(anaglyph.views.stereo, "toed-in");
+    EXPECT_EQ(anaglyph.views.stereo, scene::StereoMode::toedIn);
     EXPECT_EQ(anaglyph.views.converge, 61.2); // fitted once
     EXPECT_EQ(withNextStereo(anaglyph, 5.0), one);
     EXPECT_EQ(withOtherEyes(one), one);

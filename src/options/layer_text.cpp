@@ -1,0 +1,37 @@
+#include "layer_text.h"
+
+#include <cdr/base/error.h>
+#include <cdr/base/suggest.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+
+namespace cdr::options {
+
+namespace {
+
+constexpr std::size_t kMaxShown = 60; ///< letters of what was given, in messages
+
+} // namespace
+
+scenes::LayerChoice parseLayer(std::string_view text) {
+    const std::size_t equals = text.rfind('=');
+    if (equals == 0 || equals == std::string_view::npos) {
+        throw base::InputError(fmt::format("a layer must be MATERIAL=LAYER, such as paint=0.002, not '{}'",
+                                           text.substr(0, kMaxShown)));
+    }
+    const auto layer = static_cast<float>(base::parseNumber("a layer", text.substr(equals + 1)));
+    if (!std::isfinite(layer)) {
+        throw base::InputError(
+            fmt::format("a layer must be a finite float, not '{}'", text.substr(equals + 1, kMaxShown)));
+    }
+    return {.material = std::string(text.substr(0, equals)), .layer = layer};
+}
+
+std::string textOf(const scenes::LayerChoice& choice) {
+    return fmt::format("{}={}", choice.material, choice.layer);
+}
+
+} // namespace cdr::options

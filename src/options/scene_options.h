@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cdr/scene/gltf/open_gltf.h>
+#include <scenes/colours.h>
+#include <scenes/layer_choice.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+// CLI11's own name. NOLINTNEXTLINE(readability-identifier-naming)
+namespace CLI {
+class App;
+}
+
+namespace cdr::options {
+
+/// What --layer was given.
+struct LayerArguments {
+    std::vector<std::string> texts;
+    std::vector<scenes::LayerChoice> choices; ///< what each text means
+};
+
+/// Adds --seed.
+void addSeed(CLI::App& command, std::uint64_t& seed, const std::string& help);
+/// Adds --texture-memory.
+void addTextureMemory(CLI::App& command, std::optional<std::uint64_t>& textureMiB);
+/// Adds --points.
+void addPointRadius(CLI::App& command, std::optional<double>& radius);
+/// Adds --gltf-scene and --camera.
+void addSceneChoice(CLI::App& command, scene::GltfChoice& choice);
+/// Adds --animation, --time and --fps.
+void addAnimationChoice(CLI::App& command, scene::GltfChoice& choice);
+/// Adds --layer.
+void addLayers(CLI::App& command, LayerArguments& layers);
+/// Adds --colours. Help shows a default where there is one.
+void addColours(CLI::App& command, std::optional<scenes::Colours>& colours);
+
+} // namespace cdr::options

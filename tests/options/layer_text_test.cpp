@@ -1,0 +1,44 @@
+#include <cdr/base/error.h>
+
+#include <gtest/gtest.h>
+#include <options/layer_text.h>
+
+#include <limits>
+#include <string>
+
+namespace cdr::options {
+
+namespace {
+
+using scenes::LayerChoice;
+
+std::string layerRefusalOf(const std::string& text) {
+    try {
+        parseLayer(text);
+    } catch (const base::InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(LayerText, ReadsWhatItWrites) {
+    for (const LayerChoice& choice :
+         {LayerChoice{"paint", 0.002f}, LayerChoice{"a=b", -3.0f}, LayerChoice{"#7", 0.0f},
+          LayerChoice{"name with blanks", std::numeric_limits<float>::denorm_min()},
+          LayerChoice{"=", std::numeric_limits<float>::lowest()}}) {
+        EXPECT_EQ(parseLayer(textOf(choice)), choice) << textOf(choice);
+    }
+}
+
+TEST(LayerText, RefusesInOneLine) {
+    for (const char* text : {"", "=", "paint", "=0.1", "paint=", "paint=x", "paint=nan", "paint=inf",
+                             "paint=1e39", "paint=-1e300", "paint=0.1m"}) {
+        const std::string refusal = layerRefusalOf(text);
+        EXPECT_NE(refusal.find("layer"), std::string::npos) << text << ": " << refusal;
+        EXPECT_EQ(refusal.find('\n'), std::string::npos) << text;
+    }
+}
+
+} // namespace
+
+} // namespace cdr::options
