@@ -32,17 +32,21 @@ for (const page of pages()) {
     });
 }
 
-/** The folders of a page's tables, whose rows begin with them. */
+const sources = /^(src|shaders|tests|tools|third_party)(\/|$)/;
+
+/** The folders of a page's tables, whose rows begin with them: by their whole path, or as "here" and "below/" it. */
 function listedOn(page) {
-    const firstColumns = [...read(page).matchAll(/^\| (`[^|]+) \|/gm)].map((match) => match[1]);
-    return firstColumns.flatMap((column) => [...column.matchAll(/`([^`]+)`/g)].map((match) => match[1]));
+    const firstColumns = [...read(page).matchAll(/^\| ((?:here|\[?`)[^|]*) \|/gm)].map((match) => match[1]);
+    return firstColumns.flatMap((column) => column === "here" ? [dirname(page)]
+        : [...column.matchAll(/`([^`]+)`/g)].map(([, name]) => name.endsWith("/") ? join(dirname(page), name.slice(0, -1)) : name))
+        .filter((name) => sources.test(name));
 }
 
 test("every folder of source has its line in ARCHITECTURE.md or on its room's page, and only those", () => {
-    const rooms = /^(src|shaders|tests|tools|third_party)(\/|$)/;
-    const folders = new Set(files().map(dirname).filter((folder) => rooms.test(folder)));
+    const folders = new Set(files().map(dirname).filter((folder) => sources.test(folder)));
     const tested = (folder) => ["src/", "src/cdr/"].some((above) => folders.has(folder.replace(/^tests\//, above)));
-    const pages = ["ARCHITECTURE.md", "src/experiments/README.md", "src/report/README.md", "src/viewer/README.md", "shaders/README.md"];
+    const rooms = ["cdr/scene", "cdr/render", "cdr/measure", "experiments", "report", "viewer"].map((room) => `src/${room}`);
+    const pages = ["ARCHITECTURE.md", ...[...rooms, "shaders", "tests"].map((folder) => `${folder}/README.md`)];
     const listed = pages.flatMap(listedOn);
     const isByRule = (folder) => folder.startsWith("tests/") && tested(folder);
     assert.deepEqual([...new Set(listed)].sort(), [...folders].filter((folder) => !isByRule(folder)).sort());
