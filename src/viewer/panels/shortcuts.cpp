@@ -123,7 +123,7 @@ constexpr std::array kComparing{
 };
 
 constexpr std::array kEyes{
-    Shortcut{"G", "two eyes side by side, then as an anaglyph, then one; with shift, parallel or toed-in",
+    Shortcut{"G", "two eyes side by side, then as an anaglyph, then one; with shift, parallel, toed-in or off-axis",
              chooseEyes, GLFW_KEY_G},
 };
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
@@ -78,8 +79,9 @@ std::string_view explain(std::optional<options::StereoPicture> picture) {
 
 ViewSettings withOtherEyes(ViewSettings settings) {
     if (settings.views.stereo) {
-        const bool isToedIn = settings.views.stereo == scene::StereoMode::toedIn;
-        settings.views.stereo = isToedIn ? scene::StereoMode::parallel : scene::StereoMode::toedIn;
+        const auto& modes = scene::kStereoModes;
+        const auto now = std::find(modes.begin(), modes.end(), *settings.views.stereo);
+        settings.views.stereo = now + 1 == modes.end() ? modes.front() : *(now + 1);
     }
     return settings;
 }

@@ -26,7 +26,7 @@ TEST(StereoViewTest, StepsThroughOneEyeTwoAndAnAnaglyph) {
     EXPECT_EQ(anaglyph.views.converge, 61.2); // fitted once
     EXPECT_EQ(withNextStereo(anaglyph, 5.0), one);
     EXPECT_EQ(withOtherEyes(one), one);
-    EXPECT_EQ(withOtherEyes(withOtherEyes(beside)), beside);
+    EXPECT_EQ(withOtherEyes(withOtherEyes(withOtherEyes(beside))), beside);
 }
 
 TEST(StereoViewTest, FitsEyesToOneUnitWhereNothingIsSeen) {
