@@ -53,6 +53,12 @@ void addSceneChoice(CLI::App& command, scene::GltfChoice& choice) {
                        "Look through a glTF scene's camera, from 0; else the view shows all of the scene");
 }
 
+void addMoment(CLI::App& command, scene::GltfChoice& choice) {
+    command.add_option("--animation", choice.animation,
+                       "Animation of a glTF file, by name or from 0; with --time the first");
+    command.add_option("--time", choice.seconds, "Seconds of the animation; else 0");
+}
+
 void addAnimationChoice(CLI::App& command, scene::GltfChoice& choice) {
     command.add_option("--animation", choice.animation,
                        "Animation of a glTF file, by name or from 0; with --time or --fps the first");

@@ -30,6 +30,8 @@ void addTextureMemory(CLI::App& command, std::optional<std::uint64_t>& textureMi
 void addPointRadius(CLI::App& command, std::optional<double>& radius);
 /// Adds --gltf-scene and --camera.
 void addSceneChoice(CLI::App& command, scene::GltfChoice& choice);
+/// Adds --animation and --time, for a command that shows one moment.
+void addMoment(CLI::App& command, scene::GltfChoice& choice);
 /// Adds --animation, --time and --fps.
 void addAnimationChoice(CLI::App& command, scene::GltfChoice& choice);
 /// Adds --layer.

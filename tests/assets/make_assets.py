@@ -6,6 +6,7 @@ materials.glb: every texture of a material, read in every way that the importer 
 machine.glb: animations of every path and interpolation, a skin of six joints, morph targets, a camera that moves.
 survey.glb: points and lines of every mode, lit and unlit, in colours, with and without indices; a camera.
 stage.glb: a spot, a point light with a range and a directional light, two of which move; a camera.
+veils.glb: blended meshes that joints and morph targets bend, before and behind an opaque block that moves; a camera.
 well.gltf, well.bin and stone.jpg: a model in three files. ffmpeg writes the JPEG, so its bytes depend on the version.
 """
 
@@ -195,6 +196,54 @@ def stage():
     model.root["animations"] = [model.animation("show", *show)]
     model.root["scenes"] = [{"name": "stage", "nodes": roots}]
     model.write_glb("stage.glb")
+
+
+def veils():
+    """Blended meshes that bend: a curtain by joints, a bubble by a morph target. An opaque block moves between them."""
+    model = Model()
+    cloth = model.material("cloth", (0.85, 0.3, 0.25, 0.5), alphaMode="BLEND", doubleSided=True)
+    soap = model.material("soap", (0.35, 0.6, 0.9, 0.4), alphaMode="BLEND", doubleSided=True)
+    stone = model.material("stone", (0.6, 0.58, 0.5, 1))
+    joints = 4
+    curtain_shape = grid(6, 9, lambda u, v: [1.6 * (u - 0.5), 2.4 * v, 0.0])
+    curtain = model.mesh("curtain", curtain_shape, cloth)
+    sets = {"JOINTS_0": [], "WEIGHTS_0": []}
+    for _, y, _ in curtain_shape["positions"]:
+        along = min(y / 2.4 * (joints - 1), joints - 1 - 1e-6)
+        low, share = int(along), along - int(along)
+        sets["JOINTS_0"].append((low, low + 1, 0, 0))
+        sets["WEIGHTS_0"].append((1 - share, share, 0, 0))
+    for name, values in sets.items():
+        accessor = model.accessor(values, "VEC4", UBYTE if "JOINTS" in name else FLOAT)
+        model.root["meshes"][curtain]["primitives"][0]["attributes"][name] = accessor
+    bones = []
+    for k in reversed(range(joints)):
+        children = {"children": [bones[-1]]} if bones else {}
+        bones.append(model.node(f"bone {k}", translation=[0, 2.4 / (joints - 1) if k else 0, 0], **children))
+    bones.reverse()
+    inverse = [(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -2.4 * k / (joints - 1), 0, 1) for k in range(joints)]
+    model.root["skins"] = [{"joints": bones, "inverseBindMatrices": model.accessor(inverse, "MAT4"), "name": "curtain"}]
+    ball_shape = sphere(0.6)
+    bubble = model.mesh("bubble", ball_shape, soap)
+    dented = [[0.4 * x, -0.5 * y, 0.3 * x] for x, y, _ in ball_shape["positions"]]
+    model.root["meshes"][bubble]["primitives"][0]["targets"] = [{"POSITION": model.accessor(dented, "VEC3")}]
+    block = model.mesh("block", box(0.5, 0.5, 0.5), stone)
+    floor = model.mesh("floor", box(3, 0.1, 3), stone)
+    rod = model.node("rod", translation=[-0.4, 0, 0.3], children=[bones[0]])
+    roots = [model.node("floor", floor, translation=[0, -0.1, 0]), rod, model.node("curtain", curtain, skin=0)]
+    swell = model.node("bubble", bubble, translation=[0.5, 0.9, 1.2])
+    pane = model.node("pane", curtain, translation=[0.3, 0, -0.9])
+    carried = model.node("block", block, translation=[-1.2, 0.6, -0.3])
+    roots += [swell, pane, carried]
+    model.root["cameras"] = [{"type": "perspective", "name": "seat", "perspective": {"yfov": 0.7, "znear": 0.1, "zfar": 100}}]
+    roots.append(model.node("seat", camera=0, translation=[0, 1.2, 4.4]))
+    bend = lambda angle: [(0, 0, 0, 1), (math.sin(angle), 0, 0, math.cos(angle)), (0, math.sin(angle), 0, math.cos(angle))]
+    drift = [(bone, "rotation", "LINEAR", (0, 1, 2), bend(0.25), "VEC4") for bone in bones[1:]]
+    drift.append((swell, "weights", "LINEAR", (0, 1, 2), [(w,) for w in (0, 1, 0.3)], "SCALAR"))
+    drift.append((carried, "translation", "LINEAR", (0, 2), [(-1.2, 0.6, -0.3), (1.2, 0.9, 0.4)], "VEC3"))
+    model.root["animations"] = [model.animation("drift", *drift), model.animation("rest", drift[-1])]
+    model.root["scenes"] = [{"name": "veils", "nodes": roots}]
+    model.write_glb("veils.glb")
 
 
 def survey():
@@ -403,5 +452,6 @@ materials()
 machine()
 stage()
 survey()
+veils()
 stone()
 well()

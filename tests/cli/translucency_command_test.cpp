@@ -47,6 +47,39 @@ TEST(TranslucencyCommand, ComparesBothMethodsWithTheTruth) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "p" / "truth.png"));
 }
 
+TEST(TranslucencyCommand, ComparesAMomentOfAnAnimation) {
+    const TemporaryFolder folder;
+    const std::string common = "translucency " CDR_SOURCE_DIR "/tests/assets/veils.glb --size 160x90 "
+                               "--cascades 1,3 --repeats 0 --out p --json t.json ";
+    std::set<std::string> truths;
+    for (const std::string& moment : {std::string(), std::string("--time 0.7"), std::string("--time 2"),
+                                      std::string("--animation rest --time 0.7")}) {
+        const ProgramResult result = runProgram(common + moment, folder.path());
+        ASSERT_EQ(result.status, 0) << result.err;
+        const json document = json::parse(readText(folder.path() / "t.json"));
+        EXPECT_EQ(document["options"].contains("time"), !moment.empty());
+        EXPECT_EQ(document["options"].contains("animation"), moment.find("rest") != std::string::npos);
+        for (const json& row : document["results"]) {
+            EXPECT_EQ(row["miscounted"], 0) << moment;
+            EXPECT_TRUE(row["method"] != "sorted" || row["max_error"] <= 2) << moment << row;
+        }
+        truths.insert(readText(folder.path() / "p" / "truth.png"));
+    }
+    EXPECT_EQ(truths.size(), 4u);
+}
+
+TEST(TranslucencyCommand, RefusesAMomentThatThereIsNot) {
+    const TemporaryFolder folder;
+    const std::string veils = CDR_SOURCE_DIR "/tests/assets/veils.glb";
+    for (const std::string& arguments :
+         {std::string("translucency --time 1"), std::string("translucency sheets --animation 0"),
+          "translucency --animation fly " + veils, "translucency --time nan " + veils}) {
+        const ProgramResult result = runProgram(arguments + " --size 16x16", folder.path());
+        EXPECT_EQ(result.status, 2) << arguments;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    }
+}
+
 TEST(TranslucencyCommand, RenderTakesTheMethodAndItsMemory) {
     const TemporaryFolder folder;
     const std::string common = "--validate render sheets --size 320x180 --depth anchored --split count:3 ";

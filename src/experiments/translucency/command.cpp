@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <options/scene_options.h>
 #include <output/columns.h>
 #include <output/readable.h>
 
@@ -18,6 +19,7 @@ constexpr std::size_t kMaxRepeats = 10'000;
 
 struct TranslucencyArguments {
     experiments::TranslucencyExperiment experiment;
+    scene::GltfChoice choice; ///< the moment of a file's animation
     std::string mapping = "anchored";
     std::uint64_t memoryMiB = render::TranslucencyOptions{}.maxBytes >> 20u;
     std::filesystem::path folder;
@@ -72,6 +74,16 @@ void writePictures(const PictureFolder& folder, const experiments::TranslucencyR
     }
 }
 
+/// What the options of the JSON have of a moment, where one is chosen.
+void addMomentJson(nlohmann::ordered_json& options, const scene::GltfChoice& choice) {
+    if (choice.animation) {
+        options["animation"] = *choice.animation;
+    }
+    if (choice.seconds) {
+        options["time"] = *choice.seconds;
+    }
+}
+
 void run(Command& command, TranslucencyArguments& arguments) {
     command.measuresTime();
     experiments::TranslucencyExperiment& experiment = arguments.experiment;
@@ -79,7 +91,7 @@ void run(Command& command, TranslucencyArguments& arguments) {
     experiment.maxBytes = arguments.memoryMiB << 20u;
     const PictureFolder folder(arguments.folder, command.files());
     experiment.keepsPictures = folder.isWanted();
-    const scene::SceneSetup setup = command.openScene(experiment.scene, experiment.seed);
+    const scene::SceneSetup setup = command.openScene(experiment.scene, experiment.seed, arguments.choice);
     command.keepUnits(arguments.state);
     const experiments::TranslucencyResults all = experiments::runTranslucency(
         command.device(), setup, experiment, command.progressOf(experiment.scene), command.ranks());
@@ -111,6 +123,7 @@ void run(Command& command, TranslucencyArguments& arguments) {
                                           {"threads", experiment.threads},
                                           {"repeats", experiment.repeats},
                                           {"seed", experiment.seed}});
+    addMomentJson(document["options"], arguments.choice);
     for (const experiments::TranslucencyResult& result : all.results) {
         document["results"].push_back(output::jsonOf(columns, result));
         if (folder.isWanted()) {
@@ -124,6 +137,7 @@ void run(Command& command, TranslucencyArguments& arguments) {
 void addOptions(CLI::App& command, TranslucencyArguments& arguments) {
     experiments::TranslucencyExperiment& experiment = arguments.experiment;
     command.add_option("scene", experiment.scene, "Scene with translucent surfaces")->capture_default_str();
+    options::addMoment(command, arguments.choice);
     addSize(command, experiment.width, experiment.height);
     command.add_option("--depth", arguments.mapping, "Depth mapping of the cascades")->capture_default_str();
     command.add_option("--cascades", experiment.cascades, "Numbers of cascades, separated by commas")

@@ -81,6 +81,18 @@ TEST(GltfAsset, TheSurveyIsPointsAndLinesOfEveryMode) {
     EXPECT_TRUE(survey.ignored.empty());
 }
 
+TEST(GltfAsset, TheVeilsAreBlendedAndBend) {
+    const GltfImport veils = loadGltf(kOwn / "veils.glb");
+    expectSound(veils.scene);
+    ASSERT_NE(veils.animation, nullptr);
+    EXPECT_EQ(veils.animation->animations.size(), 2u);
+    EXPECT_EQ(veils.animation->deformed.size(), 2u); // the curtain and the bubble
+    EXPECT_EQ(std::count_if(veils.scene.materials.begin(), veils.scene.materials.end(),
+                            [](const Material& material) { return material.alphaMode == AlphaMode::blend; }),
+              2);
+    EXPECT_TRUE(veils.ignored.empty());
+}
+
 TEST(GltfAsset, LargerModelsOfOthersLoad) {
     if (!fs::exists(kShared)) {
         GTEST_SKIP() << "no larger models in " << kShared;
