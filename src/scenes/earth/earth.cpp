@@ -42,6 +42,32 @@ GeodeticFrame middleOf(const GeodeticFrame& frame) {
             .height = 0.5 * frame.height};
 }
 
+/// What the texels of a block, from north to south, are EarthOptions::blockTexels times. The path shows the first two, which are
+/// wider, at the horizon at most. The next one is what the station sees from afar, where texels would be wider than pixels.
+double shareOfTexels(std::size_t block) {
+    constexpr std::size_t kSeenFromAfar = 2;
+    return block < kSeenFromAfar ? 0.5 : block == kSeenFromAfar ? 2.0 : 1.0;
+}
+
+/// How a block is painted, between the coarser and the finer one.
+GroundPainter::Canvas canvasOf(const std::vector<GroundBlock>& blocks, std::size_t block,
+                               const EarthOptions& options) {
+    const auto rowsOf = [&](std::size_t i) { return shareOfTexels(i) * options.blockTexels; };
+    const auto texelOf = [&](std::size_t i) { return blocks[i].frame().height / rowsOf(i); };
+    const auto height = static_cast<std::uint32_t>(rowsOf(block));
+    GroundPainter::Canvas canvas{blocks[block].frame(), height / 2, height};
+    if (block + 1 < blocks.size()) {
+        canvas.hidden = blocks[block + 1].frame();
+    }
+    if (block == 0) { // the whole Earth is twice as wide as high, and around it there is none
+        canvas.width = 2 * height;
+    } else {
+        canvas.fine = canvas.hidden.value_or(middleOf(canvas.frame));
+        canvas.growth = std::min(texelOf(block - 1) / texelOf(block), canvas.growth);
+    }
+    return canvas;
+}
+
 /// Paints the blocks; a tile wears the finest that covers it.
 std::function<TileCoat(const EarthTile&)>
 addPaintedGround(SceneBuilder& builder, const GroundPainter& painter, const EarthOptions& options) {
@@ -49,16 +75,7 @@ addPaintedGround(SceneBuilder& builder, const GroundPainter& painter, const Eart
     std::vector<std::pair<GroundBlock, TileCoat>> coats;
     const std::vector<GroundBlock> blocks = blocksAround(kOrbitAirport, EarthQuadtree::kDeepest - 1);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
-        GroundPainter::Canvas canvas{blocks[i].frame(), options.blockTexels / 2, options.blockTexels};
-        if (i == 0) { // the whole Earth is twice as wide as high
-            canvas.width = 2 * options.blockTexels;
-        }
-        if (i + 1 < blocks.size()) {
-            canvas.hidden = blocks[i + 1].frame();
-        }
-        if (i > 0) { // around the first there is none
-            canvas.fine = canvas.hidden.value_or(middleOf(canvas.frame));
-        }
+        const GroundPainter::Canvas canvas = canvasOf(blocks, i, options);
         const std::uint32_t material =
             addGroundMaterial(builder, fmt::format("ground {}", i), painter.paint(canvas, workers));
         coats.emplace_back(blocks[i], TileCoat{material, canvas.frame});

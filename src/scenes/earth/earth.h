@@ -7,6 +7,7 @@ namespace cdr::scenes {
 struct EarthOptions {
     /// Texels of a block of the ground from north to south, a multiple of 16. From west to east it has half as many, which are as
     /// wide as those are high, since the airport lies far north. So the horizon is sharper, too: few texels lie behind each other.
+    /// The block that the station sees from afar has twice as many each way, and the two beyond half as many.
     std::uint32_t blockTexels = 1280;
     std::size_t threads = 0; ///< that paint the ground; 0: as many as the machine has
 };

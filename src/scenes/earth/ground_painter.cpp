@@ -156,7 +156,8 @@ image::ImageRgba8 GroundPainter::paint(const Canvas& canvas, host::WorkerPool& w
     };
     const Margins margins(canvas);
     const auto finenessAt = [&](double across, double down) {
-        return Fineness{.texel = texel * (1.0 + std::max(across, down)), .picture = texel};
+        const double margin = std::max(across, down);
+        return Fineness{.texel = texel * (1.0 + (canvas.growth - 1.0) * margin), .picture = texel};
     };
     std::vector<Slow> grid(std::size_t{columns} * rows);
     workers.run(rows, [&](std::size_t row, std::size_t) {
