@@ -117,20 +117,34 @@ vec3 lightOn(LitPoint point) {
     return light;
 }
 
+// Light of a sky that microfacets mirror to the camera.
+vec3 mirroredSky(MetallicRoughness metallicRoughness, SkyShares shares, vec3 normal, vec3 toCamera) {
+    vec3 mirrored = reflect(-toCamera, normal);
+    float rough = metallicRoughness.roughness;
+    float rough2 = rough * rough;
+    // A level surface sees one half of the sky alone, so a rough lobe does not reach across the horizon there.
+    float elevation = dot(normal, header.skyUp.xyz);
+    float level = elevation * elevation;
+    level *= level;
+    level *= level;
+    vec2 facing = vec2(elevation, rough2 * level * level);
+    // A rough lobe leans from the mirrored direction to the normal; the mean of its directions need not be unit. What grazes
+    // the surface leans and spreads less.
+    vec3 sky = shares.mirrored * skyMirrored(mix(mirrored, normal, rough2), rough, facing) +
+               shares.grazing * skyMirrored(mix(mirrored, normal, 0.2 * rough2), 0.65 * rough, facing);
+    // An interpolated normal may face away from the camera; what it would mirror is behind the surface (Russell 2013).
+    float horizon = 1.0 + min(dot(normal, toCamera), 0.0);
+    return sky * (horizon * horizon);
+}
+
 // Light that a metallic-roughness surface sends to the camera.
 vec3 glossyLight(MetallicRoughness metallicRoughness, LitPoint point) {
     vec3 toCamera = normalize(vec3(-point.ray, 1.0));
     float facing = facingOf(point.normal, toCamera);
     vec3 light;
     if (kSky != 0u) {
-        AmbientShares shares = skyShares(metallicRoughness, facing);
-        vec3 mirrored = reflect(-toCamera, point.normal);
-        // An interpolated normal may face away from the camera; what it would mirror is behind the surface (Russell 2013).
-        float horizon = 1.0 + min(dot(point.normal, toCamera), 0.0);
-        // A rough lobe leans from there to the normal; the mean of its directions need not be unit.
-        vec3 seen = mix(mirrored, point.normal, metallicRoughness.roughness * metallicRoughness.roughness);
-        vec3 sky = skyMirrored(seen, metallicRoughness.roughness) * (horizon * horizon);
-        light = point.openness * (shares.diffuse * skyDiffuse(point.normal) + shares.mirrored * sky);
+        SkyShares shares = skyShares(metallicRoughness, dot(point.normal, toCamera));
+        light = point.openness * (shares.diffuse * skyDiffuse(point.normal) + mirroredSky(metallicRoughness, shares, point.normal, toCamera));
     } else {
         light = point.openness * ambientLight() * ambientReflectance(metallicRoughness, facing);
     }

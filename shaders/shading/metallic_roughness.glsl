@@ -68,25 +68,43 @@ AmbientShares ambientShares(MetallicRoughness metallicRoughness, float facing) {
     return AmbientShares((1.0 - (kDielectric * scaleAndBias.x + scaleAndBias.y)) * metallicRoughness.diffuse, mirrored);
 }
 
-// The same, fitted to the integral itself (Karis 2013's split sum, with the terms of pointReflectance()). The fit is least
-// squares over roughness 0.08 to 1 and all angles. Off by 0.009 on average, by 0.065 at most, where Karis' fit is by 0.12
-// and 0.42.
-const mat4 kMirroredScale = mat4(1.4878, -1.3415, 0.7893, -1.8011,
-                              -6.4337, 18.2337, -11.2007, 9.8790,
-                              12.4680, -38.2377, 24.2537, -15.5164,
-                              -6.9815, 21.1888, -13.9526, 7.7799);
-const mat4 kMirroredBias = mat4(0.0473, -0.1946, 0.1579, 1.1907,
-                              2.1540, -5.2277, 3.1204, -5.8885,
-                              -5.4206, 13.6777, -8.4302, 9.4876,
-                              3.2737, -8.3962, 5.2408, -4.8045);
-AmbientShares skyShares(MetallicRoughness metallicRoughness, float facing) {
-    float roughness2 = metallicRoughness.roughness * metallicRoughness.roughness;
-    float away = 1.0 - min(facing, 1.0);
-    vec4 rough = vec4(1.0, metallicRoughness.roughness, roughness2, roughness2 * metallicRoughness.roughness);
-    vec4 angle = vec4(1.0, facing, facing * facing, away * away * away * away * away);
-    float scale = clamp(dot(angle, kMirroredScale * rough), 0.0, 1.0);
-    float bias = max(dot(angle, kMirroredBias * rough), 0.0);
-    return AmbientShares((1.0 - (kDielectric * scale + bias)) * metallicRoughness.diffuse, metallicRoughness.mirror * scale + bias);
+// Shares of a sky that reach the camera: of diffuse light, and of what microfacets mirror of directions about a lobe's mean and,
+// by what Fresnel's term adds where they are seen at a low angle, of directions that graze the surface.
+struct SkyShares {
+    vec3 diffuse;
+    vec3 mirrored;
+    float grazing;
+};
+
+// Polynomials of the roughness, whose values the powers 2, 4, 8 and 16 of the angle's measure are multiplied by. Fitted to the
+// integral over all directions (Karis 2013's split sum, with the terms of pointReflectance()) by least squares over roughness
+// 0.08 to 1. Off by 0.002 and 0.001 on average, where facing is above 0.05 by 0.016 at most. Karis' fit is off by 0.12 and 0.42.
+const vec4 kMirroredOf[6] = vec4[](
+    vec4(-0.0937, -1.0113, 0.9799, -1.1259), vec4(0.9454, 11.6247, -34.0978, 25.5773),
+    vec4(3.8281, -92.0494, 213.8968, -130.3529), vec4(-37.6604, 273.8897, -507.7807, 272.3212),
+    vec4(65.6353, -322.1061, 514.5350, -253.0801), vec4(-32.1296, 129.4820, -187.3307, 86.7074));
+const vec4 kGrazingOf[6] = vec4[](
+    vec4(0.0921, -0.0419, 1.5515, -0.4913), vec4(-1.9978, 9.6029, -9.4072, -1.7751),
+    vec4(9.4920, -39.3222, 10.7372, 24.5065), vec4(-17.5537, 60.3744, 16.5902, -64.7135),
+    vec4(14.2640, -40.6008, -36.5732, 66.3989), vec4(-4.2890, 9.9994, 17.1308, -23.9292));
+vec4 polynomial(const vec4 of[6], float x) {
+    return of[0] + x * (of[1] + x * (of[2] + x * (of[3] + x * (of[4] + x * of[5]))));
+}
+// cosine: between the normal and the way to the camera, below 0 where an interpolated normal faces away.
+SkyShares skyShares(MetallicRoughness metallicRoughness, float cosine) {
+    float rough = metallicRoughness.roughness;
+    float away = 1.0 - clamp(cosine, 1e-3, 1.0);
+    float away2 = away * away;
+    float away4 = away2 * away2;
+    float away8 = away4 * away4;
+    vec4 angle = vec4(away2, away4, away8, away8 * away8);
+    float alongNormal = 1.0343 + rough * (-0.6172 + rough * (3.5317 + rough * (-7.9479 + rough * (5.0280 - 0.7027 * rough))));
+    float mirrored = clamp(alongNormal + dot(angle, polynomial(kMirroredOf, rough)), 0.0, 1.0);
+    float grazing = max(dot(angle, polynomial(kGrazingOf, rough)), 0.0);
+    // What Schlick's term leaves of diffuse light depends on the halfway vector, not on the roughness. Within 0.001 down to a
+    // cosine of -0.4, within 0.006 down to -0.6.
+    float unmirrored = 0.9332 + cosine * (0.0726 + cosine * (0.0222 * cosine - 0.068));
+    return SkyShares(unmirrored * metallicRoughness.diffuse, metallicRoughness.mirror * mirrored, grazing);
 }
 
 // Of light that is the same from everywhere.

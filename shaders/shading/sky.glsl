@@ -19,15 +19,16 @@ vec3 skyDiffuse(vec3 normal) {
 // What a mirror of a roughness sees about a direction, which may be shorter than 1. This is a fit to the integral over the
 // lobe of GGX, seen along its normal as is usual (Karis 2013). The horizon's step is off by up to 0.07, the slope above it
 // by up to 0.03.
-vec3 skyMirrored(vec3 direction, float roughness) {
+// facing: of the surface, the sine of its elevation and the share of the lobe that its plane cuts off, where it is level.
+vec3 skyMirrored(vec3 direction, float roughness, vec2 facing) {
     float elevation = dot(direction, header.skyUp.xyz);
     float width = max(1.3 * smoothstep(0.0, 0.95, roughness), 0.01);
-    float above = smoothstep(-width, width, elevation);
+    float above = mix(smoothstep(-width, width, elevation), step(0.0, facing.x), facing.y);
     float soft = 0.6 * roughness + 1e-3;
     float past = max(elevation + soft, 0.0);
     float slope = elevation >= soft ? elevation : past * past / (4.0 * soft);
     float zenith = mix(slope, zenithInCosineLobe(elevation), smoothstep(0.1, 1.05, roughness));
-    return skyOf(above, zenith);
+    return skyOf(above, min(zenith, above));
 }
 
 #endif

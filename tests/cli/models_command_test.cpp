@@ -65,6 +65,22 @@ TEST(ModelsCommand, HoldsModelsAgainstTheReference) {
         900u);
 }
 
+/// A lawn at a low angle, leaves whose normals face away, smooth and rough balls: under a sky, where most is mirrored.
+TEST(ModelsCommand, ModelsUnderASkyAreCloseToTheReferenceWhereTheyCover) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("models " + kAssets + "garden.glb " + kAssets + "materials.glb " + kAssets +
+                       "stage.glb --size 320x180 --threads 2 --json m.json",
+                   folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(readText(folder.path() / "m.json"));
+    ASSERT_EQ(document["results"].size(), 3u);
+    for (const json& row : document["results"]) {
+        EXPECT_LE(row["covered_flip"], 0.05) << row;
+        EXPECT_LE(row["mean_steps"], 0.7) << row;
+    }
+}
+
 TEST(ModelsCommand, TakesAModelsOwnLightsAndCamera) {
     const TemporaryFolder folder;
     const auto reference = [&](const std::string& more) {
