@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <charconv>
@@ -16,6 +17,7 @@
 #include <random>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace cdr::host {
 
@@ -58,10 +60,23 @@ std::string randomName() {
     return fmt::format("{:08x}{:08x}", device(), device());
 }
 
+/// Whether a call failed though its caller asked for nothing wrong: a full disk, a broken one, no descriptor left.
+bool isOfTheSystem(int error) {
+    constexpr std::array kOfTheSystem{ENOSPC, EDQUOT, EIO, EMFILE, ENFILE, ENOMEM};
+    return std::find(kOfTheSystem.begin(), kOfTheSystem.end(), error) != kOfTheSystem.end();
+}
+
+/// An empty file, or the error number of why there is none.
+struct Temporary {
+    fs::path path;
+    int error = 0;
+};
+
 /// Creates an empty file in `folder` that nobody else has; its mode is what the process' umask leaves.
-fs::path createTemporary(const fs::path& folder, const std::string& extension,
-                         std::optional<UnfinishedFile>& unfinished) {
+Temporary createTemporary(const fs::path& folder, const std::string& extension,
+                          std::optional<UnfinishedFile>& unfinished) {
     constexpr int kTries = 16;
+    int error = EEXIST;
     for (int i = 0; i < kTries; ++i) {
         fs::path temporary = folder / ("." + randomName() + extension);
         unfinished.emplace(temporary);
@@ -69,14 +84,15 @@ fs::path createTemporary(const fs::path& folder, const std::string& extension,
             ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (file >= 0) {
             ::close(file);
-            return temporary;
+            return {.path = std::move(temporary)};
         }
-        if (errno != EEXIST) {
+        error = errno;
+        if (error != EEXIST) {
             break;
         }
     }
     unfinished.reset();
-    return {};
+    return {.path = {}, .error = error};
 }
 
 /// Writes all bytes to a descriptor; the error number, 0 when it succeeds.
@@ -93,6 +109,10 @@ int writeAll(int descriptor, std::span<const std::uint8_t> bytes) {
 
 [[noreturn]] void throwWriteFailed(const fs::path& path, int error) {
     throw base::RunError(oneLine(path) + ": write failed: " + std::generic_category().message(error));
+}
+
+[[noreturn]] void throwCannotBeWritten(const fs::path& path, int error) {
+    throw base::RunError(oneLine(path) + ": cannot be written: " + std::generic_category().message(error));
 }
 
 /// An existing file that is open for writing, and closed with its owner.
@@ -156,11 +176,15 @@ PendingFile::PendingFile(fs::path path) : m_path(std::move(path)), m_target(with
         throw base::InputError(oneLine(m_path) + ": cannot be written");
     }
     const fs::path beside = m_target.has_parent_path() ? m_target.parent_path() : ".";
-    m_temporary = createTemporary(m_isCopied ? fs::temp_directory_path() : beside,
-                                  m_path.extension().string(), m_unfinished);
-    if (m_temporary.empty()) {
+    Temporary temporary = createTemporary(m_isCopied ? fs::temp_directory_path() : beside,
+                                          m_path.extension().string(), m_unfinished);
+    if (isOfTheSystem(temporary.error)) {
+        throwCannotBeWritten(m_path, temporary.error);
+    }
+    if (temporary.error != 0) {
         throw base::InputError(oneLine(m_path) + ": cannot be written, its folder is missing or read-only");
     }
+    m_temporary = std::move(temporary.path);
     if (fs::is_regular_file(status)) {
         fs::permissions(m_temporary, status.permissions(), error);
     }
@@ -184,7 +208,7 @@ void PendingFile::commit() const {
     std::error_code error;
     fs::rename(m_temporary, m_target, error);
     if (error) {
-        throw base::InputError(oneLine(m_path) + ": cannot be written: " + error.message());
+        throwCannotBeWritten(m_path, error.value());
     }
 }
 
@@ -221,7 +245,11 @@ void makeFolder(const fs::path& path) {
     std::error_code error;
     fs::create_directories(path, error);
     if (error) {
-        throw base::InputError(oneLine(path) + ": cannot be made: " + error.message());
+        const std::string message = oneLine(path) + ": cannot be made: " + error.message();
+        if (isOfTheSystem(error.value())) {
+            throw base::RunError(message);
+        }
+        throw base::InputError(message);
     }
 }
 

@@ -32,7 +32,8 @@ Bytes readFile(const std::filesystem::path& path, std::uintmax_t maxBytes);
 /// - A device, a FIFO or an open descriptor, such as /dev/stdout: commit() copies the bytes into it.
 class PendingFile {
   public:
-    /// InputError when `path` names a folder or cannot be written.
+    /// InputError when `path` names a folder, or its folder is missing or read-only. RunError when the disk is full or broken, or
+    /// the process has no descriptor left.
     explicit PendingFile(std::filesystem::path path);
     ~PendingFile();
     PendingFile(const PendingFile&) = delete;
@@ -41,7 +42,7 @@ class PendingFile {
     /// Where to write: an empty file with the extension of the path.
     const std::filesystem::path& temporary() const { return m_temporary; }
 
-    /// Puts what was written in place. InputError when a rename fails, RunError when a copy does.
+    /// Puts what was written in place. RunError when that fails.
     void commit() const;
 
   private:
@@ -63,13 +64,14 @@ void writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> 
 /// writeFile() of a text.
 void writeText(const std::filesystem::path& path, std::string_view text);
 
-/// InputError unless `path` can be written. Changes nothing; call it before long work.
+/// Throws as PendingFile unless `path` can be written. Changes nothing; call it before long work.
 void requireWritable(const std::filesystem::path& path);
 
 /// The extension of a path with its dot, in lower case: ".png" of "A.PNG". Empty where it has none.
 std::string lowerExtension(const std::filesystem::path& path);
 
-/// Makes a folder and those above it where they are missing. InputError when that fails.
+/// Makes a folder and those above it where they are missing. InputError when that fails, RunError where the disk is full or
+/// broken.
 void makeFolder(const std::filesystem::path& path);
 
 } // namespace cdr::host
