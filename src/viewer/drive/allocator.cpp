@@ -23,6 +23,13 @@ void keepFreeMemoryLow() {
 #endif
 }
 
+void writeAllBlocks() {
+#ifdef __GLIBC__
+    constexpr int kByte = 0xa5;
+    ::mallopt(M_PERTURB, kByte);
+#endif
+}
+
 void returnFreeMemory() {
 #ifdef __GLIBC__
     ::malloc_trim(0);

@@ -82,6 +82,7 @@ void requireSteadyMemory(const Soak& soak, const DriveArguments& arguments) {
 void run(const DriveArguments& arguments) {
     if (arguments.soakSeconds) {
         keepFreeMemoryLow();
+        writeAllBlocks();
         SoakOptions input{.seed = arguments.viewer.seed};
         if (arguments.largest) {
             input.largest = *arguments.largest;
