@@ -72,13 +72,14 @@ fetch_swiftshader() {
 use() { # DRIVER
     [[ $1 != system ]] || return 0
     (cd "$root" && "fetch_$1")
-    local folder=$root/$unpacked/$1 library missing
+    local folder=$root/$unpacked/$1 library missing manifest
     library=$(find "$folder" -name 'libvulkan_lvp.so' -o -name 'libvk_swiftshader.so')
     if [[ $1 == mesa ]]; then export LD_LIBRARY_PATH="${library%/*}${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"; fi
     missing=$(ldd "$library" | sed -n 's/^\t*\(.*\) => not found$/\1/p')
     [[ -z $missing ]] || fail "the driver $1 needs libraries that are not installed: ${missing//$'\n'/, }"
-    echo '{"file_format_version": "1.0.0", "ICD": {"library_path": "'"$library"'", "api_version": "1.3.0"}}' \
-        >"$folder/driver.json"
+    manifest=$(mktemp "$folder/driver.XXXXXX")
+    echo '{"file_format_version": "1.0.0", "ICD": {"library_path": "'"$library"'", "api_version": "1.3.0"}}' >"$manifest"
+    mv -f "$manifest" "$folder/driver.json" # whole at any time, for a run beside this one
     # Older loaders read the first name.
     export VK_ICD_FILENAMES="$folder/driver.json" VK_DRIVER_FILES="$folder/driver.json"
 }
