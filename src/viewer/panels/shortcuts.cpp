@@ -123,8 +123,10 @@ constexpr std::array kComparing{
 };
 
 constexpr std::array kEyes{
-    Shortcut{"G", "two eyes side by side, then as an anaglyph, then one; with shift, parallel, toed-in or off-axis",
-             chooseEyes, GLFW_KEY_G},
+    Shortcut{
+        "G",
+        "two eyes side by side, then as an anaglyph, then one; with shift, parallel, toed-in or off-axis",
+        chooseEyes, GLFW_KEY_G},
 };
 
 constexpr std::array kMeasuring{
