@@ -69,12 +69,14 @@ TEST_F(FailedFrameTest, WhatIsRefusedLeavesTheLastFrame) {
         const render::Surfaces none = renderer.surfaces();
         EXPECT_THROW(renderer.render(refusedCamera()), base::InputError);
         expectSame(renderer.surfaces(), none);
-        renderer.draw(cameraAt(0.0));
+        const render::FrameStats drawn = renderer.draw(cameraAt(0.0));
+        EXPECT_GT(drawn.draws, 0u);
         other.draw(cameraAt(0.0));
         const render::Surfaces last = renderer.surfaces();
         EXPECT_FALSE(last.anchorsView.empty());
         EXPECT_THROW(renderer.render(refusedCamera()), base::InputError);
         expectSame(renderer.surfaces(), last);
+        EXPECT_EQ(renderer.lastStats().draws, drawn.draws);
         EXPECT_EQ(renderer.render(cameraAt(0.1)).motion, other.render(cameraAt(0.1)).motion);
     }
     EXPECT_EQ(messageCount(), 0u);

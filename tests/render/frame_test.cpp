@@ -58,6 +58,31 @@ TEST_F(FrameTest, IsTimedByTheDevicesClockWhereThatIsAsked) {
     EXPECT_LE(*times.deviceMs, times.executeMs);
 }
 
+TEST_F(FrameTest, TellsWhatFramesCameToThatAreNotCopied) {
+    const scene::SceneSetup setup = scenes::makeRotation(1, 1000);
+    const render::GpuScene onDevice(device(), setup.scene);
+    for (const render::Submission submission : submissions()) {
+        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+        options.submission = submission;
+        options.framesInFlight = 2;
+        render::Renderer renderer(device(), setup.scene, onDevice, options);
+        EXPECT_EQ(renderer.lastStats().draws, 0u);
+        const render::FrameStats first = renderer.draw(setup.path.at(0));
+        EXPECT_EQ(renderer.lastStats().draws, first.draws);
+        const render::FrameStats second = renderer.draw(setup.path.at(40));
+        ASSERT_NE(first.draws, second.draws); // else the last frame is not told from others
+        renderer.submit(setup.path.at(40));
+        renderer.submit(setup.path.at(0));
+        renderer.finish();
+        EXPECT_EQ(renderer.lastStats().draws, first.draws);
+        EXPECT_EQ(renderer.lastStats().visible, first.visible);
+        EXPECT_GT(renderer.lastStats().times.recordMs, 0.0);
+        EXPECT_EQ(renderer.lastStats().times.executeMs, 0.0);
+        renderer.resize(64, 64);
+        EXPECT_EQ(renderer.lastStats().draws, 0u);
+    }
+}
+
 TEST_F(FrameTest, IsUprightAndNotMirrored) {
     scene::Scene scene = boxScene();
     addBox(scene, glm::dvec3(2.0, 0.0, -10.0));

@@ -63,6 +63,7 @@ struct Renderer::Slot {
     /// While a frame is on its way: what abandon() gives back.
     struct Before {
         FrameView view;
+        FrameStats stats;
         Destination destination = Destination::device;
         depth::Cascades cut;           ///< the last frame's, as its split remembers them
         bool isMotionFollowed = false; ///< by the frame that is on its way

@@ -252,6 +252,9 @@ void Renderer::settle(Slot& slot) {
             gpu::waitForTimeline(m_device, slot.recorded->timeline, slot.recorded->value);
         } else {
             gpu::waitAndReset(m_device, *slot.done);
+            if (slot.clock) {
+                slot.stats.times.deviceMs = slot.clock->lastMs();
+            }
         }
         slot.isPending = false;
         // A frame that was submitted without a wait cannot be drawn again once the scene changed. It must not
@@ -297,6 +300,7 @@ void Renderer::commit(Slot& slot) {
 
 void Renderer::abandon(Slot& slot) {
     slot.view = std::move(slot.before.view);
+    slot.stats = slot.before.stats;
     slot.destination = slot.before.destination;
     m_passes->cutter.takeBack(std::move(slot.before.cut));
     if (slot.before.isMotionFollowed) {
@@ -311,6 +315,7 @@ Renderer::Slot& Renderer::prepare(const scene::Camera& camera, const Delivery& d
     Slot& slot = slotOf(m_frames);
     settle(slot);
     slot.before = {.view = std::move(slot.view),
+                   .stats = slot.stats,
                    .destination = slot.destination,
                    .cut = m_passes->cutter.previous(),
                    .isMotionFollowed = false};
@@ -427,9 +432,6 @@ void Renderer::waitFor(Slot& slot) {
     settle(slot);
     const auto done = host::Trace::Clock::now();
     slot.stats.times.executeMs = host::millisecondsBetween(slot.submitted, done);
-    if (slot.clock) {
-        slot.stats.times.deviceMs = slot.clock->lastMs();
-    }
     if (m_options.trace != nullptr) {
         m_options.trace->addStage("execute", slot.submitted, done);
     }

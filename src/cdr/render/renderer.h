@@ -109,6 +109,12 @@ class CDR_EXPORT Renderer {
     /// @lifetime The images are valid until the next frame, or resize().
     Surfaces surfaces() const;
 
+    /// What the last frame came to, whichever call made it; nothing before the first, and after resize(). It does not wait. So
+    /// until finish() FrameTimes::deviceMs is empty, and numbers that the device counts are 0: with gpu-driven submission the
+    /// draws, with sorted translucency its fragments. FrameTimes::executeMs is 0 of frames that were submitted or recorded.
+    /// @errors None.
+    FrameStats lastStats() const;
+
     /// Makes pictures of another size. Pipelines stay, unless vertices are snapped. Waits for what is in
     /// flight.
     /// @param width in pixels

@@ -42,6 +42,10 @@ Surfaces Renderer::surfaces() const {
     return surfaces;
 }
 
+FrameStats Renderer::lastStats() const {
+    return m_frames > 0 ? slotOf(m_frames - 1).stats : FrameStats();
+}
+
 void Renderer::recordOutputs(Slot& slot, const HostFrame& host) {
     const vk::CommandBuffer primary = slot.path->primary();
     if (host.depth) {
