@@ -16,7 +16,8 @@ layout(constant_id = 2) const uint kLights = 0u;
 layout(location = 0) HANDED vec4 flatAmbientAndFog;        // fog.a
 layout(location = 1) HANDED vec4 flatBackgroundAndRadius;  // occlusionRadius; fog's colour is the background's
 layout(location = 2) HANDED vec4 flatRay;                  // per pixel, and at the first corner
-layout(location = 3) HANDED vec4 flatLights[3u * kFlatLights]; // LightRecords without their beams
+// LightRecords without beams and ranges. In their place, in w of the second and third, the anchors of as many cascades.
+layout(location = 3) HANDED vec4 flatLights[3u * kFlatLights];
 
 #ifdef HANDS_OVER_LIGHTING
 void handOverLighting() {
@@ -30,8 +31,8 @@ void handOverLighting() {
             light = lights[i];
         }
         flatLights[3u * i] = light.position;
-        flatLights[3u * i + 1u] = light.positionRest;
-        flatLights[3u * i + 2u] = light.color;
+        flatLights[3u * i + 1u] = vec4(light.positionRest.xyz, header.anchors[i].x);
+        flatLights[3u * i + 2u] = vec4(light.color.rgb, header.anchors[i].y);
     }
 }
 #else
@@ -46,6 +47,14 @@ LightRecord lightAt(uint i) {
         return lights[i];
     }
     return LightRecord(flatLights[3u * i], flatLights[3u * i + 1u], flatLights[3u * i + 2u], vec4(0.0));
+}
+// Of a cascade below kFlatLights: a float and its rest.
+vec2 flatAnchor(uint cascade) {
+    vec2 anchor = vec2(flatLights[1].w, flatLights[2].w);
+    for (uint i = 1u; i < kFlatLights; ++i) {
+        anchor = cascade == i ? vec2(flatLights[3u * i + 1u].w, flatLights[3u * i + 2u].w) : anchor;
+    }
+    return anchor;
 }
 bool isShaped(LightRecord light) { return kLights == kShapedLights && light.color.w != 0.0; }
 #endif

@@ -15,7 +15,7 @@
 // Deferred shading of the final surfaces.
 layout(constant_id = 0) const uint kFoggy = 0u;
 layout(constant_id = 1) const uint kMetallicRoughness = 0u;
-// Whether the mapping has anchor planes; without, none is read. 2 is in flat_lighting.glsl.
+// render::AnchorForm. Constant 2 is in flat_lighting.glsl.
 layout(constant_id = 3) const uint kAnchored = 1u;
 // Whether the stencil test leaves out background, so that none comes here.
 layout(constant_id = 4) const uint kMarked = 0u;
@@ -66,7 +66,13 @@ vec4 covering(vec3 color, float ahead) { return vec4(color, 1.0); }
 layout(location = 0) out vec4 outColor;
 
 vec2 anchorOf(uvec4 texel) {
-    return kAnchored != 0u ? header.anchors[(texel.w >> kIdBits) & kCascadeMask] : vec2(0.0);
+    uint cascade = (texel.w >> kIdBits) & kCascadeMask;
+#ifdef FLAT_LIGHTING
+    if (kAnchored == 2u) {
+        return flatAnchor(cascade);
+    }
+#endif
+    return kAnchored != 0u ? header.anchors[cascade] : vec2(0.0);
 }
 
 // Averages the 4 x 4 pixels around that lie on about the same surface: what the noise of occlusion.glsl repeats in.

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -110,6 +112,26 @@ TEST_F(EffectsTest, OcclusionAndFogAreTheSameWhateverTheTechnique) {
                 << nameOf(options.technique);
         }
     }
+}
+
+/// Anchors of four cascades reach full-screen passes as flat varyings, those of more in a buffer.
+TEST_F(EffectsTest, AFifthCascadeOverNothingChangesNoBit) {
+    scene::Scene scene = cornerScene();
+    scene.lights.push_back({.position = glm::dvec3(1.0, 3.0, -6.0), .halfDistance = 5.0});
+    const Frame four =
+        draw(scene, kEffectsCamera, occluded(technique(depth::Mapping::anchored, "at:9,12,15")));
+    const Frame five =
+        draw(scene, kEffectsCamera, occluded(technique(depth::Mapping::anchored, "at:9,12,15,60")));
+    ASSERT_EQ(four.cascades.size(), 4u);
+    ASSERT_EQ(five.cascades.size(), 5u);
+    std::array<std::size_t, 4> pixels{};
+    for (std::uint32_t x = 0; x < four.width(); ++x) {
+        for (std::uint32_t y = 0; y < four.height(); ++y) {
+            ++pixels.at(four.cascade(x, y));
+        }
+    }
+    EXPECT_GT(*std::min_element(pixels.begin(), pixels.end()), 1'000u);
+    EXPECT_EQ(hashOf(four), hashOf(five));
 }
 
 TEST_F(EffectsTest, PerLayerLosesWhatOtherCascadesHold) {

@@ -2,6 +2,7 @@
 #include <cdr/render/shading/occlusion_pass.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/occlusion_frag.h>
+#include <cdr/shaders/occlusion_vert.h>
 
 namespace cdr::render {
 
@@ -9,9 +10,19 @@ namespace {
 
 constexpr auto kFormat = vk::Format::eR8Unorm;
 
+FullscreenPassOptions occlusionPassOptions(AnchorForm anchors) {
+    return {.name = "occlusion",
+            .vertexSpirv = kOcclusionVert,
+            .fragmentSpirv = kOcclusionFrag,
+            .bindings = {vk::DescriptorType::eCombinedImageSampler, vk::DescriptorType::eStorageBuffer},
+            .format = kFormat,
+            .constants = {static_cast<std::uint32_t>(anchors)}};
+}
+
 } // namespace
 
-OcclusionPass::OcclusionPass(const gpu::Device& device, const gpu::Image& gbuffer)
+OcclusionPass::OcclusionPass(const gpu::Device& device, const gpu::Image& gbuffer,
+                             const OcclusionOptions& options)
     : m_device(device),
       m_gbuffer(gbuffer),
       m_image(device,
@@ -19,24 +30,23 @@ OcclusionPass::OcclusionPass(const gpu::Device& device, const gpu::Image& gbuffe
                .format = kFormat,
                .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled},
               "occlusion"),
-      m_pass(device,
-             {.name = "occlusion",
-              .fragmentSpirv = kOcclusionFrag,
-              .bindings = {vk::DescriptorType::eCombinedImageSampler, vk::DescriptorType::eStorageBuffer},
-              .format = kFormat,
-              .constants = {}}) {}
+      m_options(options),
+      m_fewCascades(device, occlusionPassOptions(anchorFormOf(options.anchored, 1))),
+      m_manyCascades(device, occlusionPassOptions(anchorFormOf(options.anchored, shaders::kFlatLights + 1))) {
+}
 
 PassInputs OcclusionPass::makeInputs(const gpu::Buffer& lights) const {
-    PassInputs inputs = m_pass.makeInputs();
+    PassInputs inputs = m_manyCascades.makeInputs();
     inputs.setImage(0, m_gbuffer);
     inputs.setBuffer(1, lights);
     return inputs;
 }
 
-void OcclusionPass::record(vk::CommandBuffer primary, const PassInputs& inputs) const {
+void OcclusionPass::record(vk::CommandBuffer primary, const PassInputs& inputs, std::size_t cascades) const {
     m_device.beginLabel(primary, "ambient occlusion");
     gpu::pipelineBarrier(primary, {attachBarrier(m_image)});
-    m_pass.record(primary, inputs, m_image);
+    const bool areFew = anchorFormOf(m_options.anchored, cascades) != AnchorForm::buffer;
+    (areFew ? m_fewCascades : m_manyCascades).record(primary, inputs, m_image);
     gpu::pipelineBarrier(primary, {readBarrier(m_image)});
     m_device.endLabel(primary);
 }

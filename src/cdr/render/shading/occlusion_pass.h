@@ -1,22 +1,30 @@
 #pragma once
 
 #include <cdr/gpu/vulkan_hpp.h>
+#include <cdr/render/shading/anchor_form.h>
 #include <cdr/render/shading/fullscreen_pass.h>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace cdr::render {
 
+/// What an OcclusionPass is made for.
+struct OcclusionOptions {
+    bool anchored = false; ///< whether the mapping has anchor planes
+};
+
 /// Works out ambient occlusion of a final G-buffer over the whole picture, across cascades.
 class OcclusionPass {
   public:
-    OcclusionPass(const gpu::Device& device, const gpu::Image& gbuffer);
+    OcclusionPass(const gpu::Device& device, const gpu::Image& gbuffer, const OcclusionOptions& options);
 
     /// @param lights shaders::ShadingHeader and the lights, for the lens, the anchors and the radius.
     PassInputs makeInputs(const gpu::Buffer& lights) const;
 
     /// Reads the G-buffer in shader read layout and leaves image() so.
-    void record(vk::CommandBuffer primary, const PassInputs& inputs) const;
+    /// @param cascades of the frame.
+    void record(vk::CommandBuffer primary, const PassInputs& inputs, std::size_t cascades) const;
 
     /// 8 bits: 0 is open, 1 is closed.
     const gpu::Image& image() const { return m_image; }
@@ -27,7 +35,9 @@ class OcclusionPass {
     const gpu::Device& m_device;
     const gpu::Image& m_gbuffer;
     gpu::Image m_image;
-    FullscreenPass m_pass;
+    OcclusionOptions m_options;
+    FullscreenPass m_fewCascades;  ///< for frames with as many as flat varyings have room for
+    FullscreenPass m_manyCascades; ///< for all others; its inputs suit both
 };
 
 } // namespace cdr::render

@@ -78,7 +78,8 @@ std::vector<ImageUse> imagesOf(const ShadingOptions& shading) {
     return uses;
 }
 
-FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shading, std::uint32_t lightForm) {
+FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shading, std::uint32_t lightForm,
+                                  AnchorForm anchorForm) {
     const Effects& effects = shading.effects;
     const auto [finish, exposure] = finishConstants(shading.finishes ? effects.finish : Finish{ToneMap::none},
                                                     daylightIf(shading.sky || shading.air));
@@ -89,8 +90,8 @@ FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shadi
         .bindings = {kImage, kBuffer},
         .format = format,
         .constants = {effects.fog.visibility > 0.0 ? 1u : 0u, shading.metallicRoughness ? 1u : 0u, lightForm,
-                      shading.anchored ? 1u : 0u, shading.marks != nullptr ? 1u : 0u, finish, exposure,
-                      shading.sky ? 1u : 0u, shading.air ? 1u : 0u}};
+                      static_cast<std::uint32_t>(anchorForm), shading.marks != nullptr ? 1u : 0u, finish,
+                      exposure, shading.sky ? 1u : 0u, shading.air ? 1u : 0u}};
     if (shading.marks != nullptr) {
         options.marks = shading.marks->options().format;
     }
@@ -117,28 +118,33 @@ ShadingPass::ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, c
       m_into(into),
       m_effects(options.effects),
       m_occlusion(isOccluded(m_effects) && !isOccludedPerLayer(m_effects)
-                      ? std::make_unique<OcclusionPass>(device, gbuffer)
+                      ? std::make_unique<OcclusionPass>(device, gbuffer, OcclusionOptions{options.anchored})
                       : nullptr),
       m_options(options) {
-    passFor(options.lightForm);
+    passFor({.lights = options.lightForm, .anchors = anchorFormOf(options.anchored, 1)});
     if (options.preparedLights > 0) {
         for (std::uint32_t lights = 0; lights <= std::min(options.preparedLights, shaders::kManyLights);
              ++lights) {
-            passFor(lights);
+            prepare(lights);
         }
     }
     if (options.preparedShapes) {
-        passFor(shaders::kShapedLights);
+        prepare(shaders::kShapedLights);
     }
 }
 
-FullscreenPass& ShadingPass::passFor(std::uint32_t lightForm) {
-    const auto found = m_passes.find(lightForm);
+void ShadingPass::prepare(std::uint32_t lightForm) {
+    passFor({.lights = lightForm, .anchors = anchorFormOf(m_options.anchored, 1)});
+    passFor({.lights = lightForm, .anchors = anchorFormOf(m_options.anchored, shaders::kFlatLights + 1)});
+}
+
+FullscreenPass& ShadingPass::passFor(const Form& form) {
+    const auto found = m_passes.find(form);
     return found != m_passes.end()
                ? found->second
                : m_passes
-                     .try_emplace(lightForm, m_device,
-                                  passOptions(m_into.options().format, m_options, lightForm))
+                     .try_emplace(form, m_device,
+                                  passOptions(m_into.options().format, m_options, form.lights, form.anchors))
                      .first->second;
 }
 
@@ -183,6 +189,7 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
     header.rayCentre = glm::vec2(frustum.centre);
     header.pictureSize = glm::vec2(m_extent.width, m_extent.height);
     m_lightForm = lightFormOf(scene);
+    m_cascades = anchorsView.size();
     const std::vector<std::uint32_t> seen = seenLights(scene.lights, camera, frustum);
     header.lightCount = static_cast<std::uint32_t>(seen.size());
     header.fog = glm::vec4(fog.color, fog.extinction());
@@ -213,7 +220,7 @@ void ShadingPass::begin(vk::CommandBuffer primary, const ShadingInputs& inputs) 
     }
     gpu::pipelineBarrier(primary, barriers);
     if (m_occlusion) {
-        m_occlusion->record(primary, inputs.m_occlusion);
+        m_occlusion->record(primary, inputs.m_occlusion, inputs.m_cascades);
     }
 }
 
@@ -224,7 +231,7 @@ void ShadingPass::record(vk::CommandBuffer primary, const ShadingInputs& inputs)
     // Where marks leave background out, it is what the clear makes it.
     const auto load =
         m_options.marks != nullptr ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eDontCare;
-    passFor(inputs.m_lightForm)
+    passFor({.lights = inputs.m_lightForm, .anchors = anchorFormOf(m_options.anchored, inputs.m_cascades)})
         .record(primary, {&draw, 1},
                 {.into = m_into,
                  .load = load,

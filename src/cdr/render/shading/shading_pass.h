@@ -2,12 +2,14 @@
 
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/effects.h>
+#include <cdr/render/shading/anchor_form.h>
 #include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/render/shading/occlusion_pass.h>
 #include <cdr/render/view_transform.h>
 #include <cdr/scene/frustum.h>
 #include <cdr/scene/scene.h>
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -35,6 +37,7 @@ class ShadingInputs {
     Effects m_effects;
     vk::Extent2D m_extent;         ///< of the picture
     std::uint32_t m_lightForm = 0; ///< lightFormOf() the scene
+    std::size_t m_cascades = 0;    ///< of the frame
     bool m_finishes = false;
     glm::vec3 m_background{0.0f}; ///< linear; where no surface is, as the picture has it
     gpu::Buffer m_lights;
@@ -89,9 +92,18 @@ class ShadingPass {
     Effects m_effects;
     std::unique_ptr<OcclusionPass> m_occlusion; ///< null unless it is for the whole picture
     ShadingOptions m_options;
-    FullscreenPass& passFor(std::uint32_t lightForm);
-    /// By lightFormOf(). Made when first needed; the inputs of one suit all.
-    std::map<std::uint32_t, FullscreenPass> m_passes;
+    /// What a pipeline is compiled for: lightFormOf(), and where anchor planes are read.
+    struct Form {
+        std::uint32_t lights = 0;
+        AnchorForm anchors = AnchorForm::none;
+
+        auto operator<=>(const Form&) const = default;
+    };
+    FullscreenPass& passFor(const Form& form);
+    /// For a number of lights, in frames of few cascades and of many.
+    void prepare(std::uint32_t lightForm);
+    /// Made when first needed; the inputs of one suit all.
+    std::map<Form, FullscreenPass> m_passes;
 };
 
 } // namespace cdr::render

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cdr/shaders/shared.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace cdr::render {
+
+/// Where a full-screen pass reads anchor planes: kAnchored of its fragment shader.
+enum class AnchorForm : std::uint32_t {
+    none,   ///< the mapping has none
+    buffer, ///< of any number of cascades
+    flat,   ///< from flat varyings, which have room for those of few; software devices are quicker with these
+};
+
+/// @param anchored whether the mapping has anchor planes. @param cascades of the frame.
+constexpr AnchorForm anchorFormOf(bool anchored, std::size_t cascades) {
+    if (!anchored) {
+        return AnchorForm::none;
+    }
+    return cascades <= shaders::kFlatLights ? AnchorForm::flat : AnchorForm::buffer;
+}
+
+} // namespace cdr::render
