@@ -66,6 +66,14 @@ TEST(Against, CountsTheIntervalOfTheRatio) {
     EXPECT_FALSE(comparison.isSeen);
 }
 
+/// Five rounds have no 95 % interval of their median.
+TEST(Against, FewRoundsSeeNothing) {
+    EXPECT_TRUE(compare(timesOf(2.0, 0.01, 6), 1).isSeen);
+    const Comparison few = compare(timesOf(2.0, 0.01, 5), 1);
+    EXPECT_FALSE(few.isSeen);
+    EXPECT_EQ(verdictOf(few), "too few rounds to tell, 6 are needed");
+}
+
 TEST(Against, NeedsATimeOfEachRound) {
     BuildTimes times = timesOf(1.0, 0.1);
     times.againUs.pop_back();

@@ -1,3 +1,4 @@
+#include <cdr/base/error.h>
 #include <cdr/render/effects.h>
 #include <cli/commands.h>
 #include <experiments/comparison_command.h>
@@ -36,6 +37,10 @@ void run(Command& command, EffectsArguments& arguments) {
     experiments::EffectsOptions& options = arguments.options;
     requireUsable(render::Effects{.occlusion = {.radius = options.occlusionRadius},
                                   .fog = {.visibility = options.visibility}});
+    if (options.occlusionRadius == 0.0 || options.visibility == 0.0) {
+        throw base::InputError(
+            "--occlusion and --fog must be above 0: without an effect there is nothing to compare");
+    }
     const PictureFolder folder(arguments.folder, command.files());
     const scene::SceneSetup setup = command.openScene(options.scene, options.seed);
     runs::TimedRanks ranks(command.ranks());

@@ -131,12 +131,16 @@ Comparison compare(const BuildTimes& times, std::uint64_t seed) {
                           .ratio = measure::median(ratios),
                           .ratio95 = measure::bootstrapMedian(ratios, seed)};
     comparison.noisePercent = 100.0 * std::max(std::abs(noise95.low - 1.0), std::abs(noise95.high - 1.0));
-    comparison.isSeen = !comparison.ratio95.contains(1.0) &&
+    comparison.rounds = rounds;
+    comparison.isSeen = rounds >= measure::kMinIntervalSamples && !comparison.ratio95.contains(1.0) &&
                         100.0 * std::abs(comparison.ratio - 1.0) > comparison.noisePercent;
     return comparison;
 }
 
 std::string verdictOf(const Comparison& comparison) {
+    if (comparison.rounds < measure::kMinIntervalSamples) {
+        return fmt::format("too few rounds to tell, {} are needed", measure::kMinIntervalSamples);
+    }
     return comparison.isSeen
                ? fmt::format("{} times", output::Readable{comparison.ratio})
                : fmt::format("no difference seen, noise ±{} %", output::Readable{comparison.noisePercent});

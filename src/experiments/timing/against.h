@@ -38,12 +38,14 @@ struct Comparison {
     double ratio = 1.0;        ///< median of the rounds' ratios
     measure::Interval ratio95; ///< bootstrapped
     double noisePercent = 0.0; ///< this build over itself: how far from 1 the same interval reaches
-    bool isSeen = false; ///< the interval leaves out 1, and the ratio differs from it by more than the noise
+    std::size_t rounds = 0;
+    /// The interval leaves out 1, and the ratio differs from it by more than the noise. Never with fewer rounds than an interval needs.
+    bool isSeen = false;
 };
 
 /// base::InputError unless each has a value per round, and at least one.
 Comparison compare(const BuildTimes& times, std::uint64_t seed);
-/// "0.84 times", or "no difference seen, noise ±3.1 %".
+/// "0.84 times", "no difference seen, noise ±3.1 %", or that there are too few rounds.
 std::string verdictOf(const Comparison& comparison);
 
 struct AgainstReport {

@@ -35,6 +35,9 @@ void checkArguments(TimingArguments& arguments, CommandFiles& files, const ranks
     if (!isPlain && !arguments.rivalsBeside.empty()) {
         throw base::InputError("--rivals goes with none of --against, --stages and --memory");
     }
+    if (arguments.memory && (!arguments.modes.empty() || arguments.frames)) {
+        throw base::InputError("--modes and --frames do not go with --memory");
+    }
     if (!arguments.modes.empty()) {
         arguments.options.modes = experiments::timingModesNamed(arguments.modes);
     }

@@ -37,16 +37,17 @@ auto howOf(Part experiments::TimingMode::*part) {
     };
 }
 
-/// @param floor standard over itself.
-output::Columns<experiments::TimingResult> timingColumns(const measure::Interval& floor) {
+/// @param floor standard over itself. @param frames of each mode
+output::Columns<experiments::TimingResult> timingColumns(const measure::Interval& floor, std::size_t frames) {
     using Result = experiments::TimingResult;
     using Mode = experiments::TimingMode;
     using Parts = experiments::TimingParts;
     const output::CellFormat micros{.missing = "-"};
     // The overheads of rivals are over another mode, whose noise is not measured.
-    const auto isSeen = [floor](const Result& result) {
+    const auto isSeen = [floor, frames](const Result& result) {
         return result.mode.idsAlone ? output::absent()
-                                    : output::Json(experiments::liesApart(result.overheadPercent95, floor));
+                                    : output::Json(frames >= measure::kMinIntervalSamples &&
+                                                   experiments::liesApart(result.overheadPercent95, floor));
     };
     const auto range = [](const Result& result) {
         return fmt::format("{} to {}", output::Readable{result.lowUs}, output::Readable{result.highUs});
@@ -142,7 +143,8 @@ nlohmann::ordered_json timingDocument(const Command& command, const TimingArgume
                                           {"frames_in_flight", options.framesInFlight},
                                           {"mode", options.framesInFlight > 1 ? "throughput" : "latency"}});
     document["machine"] = experiments::machineJson(arguments.machine);
-    document["results"] = output::jsonOf(timingColumns(results.at(1).overheadPercent95), results);
+    document["results"] =
+        output::jsonOf(timingColumns(results.at(1).overheadPercent95, options.frames), results);
     document["noise_floor_pct"] = results.at(1).overheadPercent;
     document["noise_floor_ci95"] = output::jsonOf(results.at(1).overheadPercent95);
     return document;
@@ -167,7 +169,7 @@ void timeModes(Command& command, TimingArguments& arguments) {
 
     const Console& console = command.console();
     const std::string device = command.opened().text();
-    console.table(output::tableOf(timingColumns(results.at(1).overheadPercent95), results));
+    console.table(output::tableOf(timingColumns(results.at(1).overheadPercent95, options.frames), results));
     console.line(fmt::format("\n{}; {} frames a mode after {} dropped, seed {}, {} threads, {}x{}; commit {}",
                              device, options.frames, experiments::kWarmUpFrames, options.seed,
                              options.threads, options.width, options.height, program::buildInfo().commit));
@@ -184,8 +186,9 @@ void timeModes(Command& command, TimingArguments& arguments) {
             "standard/ids.");
     }
     if (!arguments.csv.empty()) {
-        writeTimingCsv(arguments.csv,
-                       output::jsonOf(timingColumns(results.at(1).overheadPercent95), results));
+        writeTimingCsv(
+            arguments.csv,
+            output::jsonOf(timingColumns(results.at(1).overheadPercent95, options.frames), results));
     }
     if (!arguments.plot.empty()) {
         output::writePlot(arguments.plot, experiments::timingPlot(results, device));

@@ -85,7 +85,11 @@ void addFinish(Words& words, const ViewSettings& settings) {
     words.addUnless(effects.finish.toneMap == defaults.effects.finish.toneMap, "--tone-map",
                     render::nameOf(effects.finish.toneMap));
     words.addUnless(effects.finish.exposure == 0.0, "--exposure", fmt::format("{}", effects.finish.exposure));
-    words.addUnless(effects.fog.visibility == 0.0, "--fog", fmt::format("{}", effects.fog.visibility));
+    const render::Fog& fog = effects.fog;
+    const std::string color = fog.color == defaults.effects.fog.color
+                                  ? ""
+                                  : fmt::format(",{},{},{}", fog.color.r, fog.color.g, fog.color.b);
+    words.addUnless(fog.visibility == 0.0, "--fog", fmt::format("{}{}", fog.visibility, color));
 }
 
 void addEyes(Words& words, const ViewSettings& settings) {

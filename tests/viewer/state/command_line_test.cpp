@@ -65,6 +65,14 @@ TEST(RenderCommand, KeepsTheTexturesBudget) {
     EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--texture-memory"), "64");
 }
 
+TEST(RenderCommand, KeepsTheColorOfFog) {
+    ReproducedView view = viewWith(kOwn);
+    view.settings.finish.fog.visibility = 30.0;
+    EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--fog"), "30");
+    view.settings.finish.fog.color = {1.0f, 0.0f, 0.25f};
+    EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--fog"), "30,1,0,0.25");
+}
+
 TEST(RenderCommand, KeepsTheRadiusOfPoints) {
     ReproducedView view = viewWith(kOwn);
     EXPECT_EQ(renderCommand(view, "a.png").find("--points"), std::string::npos);

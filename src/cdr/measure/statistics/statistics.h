@@ -36,6 +36,9 @@ struct Interval {
     bool contains(double value) const { return value >= low && value <= high; }
 };
 
+/// Fewer samples have no 95 % interval of their median: even from the smallest to the largest of n it is missed with 2^(1 - n).
+inline constexpr std::size_t kMinIntervalSamples = 6;
+
 /// How often bootstrapMedian() resamples unless told: its interval's ends then vary by a few percent of its
 /// width.
 inline constexpr std::size_t kResamples = 2000;
