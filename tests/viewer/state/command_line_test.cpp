@@ -67,9 +67,9 @@ TEST(RenderCommand, KeepsTheTexturesBudget) {
 
 TEST(RenderCommand, KeepsTheColorOfFog) {
     ReproducedView view = viewWith(kOwn);
-    view.settings.finish.fog.visibility = 30.0;
+    view.settings.finish.effects.fog.visibility = 30.0;
     EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--fog"), "30");
-    view.settings.finish.fog.color = {1.0f, 0.0f, 0.25f};
+    view.settings.finish.effects.fog.color = {1.0f, 0.0f, 0.25f};
     EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--fog"), "30,1,0,0.25");
 }
 
