@@ -70,14 +70,13 @@ std::string textOf(const CLI::App& command) {
 }
 
 nlohmann::ordered_json givenOptions(const CLI::App& command) {
-    constexpr std::array<std::string_view, 10> kWhereResultsGo{
-        "help", "json", "state", "output", "out", "csv", "plot", "trace", "certify", "heat-map"};
+    constexpr std::array<std::string_view, 11> kNotWhat{"help", "json",  "state",   "output",   "out",  "csv",
+                                                        "plot", "trace", "certify", "heat-map", "ranks"};
     auto given = nlohmann::ordered_json::object();
     for (const CLI::Option* option : command.get_options()) {
         const std::string name = option->get_single_name();
-        const bool isPlace =
-            std::find(kWhereResultsGo.begin(), kWhereResultsGo.end(), name) != kWhereResultsGo.end();
-        if (option->count() > 0 && !isPlace) {
+        const bool isLeftOut = std::find(kNotWhat.begin(), kNotWhat.end(), name) != kNotWhat.end();
+        if (option->count() > 0 && !isLeftOut) {
             given[name] = option->results();
         }
     }

@@ -72,7 +72,8 @@ void addState(CLI::App& command, std::filesystem::path& state);
 
 /// All options that were given, in words, except where JSON and the state go. It identifies the run that a state belongs to.
 std::string textOf(const CLI::App& command);
-/// Options that were given and what was given, as words by name, for JSON. Without those that say where results go.
+/// Options that were given and what was given, as words by name, for JSON. Without those that say
+/// where results go, or how ranks divide the work.
 nlohmann::ordered_json givenOptions(const CLI::App& command);
 
 /// `--size WIDTHxHEIGHT`. base::InputError for anything that is not two whole numbers above 0.

@@ -48,7 +48,7 @@ TEST(ViewsOptions, AreOneViewUnlessGiven) {
 
 TEST(ViewsOptions, RefuseUnknownNames) {
     ViewsArguments views;
-    EXPECT_NE(parseViews({"--stereo=toedin"}, views).find("(known: none, parallel, toed-in)"),
+    EXPECT_NE(parseViews({"--stereo=toedin"}, views).find("(known: none, parallel, toed-in, off-axis)"),
               std::string::npos);
     EXPECT_NE(parseViews({"--views=stereo"}, views).find("(known: one, six)"), std::string::npos);
     EXPECT_NE(parseViews({"--stereo-picture=anaglif"}, views).find("did you mean 'anaglyph'"),

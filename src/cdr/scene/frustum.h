@@ -15,16 +15,18 @@ struct Frustum {
     /// the cosine is that of the edge farther from the axis. A sphere beyond the other edge then counts as in view a little too
     /// long.
     double sinX = 0.0;
-    double cosX = 1.0; ///< of half the horizontal angle
-    double sinY = 0.0; ///< of half the vertical angle
-    double cosY = 1.0; ///< of half the vertical angle
+    double cosX = 1.0;           ///< of half the horizontal angle
+    double sinY = 0.0;           ///< of half the vertical angle
+    double cosY = 1.0;           ///< of half the vertical angle
     double aspect = 1.0;         ///< width over height
     double footprintSlope = 0.0; ///< what a pixel covers per unit of view distance, in scene units
 
-    /// Where the x and y axes of the picture point in world space: a point's x - w * centre.x is along `right`. They are not unit
-    /// where the lens is shifted.
+    /// Where the x axis of the picture points in world space: along it a point has x - w * centre.x. It is not unit where the lens
+    /// is shifted.
+    /// @errors None.
     glm::dvec3 rightOf(const Camera& camera) const { return camera.right + centre.x * camera.back; }
     /// As rightOf(), of y.
+    /// @errors None.
     glm::dvec3 upOf(const Camera& camera) const { return camera.up + centre.y * camera.back; }
 };
 

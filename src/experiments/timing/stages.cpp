@@ -7,7 +7,6 @@
 
 #include <runs/interleaved_frames.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -145,12 +144,14 @@ class StageRace {
 
 } // namespace
 
+void requireStages(const TimingMode& mode) {
+    if (mode.meshes == TimingMeshes::unshared) {
+        throw base::InputError(mode.name + " has no stages: its meshes are other ones");
+    }
+}
+
 std::vector<StageCost> runStages(const gpu::Device& device, const TimingOptions& options,
                                  const TimingProgress& progress, runs::TimedRanks& ranks) {
-    if (std::any_of(options.modes.begin(), options.modes.end(),
-                    [](const TimingMode& mode) { return mode.meshes == TimingMeshes::unshared; })) {
-        throw base::InputError("mode naive has no stages: its meshes are other ones");
-    }
     if (options.frames < 1 || options.modes.empty()) {
         throw base::InputError("stages need a frame and a mode");
     }

@@ -18,6 +18,9 @@ struct StageCost {
     double framePercent = 0.0; ///< of the whole frame's median
 };
 
+/// base::InputError for a mode that draws other meshes, since stages are those of the scene's own.
+void requireStages(const TimingMode& mode);
+
 /// The stages of a frame of the timing scene, in their order, and last the whole frame. Stages of the CPU are measured.
 /// Execute is divided by drawing the same frames again: without lights, with 16x9 pixels, without cubes, and with both of
 /// the last two. Differences are taken frame by frame.

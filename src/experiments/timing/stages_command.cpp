@@ -16,6 +16,9 @@ void timeStages(Command& command, const TimingArguments& arguments) {
     if (!arguments.modes.empty()) {
         modes.insert(modes.end(), options.modes.begin() + 2, options.modes.end());
     }
+    for (const experiments::TimingMode& mode : modes) { // before anything is measured
+        experiments::requireStages(mode);
+    }
     auto rows = output::Json::array();
     auto measuredBy = output::Json::array();
     runs::TimedRanks ranks(command.ranks());
