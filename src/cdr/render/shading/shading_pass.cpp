@@ -41,7 +41,7 @@ using gpu::Spirv;
 
 Spirv fragmentOf(const ShadingOptions& shading) {
     const Effects& effects = shading.effects;
-    const auto either = [&](Spirv lit, Spirv shadowed) {
+    const auto either = [&](const Spirv& lit, const Spirv& shadowed) {
         return shading.shadows != nullptr ? shadowed : lit;
     };
     if (shading.facets) {
@@ -161,10 +161,12 @@ ShadingInputs ShadingPass::makeInputs(std::size_t lights) const {
     inputs.m_inputs.setBuffer(1, inputs.m_lights);
     std::uint32_t binding = 2;
     for (const ImageUse use : imagesOf(m_options)) {
-        if (use != ImageUse::facets) { // setFacets(), frame by frame
-            inputs.m_inputs.setImage(binding, use == ImageUse::occlusion  ? m_occlusion->image()
-                                              : use == ImageUse::emission ? *m_options.emission
-                                                                          : *m_options.shadows);
+        const gpu::Image* image = use == ImageUse::facets      ? nullptr // setFacets(), frame by frame
+                                  : use == ImageUse::occlusion ? &m_occlusion->image()
+                                  : use == ImageUse::emission  ? m_options.emission
+                                                               : m_options.shadows;
+        if (image != nullptr) {
+            inputs.m_inputs.setImage(binding, *image);
         }
         ++binding;
     }

@@ -9,12 +9,12 @@
 #include <cdr/scene/frustum.h>
 #include <cdr/scene/scene.h>
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <span>
+#include <tuple>
 
 namespace cdr::render {
 
@@ -97,7 +97,9 @@ class ShadingPass {
         std::uint32_t lights = 0;
         AnchorForm anchors = AnchorForm::none;
 
-        auto operator<=>(const Form&) const = default;
+        bool operator<(const Form& other) const {
+            return std::tie(lights, anchors) < std::tie(other.lights, other.anchors);
+        }
     };
     FullscreenPass& passFor(const Form& form);
     /// For a number of lights, in frames of few cascades and of many.
