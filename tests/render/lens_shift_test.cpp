@@ -198,7 +198,11 @@ TEST_F(LensShiftTest, PixelsAreThoseOfTheTruth) {
                 draw(scene, camera, quarterOf(smallOptions(depth::parseTechnique(technique))));
             const measure::WrongPixels wrong = wrongIn(frame, scene, camera);
             EXPECT_GT(wrong.pixels, 1'000u) << shift.x;
-            EXPECT_EQ(wrong.wrong, 0u) << technique << " " << shift.x;
+            // Four sub-pixel bits move edges of the small boxes.
+            const bool isCoarse = device().info().subPixelBits < 8;
+            EXPECT_LE(wrong.wrong, isCoarse ? wrong.pixels / 200 : 0u) << technique << " " << shift.x;
+            // A truth that looks elsewhere differs at what it takes for edges.
+            EXPECT_LE(wrong.edgeWrong, isCoarse ? wrong.pixels / 20 : 15u) << technique << " " << shift.x;
         }
     }
 }
