@@ -183,10 +183,10 @@ TEST_F(FailedFrameTest, AFrameThatIsRefusedDoesNotMoveFittedCascades) {
         renderer.render(camerasAt(0.0));
         if (isRefusedBetween) {
             world.setTransform(parts[1], {.position = {1.6, 0.0, -8.0}}); // parts of one object move apart
-            EXPECT_THROW(renderer.render(camerasAt(0.04)), base::InputError);
+            EXPECT_THROW(renderer.render(camerasAt(0.0203)), base::InputError);
             world.setTransform(parts[1], {.position = {1.5, 0.0, -8.0}});
         }
-        return renderer.render(camerasAt(0.02)).front().cascades;
+        return renderer.render(camerasAt(0.0101)).front().cascades;
     };
     for (const std::size_t views : {std::size_t{1}, std::size_t{2}}) {
         EXPECT_EQ(drawnAfter(true, views), drawnAfter(false, views)) << views;
