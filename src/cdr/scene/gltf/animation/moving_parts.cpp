@@ -45,8 +45,7 @@ bool isMorphedAtRest(const FileRig& rig, std::size_t node) {
 
 MovingParts::MovingParts(const json& root, const PlacedNodes& nodes, Accessors& accessors,
                          MemoryPrediction& memory, Notes& notes)
-    : m_root(root),
-      m_accessors(accessors),
+    : m_accessors(accessors),
       m_notes(notes),
       m_animated(animatedNodes(root)),
       m_morphed(morphedNodes(root)),

@@ -53,7 +53,6 @@ class MovingParts {
   private:
     std::optional<std::size_t> skinOf(const MeshNode& node, const Primitive& primitive) const;
 
-    const nlohmann::json& m_root;
     Accessors& m_accessors;
     Notes& m_notes;
     std::vector<bool> m_animated; ///< by node of the file
