@@ -28,6 +28,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -156,6 +157,13 @@ void* tableOf(const void* handle) {
     return table;
 }
 
+/// None for null, and for an instance that is being made.
+std::optional<NextInstance> findInstance(VkInstance instance) {
+    const std::lock_guard guard(lock);
+    const auto found = instance != VK_NULL_HANDLE ? instances.find(tableOf(instance)) : instances.end();
+    return found != instances.end() ? std::optional(found->second) : std::nullopt;
+}
+
 NextInstance instanceOf(const void* handle) {
     const std::lock_guard guard(lock);
     return instances.at(tableOf(handle));
@@ -186,6 +194,9 @@ constexpr std::array kOfInstances{kSurfaceCapabilities,
                                   "vkCreateXcbSurfaceKHR",
                                   "vkCreateXlibSurfaceKHR"};
 
+/// This layer's function of a name; null where it has none.
+PFN_vkVoidFunction own(const char* name);
+
 VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info,
                                               const VkAllocationCallbacks* callbacks, VkInstance* made) {
     if (fault().hits("vkCreateInstance", false)) {
@@ -199,7 +210,9 @@ VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info,
     if (result == VK_SUCCESS) {
         NextInstance instance{.get = get, .handle = *made, .functions = {}};
         for (const char* name : kOfInstances) {
-            instance.functions[name] = get(*made, name);
+            // A loader that lacks a function asks the topmost layer, which may be this one.
+            const PFN_vkVoidFunction function = get(*made, name);
+            instance.functions[name] = function != own(name) ? function : nullptr;
         }
         const std::lock_guard guard(lock);
         instances[tableOf(*made)] = instance;
@@ -333,8 +346,6 @@ struct InstanceCall<VkResult(VKAPI_PTR*)(Handle, Rest...)> {
     }
 };
 
-PFN_vkVoidFunction own(const char* name);
-
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDeviceProc(VkDevice device, const char* name) {
     const PFN_vkVoidFunction found = own(name);
     return found != nullptr ? found : deviceOf(device)->get(device, name);
@@ -342,13 +353,15 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDeviceProc(VkDevice device, const ch
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getInstanceProc(VkInstance instance, const char* name) {
     const PFN_vkVoidFunction found = own(name);
-    if (instance == VK_NULL_HANDLE) {
+    const std::optional<NextInstance> next = findInstance(instance);
+    if (!next) { // none yet, or one that is being made
         return found;
     }
-    const NextInstance next = instanceOf(instance);
-    const auto fetched = next.functions.find(name);
-    const bool isMissing = fetched != next.functions.end() && fetched->second == nullptr;
-    return found != nullptr && !isMissing ? found : next.get(instance, name);
+    const auto fetched = next->functions.find(name);
+    if (fetched != next->functions.end() && fetched->second == nullptr) {
+        return nullptr;
+    }
+    return found != nullptr ? found : next->get(instance, name);
 }
 
 #define CDR_FAULT_INSTANCE_CALL(function, type)                                                              \
