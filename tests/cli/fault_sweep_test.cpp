@@ -1,4 +1,5 @@
 #include "../support/fault.h"
+#include "at_once.h"
 #include "program.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <numeric>
 #include <ostream>
 #include <sstream>
@@ -40,6 +42,11 @@ class FaultSweep : public testing::TestWithParam<Swept> {
         long calls = 0;     ///< that could have failed so
         std::string failed; ///< the call that did
     };
+    /// A run of which a call fails, and its folder.
+    struct Failing {
+        std::unique_ptr<TemporaryFolder> folder = std::make_unique<TemporaryFolder>();
+        Run run;
+    };
 
     Run runUnder(const Fault& fault, const TemporaryFolder& folder) const {
         const std::filesystem::path log = folder.path().string() + ".fault";
@@ -51,6 +58,7 @@ class FaultSweep : public testing::TestWithParam<Swept> {
         std::filesystem::remove(log);
         return run;
     }
+    static void expectEnded(const Failing& failing, const Run& sound);
 };
 
 /// No hidden file, pictures that can be read, and documents that parse.
@@ -83,6 +91,20 @@ bool isLack(const std::string& line) {
     return line.find("it lacks") != std::string::npos || line.find("tools/setup.sh") != std::string::npos;
 }
 
+/// One line and status 1, or all as without the failure.
+void FaultSweep::expectEnded(const Failing& failing, const Run& sound) {
+    const ProgramResult& result = failing.run.result;
+    expectWhole(*failing.folder);
+    if (result.status == 0) {
+        EXPECT_EQ(result.err, sound.result.err);
+        return;
+    }
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_EQ(result.err.find("validation"), std::string::npos) << result.err;
+    EXPECT_NE(failing.run.failed, "none");
+}
+
 /// Any one call fails once. Then the program prints one line and ends with status 1, or all is as without the failure. Files
 /// are whole. There is no validation message, no hang and no crash.
 TEST_P(FaultSweep, EveryCallMayFail) {
@@ -96,9 +118,8 @@ TEST_P(FaultSweep, EveryCallMayFail) {
             continue;
         }
         const long error = kErrors.at(kind);
-        Fault fault{.call = "each", .after = test::kForever, .result = error};
         const TemporaryFolder whole;
-        const Run sound = runUnder(fault, whole);
+        const Run sound = runUnder({.call = "each", .after = test::kForever, .result = error}, whole);
         if (sound.result.status == 2 && isLack(sound.result.err)) {
             GTEST_SKIP() << sound.result.err;
         }
@@ -107,22 +128,20 @@ TEST_P(FaultSweep, EveryCallMayFail) {
             EXPECT_EQ(error, VK_ERROR_DEVICE_LOST); // of a command that makes no device
             continue;
         }
-        for (const long after : chosenOf(sound.calls, kind, salt)) {
-            fault.after = after;
-            const TemporaryFolder folder;
-            const Run run = runUnder(fault, folder);
-            SCOPED_TRACE(testing::Message() << GetParam().command << ": call " << after << " of "
-                                            << sound.calls << ", " << run.failed << ", " << error);
-            ++cases;
-            expectWhole(folder);
-            if (run.result.status == 0) {
-                EXPECT_EQ(run.result.err, sound.result.err);
-                continue;
+        const std::vector<long> chosen = chosenOf(sound.calls, kind, salt);
+        for (std::size_t first = 0; first < chosen.size(); first += programsAtOnce()) {
+            std::vector<Failing> failing(std::min(programsAtOnce(), chosen.size() - first));
+            runAtOnce(failing.size(), [&](std::size_t i) {
+                failing[i].run = runUnder({.call = "each", .after = chosen[first + i], .result = error},
+                                          *failing[i].folder);
+            });
+            for (std::size_t i = 0; i < failing.size(); ++i) {
+                SCOPED_TRACE(testing::Message()
+                             << GetParam().command << ": call " << chosen[first + i] << " of " << sound.calls
+                             << ", " << failing[i].run.failed << ", " << error);
+                expectEnded(failing[i], sound);
             }
-            EXPECT_EQ(run.result.status, 1);
-            EXPECT_EQ(std::count(run.result.err.begin(), run.result.err.end(), '\n'), 1) << run.result.err;
-            EXPECT_EQ(run.result.err.find("validation"), std::string::npos) << run.result.err;
-            EXPECT_NE(run.failed, "none");
+            cases += failing.size();
         }
     }
     RecordProperty("cases", static_cast<int>(cases));

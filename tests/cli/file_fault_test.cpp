@@ -1,3 +1,4 @@
+#include "at_once.h"
 #include "program.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <iterator>
+#include <memory>
 #include <ostream>
 #include <random>
 #include <regex>
@@ -47,6 +49,27 @@ struct Writer {
 
 class FileFaults : public testing::TestWithParam<Writer> {};
 
+/// A run of which a call fails, and its folder.
+struct Failing {
+    std::unique_ptr<TemporaryFolder> folder = std::make_unique<TemporaryFolder>();
+    ProgramResult result;
+};
+
+/// One line and a status, or nothing said where no call failed.
+void expectEnded(const Failing& failing, int error) {
+    const ProgramResult& result = failing.result;
+    // A report that cannot be finished keeps what was measured, and says where.
+    expectWholeFiles(*failing.folder, result.err.find("what was measured is in") != std::string::npos);
+    if (result.status == 0) {
+        EXPECT_EQ(result.err, "");
+        return;
+    }
+    // Without permission or without its folder, a file may be refused as input is.
+    EXPECT_TRUE(result.status == 1 || (result.status == 2 && error != ENOSPC && error != EIO))
+        << result.status << ": " << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+}
+
 /// One call on a file fails, whichever: one line that says so, its exit status, and what there is is whole.
 TEST_P(FileFaults, EveryWriteMayFail) {
     if (std::string(CDR_FILE_FAULTS).empty()) {
@@ -70,22 +93,23 @@ TEST_P(FileFaults, EveryWriteMayFail) {
     std::size_t failures = 0;
     for (const int error : {ENOSPC, EACCES, EIO, ENOENT}) {
         const long stride = takesAllCases() ? 1 : GetParam().stride;
-        for (long after = error % stride; after < kMaxCalls; after += stride) {
-            const TemporaryFolder folder;
-            const ProgramResult result = run(after, error, folder);
-            SCOPED_TRACE(testing::Message() << GetParam().command << ": call " << after << ", " << error);
-            // A report that cannot be finished keeps what was measured, and says where.
-            expectWholeFiles(folder, result.err.find("what was measured is in") != std::string::npos);
-            ++cases;
-            if (result.status == 0) {
-                EXPECT_EQ(result.err, "");
-                break; // more calls than there are
+        bool isOver = false; // more calls than there are
+        for (long first = error % stride; first < kMaxCalls && !isOver;) {
+            std::vector<Failing> failing(programsAtOnce());
+            runAtOnce(failing.size(), [&](std::size_t i) {
+                failing[i].result = run(first + static_cast<long>(i) * stride, error, *failing[i].folder);
+            });
+            for (const Failing& each : failing) {
+                SCOPED_TRACE(testing::Message() << GetParam().command << ": call " << first << ", " << error);
+                expectEnded(each, error);
+                ++cases;
+                first += stride;
+                isOver = each.result.status == 0;
+                if (isOver) {
+                    break;
+                }
+                ++failures;
             }
-            ++failures;
-            // Without permission or without its folder, a file may be refused as input is.
-            EXPECT_TRUE(result.status == 1 || (result.status == 2 && error != ENOSPC && error != EIO))
-                << result.status << ": " << result.err;
-            EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
         }
     }
     EXPECT_GT(failures, 0u);
