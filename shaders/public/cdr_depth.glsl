@@ -13,8 +13,8 @@
 // - Cut meshes that are much wider than what they must resolve into pieces with origins of their own
 //   (cdr::scene::cutIntoPieces()). float32 rounds a vertex by its distance to its origin.
 //
-// View space is right-handed and looks down -z; the view distance is w = -z. `projected` is view-space x and y times
-// their entries of the projection matrix, 1 / (aspect tan(fovY / 2)) and -1 / tan(fovY / 2) where y points down.
+// View space is right-handed and looks down -z; the view distance is w = -z. `projected` is view-space x and y times their
+// entries of the projection matrix. Where y points down, these are 1 / (aspect tan(fovY / 2)) and -1 / tan(fovY / 2).
 //
 // @units Distances are view distances in scene units; `ahead` is one less anchorView. Depths are of the depth buffer, which a
 //        clip position has as z / w.
@@ -95,8 +95,8 @@ vec2 cdrInFront(float distanceView, float nearView) { return vec2(distanceView -
 // Whether a fragment of a wide draw is to be discarded. inside: cdrInside() of its own distance.
 bool cdrIsOutside(vec2 inside) { return inside.x < 0.0 || inside.y < 0.0; }
 
-// By how much a vertex' `ahead` may be off, as float32 forms it from its place about the draw's origin and that origin's own
-// distance. It differs from cascade to cascade, since the anchor does. Hand it to the fragments of wide draws.
+// By how much a vertex' `ahead` may be off. float32 forms it from the vertex' place about the draw's origin and the distance
+// of that origin. It differs from cascade to cascade, since the anchor does. Hand it to the fragments of wide draws.
 // across: view space. originAhead: of the draw's origin.
 float cdrRounding(vec2 across, float ahead, float originAhead, float anchorView) {
     const float kRoundings = 9.5367432e-7; // 2^-20: eight roundings of 2^-24 of all terms, in each of two cascades

@@ -68,8 +68,8 @@ AmbientShares ambientShares(MetallicRoughness metallicRoughness, float facing) {
     return AmbientShares((1.0 - (kDielectric * scaleAndBias.x + scaleAndBias.y)) * metallicRoughness.diffuse, mirrored);
 }
 
-// Shares of a sky that reach the camera: of diffuse light, and of what microfacets mirror of directions about a lobe's mean and,
-// by what Fresnel's term adds where they are seen at a low angle, of directions that graze the surface.
+// Shares of a sky that reach the camera. diffuse: of diffuse light. mirrored: of directions about a lobe's mean, as
+// microfacets mirror them. grazing: of directions that graze the surface, by what Fresnel's term adds at a low angle.
 struct SkyShares {
     vec3 diffuse;
     vec3 mirrored;

@@ -1,8 +1,8 @@
 // The G-buffer: 16 bytes a pixel in one image of four uints. On a software rasteriser, one wide store and one wide load
 // cost far less than four narrow ones.
-//   x: albedo, square root of linear, three unorm8 (a square root stands in for the sRGB curve); above it one byte: how the
-//      surface reflects (metallic_roughness.glsl), 0 is matt; where layers compute ambient occlusion, that byte is the occlusion, unorm8,
-//      0 is open
+//   x: albedo, square root of linear, three unorm8 (a square root stands in for the sRGB curve). Above it is one byte: how
+//      the surface reflects (metallic_roughness.glsl), 0 is matt. Where each cascade computes ambient occlusion by itself,
+//      this byte is the occlusion, unorm8, 0 is open.
 //   y: normal, view space, octahedral, two snorm16
 //   z: view distance beyond the cascade's anchor plane, float bits
 //   w: id word, kIdBits; 0 is background

@@ -31,8 +31,8 @@ layout(location = 3) flat out vec4 outCentreRange;
 layout(location = 4) flat out uint outId;
 layout(location = 5) flat out uint outMetallicRoughness;
 
-// The same bits in every draw: an instance is drawn once for each cascade or slice of shadows that it is in, and each
-// fragment must be in one of them.
+// The same bits in every draw. An instance is drawn once for each cascade or slice of shadows that it is in. Each fragment
+// must be in one of them.
 invariant gl_Position;
 
 void main() {
