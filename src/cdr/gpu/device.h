@@ -96,7 +96,7 @@ struct BorrowedDevice {
     std::function<VkResult(const VkSubmitInfo2& submission, VkFence done)> submit{};
 };
 
-/// Whether the error says that the device was lost. What was made on the device is of no use then: destroy its renderers and
+/// Whether the error says that the device was lost. What was made on the device is of no use then. Destroy its renderers and
 /// GpuScenes, then the gpu::Device, and make all of them anew on another. Scenes and worlds stay as they are.
 /// @errors None.
 CDR_EXPORT bool isDeviceLost(const std::exception& error);

@@ -6,8 +6,8 @@
 
 namespace cdr::host {
 
-/// Bytes that this process can still take: of memory and swap that the system calls available, and of the process' own limit
-/// (`ulimit -v`), the smaller. Limits of a container do not count. Empty where the system does not tell.
+/// Bytes that this process can still take. It is the smaller of the memory and swap that the system calls available, and what
+/// the process' own limit (`ulimit -v`) leaves. Limits of a container do not count. Empty where the system does not tell.
 std::optional<std::uint64_t> freeHostBytes();
 
 /// base::RunError with both figures when `bytes` for `what` exceed what is free. Call before allocating.

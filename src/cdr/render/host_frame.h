@@ -33,8 +33,8 @@ struct HostCascade {
     depth::Cascade clipRange;
     double anchorView = 0.0;           ///< in float64, what objects' view distances are taken relative to
     depth::CascadeConstants constants; ///< CdrCascade of cdr_depth.glsl
-    /// What x and y of a clip position have less because the lens is shifted, in units of its w: subtract it times gl_Position.w
-    /// from gl_Position.xy. 0 without Camera::lensShift.
+    /// How far a shifted lens moves x and y of a clip position, in units of its w. Subtract it times gl_Position.w from
+    /// gl_Position.xy. 0 without Camera::lensShift.
     float lensX = 0.0f;
     float lensY = 0.0f; ///< as lensX
     VkFormat depthFormat =

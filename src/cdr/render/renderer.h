@@ -104,8 +104,8 @@ class CDR_EXPORT Renderer {
     /// Waits for all that was submitted or recorded.
     /// @errors base::RunError and std::system_error of these frames, as render().
     void finish();
-    /// Where the last frame is. Frames wait for a host that reads these images in any stage, from this function's first call
-    /// on: call it before the frame that is to wait is submitted or recorded, and not at the same time.
+    /// Where the last frame is. From this function's first call on, frames wait for the host's reads of these images, in any
+    /// pipeline stage. Call it before the frame that is to wait is submitted or recorded, and not at the same time.
     /// @lifetime The images are valid until the next frame, or resize().
     Surfaces surfaces() const;
 

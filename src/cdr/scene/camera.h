@@ -75,14 +75,14 @@ struct LensEdges {
     double up = 1.0;    ///< > down
 };
 
-/// Gives `camera` a lens with these edges. Pixels are square: if the picture's width over its height is not
-/// (right - left) / (up - down), the middle between left and right stays, and its width follows from its height.
+/// Gives `camera` a lens with these edges. Pixels are square. So the picture's width follows from its height if their ratio
+/// is not (right - left) / (up - down). The middle between left and right stays.
 /// @throws base::InputError for edges that are not in order or not finite, and for a lens shift beyond its limit.
 CDR_EXPORT Camera withLens(Camera camera, const LensEdges& edges);
 
-/// @throws base::InputError with the value unless the camera is usable: lens, position and axes finite,
-///         depth::kMinView <= near < far <= depth::kMaxView, 0 < fovY < pi, no lens shift beyond its limit, axes of length 1
-///         to 1e-5. Whether axes are at right angles is not looked at.
+/// @throws base::InputError with the value unless the camera is usable. Lens, position and axes are finite, and no lens shift
+///         is beyond its limit. depth::kMinView <= near < far <= depth::kMaxView, and 0 < fovY < pi. Axes have length 1 to
+///         1e-5. Whether axes are at right angles is not looked at.
 CDR_EXPORT void requireUsable(const Camera& camera);
 
 } // namespace cdr::scene

@@ -49,8 +49,8 @@ struct ClusterGroup {
 /// A mesh as clusters at many levels of detail, which can be mixed in one picture without cracks. The border of a group is
 /// the same in full and in its coarser form. Empty unless scene::makeClusters() was called (lod/clusters.h).
 ///
-/// The clusters that stand for the mesh have a `madeBy` group of small enough error, and a `coarserBy` group of too large
-/// a one (visibility::chooseClusters()).
+/// The clusters that stand for the mesh have a `madeBy` group whose error is small enough. The error of their `coarserBy`
+/// group is too large (visibility::chooseClusters()).
 struct ClusterTree {
     std::vector<std::uint32_t> indices; ///< each below the mesh's vertices.size()
     std::vector<MeshCluster> clusters;  ///< those of groups first, group by group

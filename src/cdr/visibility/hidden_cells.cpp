@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t kPartsPerJob = 128;
 /// Pixels by which a rectangle is larger than its object: what a device snaps vertices by is less.
 constexpr double kRim = 1.0;
-/// By so many radii an object counts as nearer than its bounding sphere. On a face that is seen from its edge, the depth at
-/// a pixel's centre may be outside the range of depths at its corners.
+/// By so many radii an object counts as nearer than its bounding sphere. On a face that is seen edge-on, depth at a pixel's
+/// centre may be outside the range of depths at its corners.
 constexpr double kRadiiNearer = 1.0;
 
 /// Bounds along the picture's axes (SphereTest): x to the right, y up, z the view distance.

@@ -16,7 +16,7 @@ int main() try {
 
     // quoted in src/cdr/README.md: begin
     const gpu::Instance instance;
-    const gpu::Device device(instance, ""); // the first that suffices, or by part of its name
+    const gpu::Device device(instance, ""); // the best device, or one by part of its name
 
     scene::World world; // or of a scene::Scene, from glTF for example
     const scene::MeshHandle box = world.addMesh(scene::makeBox(glm::vec3(0.5f)));

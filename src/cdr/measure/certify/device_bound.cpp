@@ -104,7 +104,7 @@ const DeviceBound::Cell& DeviceBound::cellAt(double distanceView) const {
 
 TriangleBound DeviceBound::of(const TriangleReach& reach) const {
     TriangleBound bound;
-    // The roundings of x; those of w, by which x is divided; those of the viewport, a lens shift and a plane over the picture.
+    // Roundings of x, of w (by which x is divided), and of the viewport, a lens shift and a plane over the picture.
     bound.pixels = m_snapPixels + m_rounding * (reach.acrossView * m_pixelsPerSlope / reach.leastView *
                                                     (10.0 + 4.0 * reach.alongView / reach.leastView) +
                                                 4.0 * (m_picturePixels + m_shiftPixels));

@@ -20,7 +20,7 @@ enum class PixelVerdict : std::uint8_t {
     refused    ///< no device that keeps to its limits draws this
 };
 
-/// A verdict, and for a pixel that is cast how far off a device may have drawn the distance of a surface that is right.
+/// A verdict. For a pixel that is cast, also how far off a device may have drawn the distance of the right surface.
 struct PixelFinding {
     PixelVerdict verdict = PixelVerdict::open;
     float offView = 0.0f;

@@ -14,8 +14,8 @@
 namespace cdr::measure {
 
 /// What a perfect renderer sees through one pixel's centre. The nearest surface is the one whose distance, less its
-/// material's layer, is least. Of surfaces where that is the same to the last bit it is that of the last instance in
-/// the scene's order, as it is drawn.
+/// material's layer, is least. If that is the same to the last bit, it is the surface of the last instance in the scene's
+/// order. The renderer draws it so too.
 struct TruthPixel {
     std::uint32_t id = 0;       ///< object index + 1 of the nearest surface; 0 is background
     std::uint32_t secondId = 0; ///< the nearest surface of another object along the same ray; 0 if none

@@ -41,8 +41,8 @@ constexpr base::EnumNames<Batching, kBatchings.size()> kNames{"batching",
 /// crack.
 constexpr double kLogWideSpan = 0.02;
 
-/// Clip distances that are off by two steps of their floats move a cut by 2e-7 of its distance, for spans of up to this. Two
-/// cascades lose both that and the rounding of planes, less than half of the overlap of linear mappings, 1e-6. A test adds it up.
+/// Two steps of a float in clip distances move a cut by 2e-7 of its distance, for spans of up to this. Two cascades lose both
+/// that and the rounding of planes, less than half of the overlap of linear mappings, 1e-6. A test adds it up.
 constexpr double kLinearWideSpan = 4.0;
 
 using gpu::Spirv;

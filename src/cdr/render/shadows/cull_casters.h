@@ -8,8 +8,8 @@
 
 namespace cdr::render {
 
-/// Appends the instances whose bounding spheres may lie between a light and what its view shows, in an order that depends on
-/// the cells alone.
+/// Appends the instances whose bounding spheres may lie between a light and what its map shows. Their order depends on the
+/// cells alone.
 /// @return how near to the light they reach: LightView::nearAhead.
 double cullCasters(const visibility::InstanceCells& cells, const LightView& view,
                    std::vector<std::uint32_t>& casters);

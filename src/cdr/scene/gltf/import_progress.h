@@ -14,7 +14,7 @@
 
 namespace cdr::scene {
 
-/// Told how much of a file has been imported: `done` of `all`, which grow with the bytes that are read and the pictures that
+/// Told how much of a file has been imported: `done` of `all`. They grow with the bytes that are read and the pictures that
 /// are decoded. Called about a hundred times.
 using ImportProgress = std::function<void(std::size_t done, std::size_t all)>;
 

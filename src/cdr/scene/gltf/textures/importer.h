@@ -51,8 +51,8 @@ class TextureImporter {
     /// Gives a picture to the textures that show it.
     void fill(const Shown& shown, const std::vector<std::uint32_t>& dropped);
 
-    /// Image, how it goes on along u and v, the filters of large and of small texels, levels, what its channels are, and
-    /// both members of AlphaUse.
+    /// Image, wrapping along u and v, magnification and minification filter, levels, content of the channels, and both
+    /// members of AlphaUse.
     using Key = std::tuple<int, WrapMode, WrapMode, Filter, Filter, TextureLevels, TextureContent, bool,
                            std::optional<float>>;
 
