@@ -96,8 +96,8 @@ struct RivalsReport {
 using RivalsProgress = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
 
 /// Each contender draws each frame once to be compared with the float64 truth. Then all are timed, in an order shuffled
-/// again for each frame. base::InputError for a baseline that takes no part or is a rival, an unusable distance, no frames,
-/// and a rival that the device cannot draw.
+/// again for each frame. base::InputError for a baseline that takes no part or is a rival, an unusable distance, and no
+/// frames. Also for a rival that the device cannot draw.
 RivalsReport runRivals(const gpu::Device& device, const std::vector<NamedScene>& scenes,
                        const RivalsOptions& options, const RivalsProgress& progress);
 

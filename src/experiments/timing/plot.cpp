@@ -33,8 +33,7 @@ std::string timingPlot(const std::vector<TimingResult>& results, const std::stri
         "fillstyle solid noborder behind\n"
         "$data << END\n{}END\n"
         "plot $data using 1:3:4:5:(0.6):xtic(2) with boxerrorbars fillstyle solid 0.6 linecolor rgb "
-        "'#0072b2' "
-        "title 'measured; grey band: the noise floor', "
+        "'#0072b2' title 'measured; grey band: the noise floor', "
         "$data using 1:6 with points pointtype 7 pointsize 1.4 linecolor rgb '#d55e00' "
         "title 'thesis, Figure 6.4'\n",
         output::gnuplotQuote("Frame time over standard, " + measuredOn),

@@ -6,7 +6,7 @@ export function scenes(document) {
     return names.map((name) => ({ name, results: document.results.filter((result) => result.scene === name) }));
 }
 
-/** Places of the rows with the most and the least of an error, wrong pixels if nothing else is said; of equals the first and the last. */
+/** Places of the rows with the largest and smallest error (default: wrong pixels); of equal rows the first and the last. */
 export function worstAndBest(rows, errorOf = (row) => row.wrong_fraction) {
     const errors = rows.map(errorOf);
     return [errors.indexOf(Math.max(...errors)), errors.lastIndexOf(Math.min(...errors))];

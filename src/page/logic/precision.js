@@ -44,8 +44,8 @@ export function curves(document) {
 }
 
 /**
- * The same with the points of the thesis' Table 4.1 beside them. A value is undefined where a curve has no point of its
- * own, which leaves no gap in it, and null between the thesis' points, which no line joins.
+ * The same with the points of the thesis' Table 4.1 beside them. A value is undefined where a curve has no point of its own,
+ * which leaves no gap in it. It is null between the thesis' points, which no line joins.
  */
 export function curvesAndThesis(document) {
     const { x, series } = curves(document);

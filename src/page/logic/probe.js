@@ -25,8 +25,8 @@ export function formats(document) {
 }
 
 /**
- * How well the thesis' own formulas (Listing A.2) hold: of the D24 cases that a separation resolves, how many need a
- * coarser one than the formula says, by more than the ladder tells apart.
+ * How well the thesis' own formulas (Listing A.2) hold. Counts the D24 cases that need a coarser separation than the formula
+ * says, by more than a step of the ladder. Cases that no separation resolves do not count.
  */
 export function listingReliability(document) {
     const cases = document.results.filter((row) => row.format === "d24" && row.resolved !== null)

@@ -40,7 +40,7 @@ double speckled(double texel, double length) {
     return std::clamp(length / texel - 0.1, 0.0, 1.0);
 }
 
-/// Half the width of the step that is to be the share of ground above a height, if texels leave out so much of a sum.
+/// Half the width of a step. The step stands for the share of ground above a height, if texels leave out so much of a sum.
 double blurOf(const Waves& waves, double texel) {
     return 0.7 * leftOut(waves, texel);
 }

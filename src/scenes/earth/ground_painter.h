@@ -27,8 +27,8 @@ class GroundPainter {
         std::uint32_t height = 0;
         /// What another picture shows more finely: only a few of its texels are worked out, for levels of less detail.
         std::optional<GeodeticFrame> hidden{};
-        /// Where details are as fine as texels. From there to the edge they grow to `growth` times the size, as a coarser picture
-        /// around this one has them, so that no line is seen between the two. Without it all are fine.
+        /// Where details are as fine as texels. From there to the edge they grow to `growth` times the size, as a coarser
+        /// picture around this one has them. So no line is seen between the two. Without it all are fine.
         std::optional<GeodeticFrame> fine{};
         double growth = 2.0; ///< at least 1
     };

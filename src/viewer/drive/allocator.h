@@ -16,8 +16,8 @@ std::optional<std::uint64_t> allocatedBytes();
 /// Page faults then cost about a tenth of the frame rate.
 void keepFreeMemoryLow();
 
-/// Makes the allocator write each block when it is allocated and when it is freed. Otherwise a block that its owner never writes is
-/// resident only where an earlier one was written there, and residentBytes() goes up and down by that.
+/// Makes the allocator write each block when it is allocated and when it is freed. Otherwise a block that its owner never
+/// writes is resident only where an earlier one was written there. Then residentBytes() goes up and down by that.
 void writeAllBlocks();
 
 /// Returns to the system what the allocator keeps for later, so that residentBytes() is what the program uses.

@@ -113,8 +113,7 @@ std::string_view explain(ViewKind view) {
 
 std::string_view explainThreads() {
     return "Threads that cull, bin and record; the picture is the same to the bit for any number. They "
-           "shorten "
-           "recording, not drawing.";
+           "shorten recording, not drawing.";
 }
 
 } // namespace cdr::viewer
