@@ -1,5 +1,5 @@
-// Every relative link and picture of every page leads somewhere, and every folder has its line in ARCHITECTURE.md or on the
-// page of its room.
+// Every relative link and picture of every page leads somewhere. Every folder has its line in ARCHITECTURE.md or on the page
+// of its room.
 
 import assert from "node:assert/strict";
 import { existsSync } from "node:fs";

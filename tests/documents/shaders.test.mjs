@@ -1,5 +1,5 @@
-// Every function of the shaders that engines include says what it and its parameters mean. By @units and @range, itself or the
-// comment that its file begins with says the unit or space of its numbers, and which of them it takes.
+// Every function of the shaders that engines include says what it and its parameters mean. @units says the unit or space of
+// its numbers, and @range which of them it takes. The comment that its file begins with may say these.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

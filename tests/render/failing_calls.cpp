@@ -47,8 +47,8 @@ struct Failable<name, VkResult(VKAPI_PTR*)(Parameters...)> {
     static VKAPI_ATTR VkResult VKAPI_CALL call(Parameters... parameters) {
         return wantedFailure().takes(name) ? VK_ERROR_OUT_OF_DEVICE_MEMORY : real()(parameters...);
     }
-    /// The function to call in the place of what was found. It calls what was found first, which is that of the instance: it
-    /// serves each device, and that of a device serves no other one.
+    /// The function to call in the place of what was found. It calls what was found first, the function of the instance. That
+    /// serves each device; the function of a device serves no other one.
     static PFN_vkVoidFunction standIn(PFN_vkVoidFunction found) {
         if (real() == nullptr) {
             real() = reinterpret_cast<Function>(found);

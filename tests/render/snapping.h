@@ -8,8 +8,8 @@
 
 namespace cdr::render_test {
 
-/// How far, in pixels along x and along y, the farthest drawn surface lies from where float64 has it, measured on boxes
-/// turned every way. Rounding vertices to b sub-pixel bits moves a surface by up to 2^-(b + 1).
+/// How far the farthest drawn surface lies from where float64 has it, in pixels along x and along y. Measured on boxes turned
+/// every way. Rounding vertices to b sub-pixel bits moves a surface by up to 2^-(b + 1).
 /// @param snapBits, snapping as render::RenderOptions has them.
 double measureReach(const gpu::Device& device, std::uint32_t snapBits,
                     render::Snapping snapping = render::Snapping::byDevice);

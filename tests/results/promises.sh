@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes promises.csv and the table in trust.md: what promises.json says that cdr promises, and how the tests of each promise end
-# on each driver of tools/drivers.sh. Needs a release build. Ends with status 1 where a test fails.
+# Makes promises.csv and the table in trust.md. They have what promises.json says that cdr promises, and how the tests of each
+# promise end on each driver of tools/drivers.sh. Needs a release build. Ends with status 1 where a test fails.
 # Usage: tests/results/promises.sh [DRIVER...]
 # With arguments, such as swiftshader, only those are run, and other rows stay.
 set -euo pipefail

@@ -83,8 +83,8 @@ TEST(Certifier, RepairsAllThatADeviceWithinItsLimitsDrawsWrong) {
     }
 }
 
-/// Strips of one plane, each a thousandth of a unit wide and 1000 long, and a plate before them: closer than float64 can tell
-/// where it forms a strip's plane.
+/// Strips of one plane, each a thousandth of a unit wide and 1000 long, and a plate before them. The plate is closer than
+/// float64 can tell where it forms a strip's plane.
 CertifiedScene slivers(double gap, float tilt) {
     constexpr int kStrips = 100;
     constexpr float kWidth = 0.001f;

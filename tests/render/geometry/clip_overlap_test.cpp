@@ -40,8 +40,8 @@ ClippedEdge clippedEdge(double span, std::mt19937_64& random) {
 
 enum class CutEnd { nearEnd, farEnd };
 
-/// The share of an edge at which a cascade's plane cuts it, where the device has each clip distance too small by `steps` of
-/// its float. So the cascade draws less than it should.
+/// The share of an edge at which a cascade's plane cuts it. Each clip distance of the device is too small by `steps` of its
+/// float, so the cascade draws less than it should.
 double cutShare(const ClippedEdge& edge, const CascadeView& cascade, CutEnd end, double steps) {
     const auto planeAhead = [&](double view) { return static_cast<float>(view - cascade.terms.anchorView); };
     // As the draw record and geometry.vert form them.
@@ -59,8 +59,9 @@ double cutShare(const ClippedEdge& edge, const CascadeView& cascade, CutEnd end,
     return std::clamp(first / (first - second), 0.0, 1.0);
 }
 
-/// Devices may round the clip distances that they interpolate, by no bound that Vulkan states. What two steps lose at each
-/// side of where cascades meet must be less than what they share, with half of that to spare for the interpolation itself.
+/// Devices may round the clip distances that they interpolate, by no bound that Vulkan states. Two steps lose something at
+/// each side of where cascades meet. It must be less than what they share, with half of that to spare for the interpolation
+/// itself.
 TEST(ClipOverlap, TwoStepsOfEachClipDistanceOpenNoGapBetweenCascades) {
     constexpr double kSteps = 2.0;
     constexpr double kShareToSpare = 0.5;

@@ -45,8 +45,8 @@ class AnimationTest : public RenderTest {
     }
 };
 
-/// Skins, morph targets and nodes. A world that was brought to a moment is as the file opened at that moment, for any number
-/// of threads that deform and record.
+/// Skins, morph targets and nodes. A world that was brought to a moment is as the file opened at that moment. That holds for
+/// any number of threads that deform and record.
 TEST_F(AnimationTest, FramesAreThoseOfAFileOpenedAtTheirMoment) {
     const scene::OpenedScene opened = open(0.0, kFramesPerSecond);
     for (const std::size_t threads : {std::size_t{1}, std::size_t{3}, std::size_t{16}}) {
