@@ -26,7 +26,7 @@ struct PipelineObjects;
 /// What a device runs on, the preferred kind first.
 enum class DeviceKind : std::uint8_t {
     discrete,   ///< a graphics card
-    integrated, ///< a graphics processor that shares the host's memory
+    integrated, ///< a graphics processor that shares main memory
     virtualGpu, ///< one that a virtual machine is lent
     cpu,        ///< a software driver
     other,      ///< what the driver does not say

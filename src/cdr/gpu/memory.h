@@ -44,7 +44,7 @@ class Buffer {
     std::span<T> as(std::size_t count) const {
         return {static_cast<T*>(m_mapped), count};
     }
-    /// flush() makes host writes visible to the device, invalidate() device writes to the host, where memory
+    /// flush() makes the CPU's writes visible to the device, invalidate() device writes to the CPU, where memory
     /// is not coherent.
     void flush() const;
     void invalidate() const;

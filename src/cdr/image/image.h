@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-/// Pictures on the host.
+/// Pictures in main memory.
 /// @threads Functions keep nothing, so any thread may call them. One that changes an object has it to itself.
 namespace cdr::image {
 

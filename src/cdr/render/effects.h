@@ -14,7 +14,7 @@
 
 namespace cdr::render {
 
-/// How stairs along edges are smoothed.
+/// The method of antialiasing.
 enum class Antialias : std::uint8_t {
     none,
     edges, ///< after shading, along edges of brightness (FXAA, Lottes 2009)
@@ -28,7 +28,7 @@ CDR_EXPORT std::string_view nameOf(Antialias antialias);
 /// @throws base::InputError with a suggestion for an unknown name.
 CDR_EXPORT Antialias parseAntialias(std::string_view name);
 
-/// How light that is brighter than a picture can show comes into it.
+/// Tone mapping: what becomes of light that is brighter than a picture can show.
 enum class ToneMap : std::uint8_t {
     scene,   ///< as is usual for the scene: neutral under a sky or through air, else none
     none,    ///< it is cut off
@@ -54,11 +54,11 @@ struct Finish {
     bool operator==(const Finish&) const = default;
 };
 
-/// Ambient light that corners do not get (McGuire, Mara and Luebke 2012).
+/// Ambient occlusion: ambient light that corners do not get (McGuire, Mara and Luebke 2012).
 struct Occlusion {
     double radius = 0.0; ///< within which surfaces take each other's light, scene units; 0 for none
-    /// Computes it on each cascade's layer before layers are merged, as in the thesis' method 2, instead of
-    /// over the whole picture. Then surfaces in another cascade take no light. For targets with layers.
+    /// Computes it in the image of each cascade before these are merged, as in the thesis' method 2, instead of over the
+    /// whole picture. Then surfaces in another cascade take no light. For targets with layers.
     bool perLayer = false;
 
     bool operator==(const Occlusion&) const = default;

@@ -35,13 +35,13 @@ struct FrameTimes {
     std::optional<double> deviceMs{};
 };
 
-/// What occlusion culling came to.
+/// Counts of occlusion culling.
 struct OccluderStats {
     std::size_t draws = 0;  ///< of occluders, before the frame's own
     std::size_t hidden = 0; ///< instances in the frustum that were left out, since others hide them
 };
 
-/// What a frame came to.
+/// Statistics of a frame.
 struct FrameStats {
     std::size_t visible = 0;        ///< opaque instances in at least one cascade
     std::size_t draws = 0;          ///< with those that straddle a boundary counted once per cascade
@@ -50,10 +50,10 @@ struct FrameStats {
     TranslucencyStats translucency; ///< of the blended ones
     OccluderStats occluders;        ///< where there is occlusion culling
     ShadowStats shadows;            ///< where lights cast them
-    /// Metallic-roughness surfaces were drawn matt: ambient occlusion per layer takes their bits.
+    /// Metallic-roughness surfaces were drawn matt: ambient occlusion per cascade takes their bits.
     bool lostMetallicRoughness = false;
-    /// Surfaces emit light or have occlusion textures, and were drawn without: ambient occlusion per layer and a lens with a
-    /// focus know neither.
+    /// Surfaces emit light or have occlusion textures, and were drawn without. Ambient occlusion per cascade and a lens with
+    /// a focus support neither.
     bool lostEmission = false;
 };
 
@@ -72,10 +72,10 @@ struct JoinedView {
     std::int64_t firstColumn = 0;
 };
 
-/// What Renderer::render() copies to the host: the picture, or the G-buffer too, which is four times as large.
+/// What Renderer::render() copies to main memory: the picture, or the G-buffer too, which is four times as large.
 enum class FrameCopy : std::uint8_t { color, everything };
 
-/// One rendered frame on the host. Pixels run from the top left.
+/// One rendered frame in main memory. Pixels run from the top left.
 struct CDR_EXPORT Frame {
     scene::Camera camera;            ///< that looked, at all of it unless there are `views`
     std::vector<JoinedView> views{}; ///< of a joinedFrame(), from the left, of one width; else empty
@@ -93,7 +93,7 @@ struct CDR_EXPORT Frame {
     image::ImageRgba8 litMask;
     /// Translucent fragments at or in front of the opaque surface; empty unless they were counted.
     image::ImageU32 fragmentCounts;
-    FrameStats stats; ///< what the frame came to
+    FrameStats stats; ///< of this frame
 
     /// Pixels of a row.
     std::uint32_t width() const { return color.width; }

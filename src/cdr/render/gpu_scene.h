@@ -36,14 +36,14 @@ struct MeshRange;
 /// @lifetime References, spans and handles are valid until an update() that finds something to do, or the end of this.
 class CDR_EXPORT GpuScene {
   public:
-    /// Of a scene that stays as it is. Uploads and waits. The device and the scene must outlive this.
+    /// For a scene that does not change. Uploads and waits. The device and the scene must outlive this.
     /// @param threads that make the smaller levels of large textures, at most; 0: as many as there are processors. What is
     ///        uploaded is the same to the bit. None of them outlives the call, or that of update().
     /// @throws base::InputError as scene::requireUsable(), and for a texture larger than the device's images.
     /// @throws base::RunError with both figures when the device has too little memory.
     /// @throws std::system_error for Vulkan's other errors, a lost device among them.
     GpuScene(const gpu::Device& device, const scene::Scene& scene, std::size_t threads = 0);
-    /// Of a scene that changes. The device and the world must outlive this.
+    /// For a scene that changes. The device and the world must outlive this.
     /// @param threads as above.
     /// @errors base::InputError, base::RunError and std::system_error as above.
     GpuScene(const gpu::Device& device, const scene::World& world, std::size_t threads = 0);
@@ -55,9 +55,9 @@ class CDR_EXPORT GpuScene {
     /// As the constructor that moves.
     GpuScene& operator=(GpuScene&&) noexcept;
 
-    /// Follows the world's edits since the last call; renderers call it at the start of a frame. Instances take time by
-    /// the number that changed. What is uploaded, meshes, vertices and textures, waits for all that the queue was given
-    /// before. What changes or goes is kept until that is done.
+    /// Follows the world's edits since the last call; renderers call it at the start of a frame. Time is proportional to the
+    /// number of changed instances. What is uploaded, meshes, vertices and textures, waits for all that the queue was given
+    /// before. What is replaced or removed is kept until that is done.
     /// @errors base::InputError for a texture larger than the device's images: once it is gone, the next call follows.
     ///         base::RunError and std::system_error as the constructors.
     void update();
@@ -116,7 +116,7 @@ class CDR_EXPORT GpuScene {
     std::span<const std::uint32_t> blended() const;
     /// The instances that do not blend, as culling reads them: made at the first call, and as they are since the last
     /// update().
-    /// @threads Any number at once, of a scene that stays as it is.
+    /// @threads Any number at once, for a scene that does not change.
     const visibility::InstanceCells& cells(host::WorkerPool& workers) const;
     /// By instance.
     const std::vector<DrawSource>& sources() const;

@@ -24,10 +24,10 @@
 
 namespace cdr::render {
 
-/// What a world may come to hold, or what a scene without it is to be drawn as if it held. A first material that is
-/// metallic-roughness, blends or emits light has a renderer make its passes anew. The first draw of a kind of materials and
-/// meshes makes that kind's pipelines. So does each further light the first time that there are as many. What is said here is made at the start instead.
-/// What is metallic-roughness, blends or emits costs time in each frame.
+/// Kinds of content that a world may hold later. A renderer makes their passes and pipelines at the start. Without this, it
+/// makes its passes anew at the first material that is metallic-roughness, blends or emits light. It makes pipelines at the
+/// first draw of a kind of materials and meshes, and at each further number of lights. A scene without such content is drawn
+/// as if it had it. So metallic-roughness, blending and emission cost time in each frame.
 struct PrepareFor {
     bool metallicRoughness = false; ///< materials with scene::Material::metallicRoughness
     bool blended = false;           ///< materials of scene::AlphaMode::blend
@@ -55,9 +55,9 @@ struct RenderOptions {
     Submission submission = Submission::secondaries;   ///< how draws reach the device
     Batching batching = Batching::instanced;           ///< how many instances a draw has
     SurfacePath surface = SurfacePath::gbuffer;        ///< what the geometry pass writes
-    /// None unless told. Meshes without levels are drawn in full whatever it says.
+    /// None by default. Meshes without levels are always drawn in full.
     visibility::Detail detail{};
-    Effects effects{};                  ///< none unless told
+    Effects effects{};                  ///< none by default
     Focus focus{};                      ///< on, it needs targets `layers`, and effects without occlusion
     TranslucencyOptions translucency{}; ///< of blended surfaces
     LayerOptions layers{};              ///< how surfaces in layers are drawn
@@ -69,13 +69,13 @@ struct RenderOptions {
     /// same. Unless gpu-driven, it waits for the device within each frame, and cannot be recorded into a host's commands.
     /// Not with a focus. Scenes with layers are drawn whole.
     bool occlusionCulling = false;
-    Shadows shadows{}; ///< none unless told; not with a focus, levels of detail or a part of the cascades
+    Shadows shadows{}; ///< none by default; not with a focus, levels of detail or a part of the cascades
     std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight
     /// Works out motion: how far each pixel's surface is from where it was in the last frame (Surfaces::motion,
     /// HostFrame::motion, Frame::motion). Each object must move as one. Not with a focus.
     bool motion = false;
-    PrepareFor prepareFor{}; ///< nothing but what the scene holds unless told
-    /// Which cascades of each frame it draws; all unless told. What a frame counts is of all of them.
+    PrepareFor prepareFor{}; ///< by default only what the scene holds
+    /// Which cascades of each frame it draws, by default all. A frame's counts are those of all cascades.
     CascadePart part{};
     bool deviceClock = false; ///< times frames by the device's own clock too (FrameTimes::deviceMs)
     /// For tests: host::WorkerPool::setSchedule() with this number; empty: threads take jobs as they can.

@@ -40,7 +40,7 @@ struct FrameView;
 /// @lifetime The device and what is drawn must outlive the renderer, and stay where they are.
 class CDR_EXPORT Renderer {
   public:
-    /// Of a scene that stays as it is.
+    /// For a scene that does not change.
     /// @param gpuScene of `scene`
     /// @throws base::InputError for options that are out of range, do not go together or need more than the
     /// device has. Examples are no or too many pixels, and a depth format that the device lacks.
@@ -49,7 +49,7 @@ class CDR_EXPORT Renderer {
     /// @throws std::system_error for Vulkan's other errors, and when the system starts no more threads.
     Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
              const RenderOptions& options);
-    /// Of a world: each frame shows it as it is when the frame begins.
+    /// For a world: each frame shows its state when the frame begins.
     /// @errors base::InputError, base::RunError and std::system_error as above.
     Renderer(const gpu::Device& device, GpuScene& live, const RenderOptions& options);
     /// Waits for what is in flight, a recorded frame that the host has not submitted yet among them: dropRecorded().
@@ -57,11 +57,11 @@ class CDR_EXPORT Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Renders one frame, waits for it and copies it to the host; Frame::gbuffer stays empty unless asked
-    /// for. After an error the last frame is still the one before, and motion of the next one is since then, or none.
+    /// Renders one frame, waits for it and copies it to main memory; Frame::gbuffer stays empty unless asked for. After an
+    /// error the last frame is still the one before. Motion of the next frame is measured from that one, or there is none.
     /// @throws base::InputError for an unusable camera or split, and with RenderOptions::motion where instances of one
-    /// object moved apart since the last frame. Also with a visibility buffer where a world has come to hold what that
-    /// cannot show: once it is gone, frames are drawn again. So for what GpuScene::update() refuses.
+    /// object moved apart since the last frame. Also with a visibility buffer while a world holds what that cannot show;
+    /// frames are drawn again once it is removed. Also for what GpuScene::update() refuses.
     /// @throws base::RunError when what the frame draws has no room on the device.
     /// @throws std::system_error for Vulkan's other errors, a lost device among them.
     Frame render(const scene::Camera& camera, FrameCopy copy = FrameCopy::everything);
@@ -96,9 +96,9 @@ class CDR_EXPORT Renderer {
     /// @throws std::system_error as render().
     void record(const scene::Camera& camera, const HostFrame& frame);
     /// The host does not submit the frame that record() recorded last: its commands are reset. Nothing waits for that frame
-    /// then, and the next one shows all edits. It is as if the frame had gone by skip(), but surfaces() speaks of that frame until
-    /// there is another. Call it before anything else of this
-    /// renderer, its destructor too. Does nothing where the last frame was not recorded, or record() threw.
+    /// then, and the next one shows all edits. The effect is that of skip(), but surfaces() describes that frame until there
+    /// is another. Call it before anything else of this renderer, its destructor too. Does nothing where the last frame was
+    /// not recorded, or record() threw.
     /// @errors None.
     void dropRecorded();
     /// Waits for all that was submitted or recorded.
@@ -109,7 +109,7 @@ class CDR_EXPORT Renderer {
     /// @lifetime The images are valid until the next frame, or resize().
     Surfaces surfaces() const;
 
-    /// What the last frame came to, whichever call made it; nothing before the first, and after resize(). It does not wait. So
+    /// Statistics of the last frame, whichever call made it; empty before the first, and after resize(). It does not wait. So
     /// until finish() FrameTimes::deviceMs is empty, and numbers that the device counts are 0: with gpu-driven submission the
     /// draws, with sorted translucency its fragments. FrameTimes::executeMs is 0 of frames that were submitted or recorded.
     /// @errors None.

@@ -27,7 +27,7 @@ Surfaces Renderer::surfaces() const {
     }
     if (m_frames > 0) {
         const Slot& last = slotOf(m_frames - 1);
-        // As Picture::finish(), the passes that read the G-buffer and copies to the host leave them.
+        // As Picture::finish(), the passes that read the G-buffer and copies to main memory leave them.
         surfaces.color.layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
         if (surfaces.gbuffer.image != VK_NULL_HANDLE) {
             surfaces.gbuffer.layout = last.destination == Destination::host

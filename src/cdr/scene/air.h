@@ -14,8 +14,8 @@ struct AirPart {
 };
 
 /// Air around a planet. It takes light from what is seen through it, and adds sunlight that it scatters once. Both are worked
-/// out along each pixel's ray, so the same air is a sky from the ground and a rim from space. Values unless told are the Earth's in
-/// metres; heights are above its ellipsoid, within half a percent.
+/// out along each pixel's ray, so the same air is a sky from the ground and a rim from space. Default values are the Earth's
+/// in metres; heights are above its ellipsoid, within half a percent.
 struct Air {
     glm::dvec3 centre{0.0};          ///< of the planet, world space
     double radius = 6'378'137.0;     ///< of its equator, scene units, above 0

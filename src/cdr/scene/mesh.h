@@ -26,7 +26,7 @@ struct Vertex {
     glm::u8vec4 color{255};             ///< linear, multiplies the material's base colour
 };
 
-/// What textures beside the base colour's need of a corner.
+/// What textures need of a corner, except the base colour's.
 struct VertexDetail {
     /// Object space, unit length: where u grows; w is 1 or -1, and cross(normal, tangent) * w is the way up of a normal
     /// texture.
@@ -158,9 +158,10 @@ struct Material {
     AlphaMode alphaMode = AlphaMode::opaque;              ///< what alpha does
     float alphaCutoff = 0.5f;                             ///< with AlphaMode::mask: below it nothing is drawn
     /// Offset towards the camera, along the view distance, in scene units, finite; below 0 away from it. It decides
-    /// which of two surfaces at the same place is seen, and moves nothing else. See src/cdr/render/README.md, "Layers".
+    /// which of two surfaces at the same place is seen, and moves nothing else. See src/cdr/render/geometry/README.md,
+    /// "Layers".
     float layer = 0.0f;
-    MaterialDetail detail{}; ///< none unless told
+    MaterialDetail detail{}; ///< none by default
 
     bool operator==(const Material&) const = default;
 };

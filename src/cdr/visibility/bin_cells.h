@@ -18,7 +18,7 @@ class CellBinner {
     void bin(const VisibleCells& visible, const depth::Cascades& clipRanges, double wideSpan,
              host::WorkerPool& workers, DrawLists& lists);
 
-    std::uint64_t bytes() const; ///< of host memory
+    std::uint64_t bytes() const; ///< of main memory
 
   private:
     void binMany(const VisibleCells& visible, const LandingRanges& ranges, host::WorkerPool& workers,

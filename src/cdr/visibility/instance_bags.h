@@ -24,7 +24,7 @@ class InstanceBags {
     /// @param instances that the scene has.
     void drain(std::size_t bucket, std::size_t instances, std::uint32_t* out);
 
-    std::uint64_t bytes() const; ///< of host memory
+    std::uint64_t bytes() const; ///< of main memory
 
   private:
     std::vector<std::vector<std::uint32_t>> m_bags;

@@ -47,7 +47,7 @@ class InstanceCells {
     const std::uint32_t* instancesOf(std::size_t cell) const { return &m_instance[cell * kCellSlots]; }
     /// Lowest level first; the last has kFan nodes at most. None where nothing is held.
     const std::vector<std::vector<Box>>& levels() const { return m_levels; }
-    std::uint64_t bytes() const; ///< of host memory
+    std::uint64_t bytes() const; ///< of main memory
 
   private:
     /// The bounding spheres of a cell by slot, together in memory: a test of a cell, and a change in it, touch one place.

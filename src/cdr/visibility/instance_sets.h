@@ -32,7 +32,7 @@ class InstanceSets {
     /// Writes the instances of a range of words in ascending order, and empties it.
     void drain(std::size_t bucket, host::IndexRange words, std::uint32_t* out);
 
-    std::uint64_t bytes() const; ///< of host memory
+    std::uint64_t bytes() const; ///< of main memory
 
   private:
     std::vector<std::vector<std::uint64_t>> m_sets;

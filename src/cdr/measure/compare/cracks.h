@@ -8,8 +8,8 @@
 
 namespace cdr::measure {
 
-/// How many pixels around a pixel findCracks() looks, unless told otherwise. An error of half a pixel moves a
-/// silhouette by one pixel at the picture's corners, and rasterisation rounds by another.
+/// How many pixels around a pixel findCracks() looks by default. An error of half a pixel moves a silhouette by one pixel at
+/// the picture's corners, and rasterisation rounds by another.
 inline constexpr std::uint32_t kCrackReach = 2;
 
 /// What a picture shows in a pixel.

@@ -39,8 +39,7 @@ struct Interval {
 /// Fewer samples have no 95 % interval of their median: even from the smallest to the largest of n it is missed with 2^(1 - n).
 inline constexpr std::size_t kMinIntervalSamples = 6;
 
-/// How often bootstrapMedian() resamples unless told: its interval's ends then vary by a few percent of its
-/// width.
+/// How often bootstrapMedian() resamples by default: its interval's ends then vary by a few percent of its width.
 inline constexpr std::size_t kResamples = 2000;
 
 /// 95 % interval of the median by the percentile bootstrap (Efron 1979): the middle 95 % of the medians of

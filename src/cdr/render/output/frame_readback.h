@@ -9,7 +9,7 @@
 
 namespace cdr::render {
 
-/// Copies of a frame's images on the host.
+/// Copies of a frame's images in main memory.
 class FrameReadback {
   public:
     /// What is copied.
@@ -22,7 +22,7 @@ class FrameReadback {
 
     FrameReadback(const gpu::Device& device, vk::Extent2D extent, const RenderOptions& options);
 
-    /// Device bytes that it takes: none where copies on the host have memory of their own.
+    /// Device bytes that it takes: none where main memory is not the device's.
     static std::uint64_t predictBytes(const gpu::Device& device, vk::Extent2D extent,
                                       const RenderOptions& options);
 

@@ -9,13 +9,13 @@
 
 namespace cdr::render {
 
-/// A copy of a device image on the host, reused from frame to frame.
+/// A copy of a device image in main memory, reused from frame to frame.
 class Readback {
   public:
     Readback(const gpu::Device& device, vk::Extent2D extent, std::size_t bytesPerPixel,
              const std::string& name);
 
-    /// Device bytes that it takes: none where copies on the host have memory of their own.
+    /// Device bytes that it takes: none where main memory is not the device's.
     static std::uint64_t predictBytes(const gpu::Device& device, vk::Extent2D extent,
                                       std::size_t bytesPerPixel);
 

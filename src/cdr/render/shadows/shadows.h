@@ -32,7 +32,7 @@ CDR_EXPORT std::string_view nameOf(ShadowMethod method);
 /// @throws base::InputError with a suggestion for an unknown name.
 CDR_EXPORT ShadowMethod parseShadowMethod(std::string_view name);
 
-/// Shadows of opaque surfaces, in full detail, on opaque and on translucent surfaces.
+/// Shadows of opaque surfaces, without levels of detail, on opaque and on translucent surfaces.
 struct Shadows {
     ShadowMethod method = ShadowMethod::none; ///< how they are cast
     std::uint32_t maxTexels = 2048;           ///< of a side of a map, kMinShadowTexels to kMaxShadowTexels
@@ -49,7 +49,7 @@ inline constexpr std::uint32_t kMaxShadowTexels = 4096; ///< as above
 /// How many lights cast shadows, the first of a scene.
 inline constexpr std::size_t kMaxShadowLights = 4;
 
-/// What a frame's shadows came to.
+/// Counts of a frame's shadows.
 struct ShadowStats {
     std::size_t maps = 0;    ///< that were drawn
     std::size_t casters = 0; ///< draws into them

@@ -21,7 +21,7 @@ class FragmentCounter {
     vk::RenderingAttachmentInfo attachment() const;
     /// Lets a further scope follow one that ended.
     vk::ImageMemoryBarrier2 nextScope() const;
-    /// Copies the counts to the host; recordHostBarrier() must follow.
+    /// Copies the counts to main memory; recordHostBarrier() must follow.
     void recordReadback(vk::CommandBuffer primary) const;
     image::ImageU32 fetch() const;
 

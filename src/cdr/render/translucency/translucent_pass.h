@@ -57,7 +57,7 @@ class TranslucentPass {
     /// After the frame ran. False when its fragments found no room; draw it again.
     bool settle(Slot& slot, TranslucencyStats& stats);
 
-    /// Copies the counts to the host, if they are counted; the frame's last commands except for
+    /// Copies the counts to main memory, if they are counted; the frame's last commands except for
     /// recordHostBarrier().
     void recordReadback(vk::CommandBuffer primary) const;
     /// What they were; empty if they are not counted.

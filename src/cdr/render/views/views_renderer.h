@@ -23,13 +23,13 @@ class FrameSplit;
 /// @lifetime The device and what is drawn must outlive it, and stay where they are.
 class CDR_EXPORT ViewsRenderer {
   public:
-    /// Of a scene that stays as it is.
+    /// For a scene that does not change.
     /// @param views how many cameras look, 1 to kMaxViews
     /// @throws base::InputError for another number of views, or as Renderer.
     /// @throws base::RunError, std::system_error as Renderer.
     ViewsRenderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
                   const RenderOptions& options, std::size_t views);
-    /// Of a world: all views of a frame show it as it is when the frame begins.
+    /// For a world: all views of a frame show its state when the frame begins.
     /// @errors base::InputError, base::RunError and std::system_error as above.
     ViewsRenderer(const gpu::Device& device, GpuScene& live, const RenderOptions& options, std::size_t views);
     /// Waits for what is in flight.
@@ -37,7 +37,7 @@ class CDR_EXPORT ViewsRenderer {
     ViewsRenderer(const ViewsRenderer&) = delete;
     ViewsRenderer& operator=(const ViewsRenderer&) = delete;
 
-    /// Renders one frame of each camera, waits for all and copies them to the host.
+    /// Renders one frame of each camera, waits for all and copies them to main memory.
     /// @param cameras one for each view, with one lens
     /// @throws base::InputError for another number of cameras, for lenses that differ, or as Renderer::render().
     /// @throws base::RunError, std::system_error as Renderer::render(). Views whose draws were submitted before keep them.

@@ -8,8 +8,8 @@
 
 namespace cdr::scene {
 
-/// Names one thing in one World, or a copy that was made since, for as long as it is there. Its place in the scene's arrays is `index`; a later thing at
-/// the same place has another generation.
+/// Names one thing in one World for as long as it is there, or in a copy of that world that was made since. Its place in the
+/// scene's arrays is `index`. A later thing at the same place has another generation.
 template <typename Kind>
 struct Handle {
     std::uint32_t index = 0;      ///< of its place
@@ -40,14 +40,14 @@ enum class HandleFault : std::uint8_t {
     otherWorld, ///< it was given by another world
 };
 
-/// Says that nothing is at this place.
+/// Refuses a place that holds nothing.
 /// @throws base::InputError always.
 [[noreturn]] CDR_EXPORT void refusePlace(const char* kind, std::size_t index);
-/// Says that the handle names nothing that is there.
+/// Refuses a handle that names nothing that is there.
 /// @throws base::InputError always.
 [[noreturn]] CDR_EXPORT void refuseHandle(const char* kind, std::uint32_t index, std::uint32_t generation,
                                           HandleFault fault);
-/// Says that something uses it still.
+/// Refuses a removal, since something still uses the thing.
 /// @throws base::InputError always.
 [[noreturn]] CDR_EXPORT void refuseUsed(const char* kind, std::uint32_t index, std::uint32_t uses,
                                         const char* users);
