@@ -2,7 +2,7 @@
 # Fuzzes parsers of files and words with libFuzzer, under AddressSanitizer and UndefinedBehaviorSanitizer, as many at a time
 # as there are processors. What it finds stays in build/fuzz/corpus for the next time; an input that breaks a parser stays in
 # build/fuzz.
-# Usage: tools/fuzz.sh [SECONDS [PARSER...]]   60 seconds each and all parsers unless told
+# Usage: tools/fuzz.sh [SECONDS [PARSER...]]   by default 60 seconds each and all parsers
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

@@ -110,7 +110,7 @@ class Command {
 enum class RankUse : std::uint8_t {
     none,  ///< in one process alone
     first, ///< takes next to no time, so the first rank does it while the others wait
-    timed, ///< each takes its units, which are timed: on machines of their own, unless told to share one
+    timed, ///< each takes its units, which are timed: on machines of their own, except with --share-machine
     all    ///< each takes its units
 };
 

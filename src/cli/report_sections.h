@@ -17,7 +17,7 @@
 
 namespace cdr::cli {
 
-/// What one section came to.
+/// The result of one section.
 struct SectionOutcome {
     double seconds = 0.0;
     std::optional<std::string> failure; ///< what went wrong, if anything did

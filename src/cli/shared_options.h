@@ -39,7 +39,7 @@ struct GlobalOptions {
     bool shareMachine = false; ///< time though other ranks of the run keep the same machine busy
     bool bind = false;         ///< keep this rank's threads on its part of the machine's processors
     std::size_t hostCpus =
-        0; ///< what JSON says of the host where this process, as a rank, may be bound to fewer; else 0
+        0; ///< what JSON says of the machine where this process, as a rank, may be bound to fewer; else 0
     std::optional<std::uint64_t> textureMiB;        ///< as scene::GltfChoice has it
     std::optional<double> pointRadius;              ///< as scene::GltfChoice has it
     base::LengthUnit unit = base::LengthUnit::none; ///< of lengths in tables and sentences

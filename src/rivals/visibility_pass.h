@@ -7,7 +7,7 @@
 
 namespace cdr::rivals {
 
-/// What a frame shows, on the host.
+/// What a frame shows, in main memory.
 struct FramePixels {
     image::ImageU32 ids;                ///< object index + 1, 0 for background
     image::Raster<double> distanceView; ///< infinity for background
@@ -23,7 +23,7 @@ class VisibilityPass {
 
     /// A whole frame.
     virtual void record(vk::CommandBuffer commands, const FrameDraws& draws) = 0;
-    /// Copies what was found to the host, behind record().
+    /// Copies what was found to main memory, after record().
     virtual void recordReadback(vk::CommandBuffer commands) = 0;
     /// What was copied, once the device is done.
     virtual FramePixels fetch(const render::FrameView& view) const = 0;

@@ -25,7 +25,7 @@ TEST(TimestampSteps, CountAClockThatBeginsAnew) {
 
 class DeviceClockTest : public test::DeviceTest {};
 
-/// Filling so much memory takes some time, and not more than passed on the host.
+/// Filling so much memory takes some time, and not more than passed on the CPU.
 TEST_F(DeviceClockTest, TimesWhatIsSubmitted) {
     if (!DeviceClock::isThere(device())) {
         GTEST_SKIP() << device().info().name << " has no timestamps";

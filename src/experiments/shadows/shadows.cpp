@@ -35,7 +35,7 @@ std::vector<ShadowVariant> shadowVariants(const ShadowExperiment& experiment) {
     return variants;
 }
 
-/// Fills in what a frame came to.
+/// Fills in a frame's counts.
 /// @param result names the technique, the method, the frame and the light.
 ShadowResult compared(const render::Frame& frame, const measure::ShadowImage& truth, ShadowResult result) {
     const measure::RenderedLight light{frame.litMask, result.light};

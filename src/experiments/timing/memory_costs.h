@@ -26,8 +26,8 @@ struct MemoryOptions {
 };
 
 /// Instances of the timing scene, draws of the crowd, and pixels of each kind of targets. Measured is what a larger scene or
-/// picture takes over a smaller one. So what there is once does not count: on the device by its allocator, on the host by
-/// the C library's. 0 on the host where that does not tell. Host memory that the device reads counts as the device's.
+/// picture takes over a smaller one. So what there is once does not count: on the device by its allocator, in main memory by
+/// the C library's. 0 in main memory where that does not tell. Main memory that the device reads counts as the device's.
 std::vector<MemoryCost> measureMemory(const gpu::Device& device, const MemoryOptions& options);
 
 } // namespace cdr::experiments

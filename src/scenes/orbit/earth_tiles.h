@@ -27,7 +27,7 @@ struct TileDetail {
 /// The tree of tiles that a detail asks for.
 EarthQuadtree refineEarth(const EarthSurface& surface, const TileDetail& detail);
 
-/// A rectangle of latitude and longitude, degrees: the whole Earth unless told.
+/// A rectangle of latitude and longitude, degrees: by default the whole Earth.
 struct GeodeticFrame {
     double west = -180.0;
     double north = 90.0;

@@ -50,20 +50,20 @@ void addDriveOptions(CLI::App& program, DriveArguments& arguments) {
             ->check(options::numberFrom(1.0, kMaxSoakSeconds))
             ->excludes(script);
     options::addParsed(program, "--largest", arguments.largest, parseWindowSize,
-                       "WIDTHxHEIGHT of the largest window of a soak, 1920x1080 unless told")
+                       "WIDTHxHEIGHT of the largest window of a soak, by default 1920x1080")
         ->needs(soak);
     const auto generated = scenes::generatedScenes();
     program
         .add_option(
             "--soak-scenes", arguments.soakScenes,
-            "Generated scenes that a soak chooses from, with commas between; cubes,afc,rotation,mixed unless told")
+            "Generated scenes that a soak chooses from, with commas between; by default cubes,afc,rotation,mixed")
         ->delimiter(',')
         ->check(CLI::IsMember(std::vector<std::string>(generated.begin(), generated.end())))
         ->needs(soak);
     program
         .add_option(
             "--largest-growth", arguments.largestGrowth,
-            "Percent by which memory may grow in a soak, else it ends with status 1; 1 unless told, and any in a "
+            "Percent by which memory may grow in a soak, else it ends with status 1; by default 1, and any in a "
             "soak of less than a minute")
         ->check(options::numberFrom(-100.0, kMaxGrowth))
         ->needs(soak);

@@ -21,7 +21,7 @@ struct SoakStep {
     bool returnsHome = false; ///< the scene's own camera, before it is lost in space
 };
 
-/// Largest picture a soak asks for unless told: software renderers must keep up.
+/// Largest picture that a soak asks for by default: software renderers must keep up.
 inline constexpr PictureExtent kSoakLargest{1920, 1080};
 
 /// What a soak may choose from.

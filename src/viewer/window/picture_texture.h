@@ -11,7 +11,7 @@
 
 namespace cdr::viewer {
 
-/// A picture on the interface's device, replaced now and then by one from the host.
+/// A picture on the interface's device, replaced now and then by one from main memory.
 class PictureTexture {
   public:
     /// @param slots frames in flight.

@@ -36,7 +36,7 @@ TEST_F(SurfacesTest, AVisibilityBufferCountsInThePredictedBytes) {
               without + std::uint64_t{4} * options.width * options.height);
 }
 
-/// Copies on the host count where the device's memory is the host's.
+/// Copies in main memory count where the device's memory is main memory.
 TEST_F(SurfacesTest, ARendererTakesNoMoreThanPredicted) {
     scene::Scene scene = boxScene();
     addBox(scene, {0.0, 0.0, -10.0});
