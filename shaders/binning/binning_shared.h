@@ -34,6 +34,14 @@ struct InstanceLook {
     uint pad0;
 };
 
+// Both, of an instance that was grouped before and is other now.
+struct InstanceChange {
+    InstanceSphere sphere;
+    InstanceLook look;
+    uint instance;
+    uint pad0;
+};
+
 struct MaterialRecord {
     uint cutoffAndMetallicRoughness; // the words of a DrawRecord
     uint baseColorRg;
@@ -117,6 +125,7 @@ struct BinningResult {
 #ifdef __cplusplus
 static_assert(sizeof(InstanceSphere) == 32);
 static_assert(sizeof(InstanceLook) == 48);
+static_assert(sizeof(InstanceChange) == 88);
 static_assert(sizeof(MaterialRecord) == 16);
 static_assert(sizeof(KindRun) == 28); // tight in std430 too: all members are words
 static_assert(sizeof(CoarserLevel) == 12);

@@ -15,13 +15,14 @@ class Follower {
     Follower(const gpu::Device& device, const scene::World& world)
         : m_onDevice(device, world),
           m_binning(device, {.scene = world.scene(), .uploaded = m_onDevice}, visibility::DetailMode::none,
-                    {}) {}
+                    {}),
+          m_copies(m_binning.makeCopies()) {}
 
     std::size_t bytes() {
         m_onDevice.update();
         m_binning.follow(m_copies);
         m_binning.noteLaunched();
-        std::size_t bytes = 0;
+        std::size_t bytes = m_copies.scattered.count * sizeof(shaders::InstanceChange);
         for (const std::vector<vk::BufferCopy>& regions : m_copies.regions) {
             for (const vk::BufferCopy& region : regions) {
                 bytes += region.size;

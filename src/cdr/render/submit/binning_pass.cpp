@@ -69,18 +69,13 @@ shaders::InstanceLook lookOf(const DrawSource& source) {
     return look;
 }
 
-/// Covers ascending places.
-std::vector<host::IndexRange> rangesOf(std::span<const std::uint32_t> places) {
-    // What lies between two of them is copied along where that is less than another region.
-    constexpr std::uint32_t kMaxBetween = 8;
-    std::vector<host::IndexRange> ranges;
-    for (const std::uint32_t i : places) {
-        if (ranges.empty() || i > ranges.back().end + kMaxBetween) {
-            ranges.push_back({i, i});
-        }
-        ranges.back().end = i + 1;
-    }
-    return ranges;
+/// Until the scene's buffers are as they were written last, and nothing reads them.
+void awaitScene(vk::CommandBuffer commands, vk::PipelineStageFlags2 stages, vk::AccessFlags2 access) {
+    gpu::pipelineBarrier(commands, {},
+                         {{.srcStageMask = PipelineStage::eComputeShader | PipelineStage::eCopy,
+                           .srcAccessMask = Access::eTransferWrite | Access::eShaderStorageWrite,
+                           .dstStageMask = stages,
+                           .dstAccessMask = access}});
 }
 
 vk::MemoryBarrier2 barrier(vk::PipelineStageFlags2 stages, vk::AccessFlags2 access) {
@@ -112,7 +107,8 @@ BinningPass::BinningPass(const gpu::Device& device, const DrawnScene& drawn, vis
       m_count{makePipeline(kBinCountComp, "bin, count"), {}, {}},
       m_scan(makePipeline(kBinScanComp, "bin, scan")),
       m_fill(makePipeline(kBinFillComp, "bin, fill")),
-      m_commands(makePipeline(kBinCommandsComp, "bin, commands")) {
+      m_commands(makePipeline(kBinCommandsComp, "bin, commands")),
+      m_scatter(device) {
     if (occlusionLayout) {
         m_count[1] = makePipeline(kBinCountOccludersComp, "bin, count occluders");
         m_count[2] = makePipeline(kBinCountShownComp, "bin, count what is shown");
@@ -207,6 +203,7 @@ bool BinningPass::follow(Copies& copies) {
     for (std::vector<vk::BufferCopy>& regions : copies.regions) {
         regions.clear();
     }
+    copies.scattered.count = 0;
     const bool wasStaged =
         std::exchange(m_isStaged, true); // where this ends early, all is staged the next time
     std::vector<std::uint32_t> changed;
@@ -218,7 +215,7 @@ bool BinningPass::follow(Copies& copies) {
         groupAll();
     }
     const std::uint64_t tablesBefore = std::exchange(m_meshes, m_drawn.uploaded.meshesRevision());
-    if (provideBuffers() || !isGrouped || wasStaged) {
+    if (provideBuffers() || !isGrouped || wasStaged || changed.size() > m_scatter.most()) {
         copyAll(copies);
     } else {
         m_isStaged =
@@ -304,13 +301,6 @@ void BinningPass::copyAll(Copies& copies) const {
 bool BinningPass::copyChanges(const Changes& changes, Copies& copies) const {
     const Grouped& before = changes.before;
     Stager stager;
-    const std::vector<host::IndexRange> ranges = rangesOf(changes.instances);
-    for (const host::IndexRange& range : ranges) {
-        stager.add(kSpheres, range.begin, std::span(m_spheres).subspan(range.begin, range.size()));
-    }
-    for (const host::IndexRange& range : ranges) {
-        stager.add(kLooks, range.begin, std::span(m_looks).subspan(range.begin, range.size()));
-    }
     Tables all;
     if (changes.tables || before.instances < m_spheres.size()) {
         all = tables();
@@ -322,12 +312,15 @@ bool BinningPass::copyChanges(const Changes& changes, Copies& copies) const {
         stager.add(kMaterials, 0, all.materials);
         stager.add(kLevels, 0, all.levels);
     }
+    // A scene that stands still keeps no copy of itself.
     if (stager.isEmpty()) {
-        copies.staging = {}; // a scene that stands still keeps no copy of itself
-        return false;
+        copies.staging = {};
+    } else {
+        stager.write(m_device, copies.staging, copies.regions);
     }
-    stager.write(m_device, copies.staging, copies.regions);
-    return true;
+    m_scatter.stage({changes.instances, m_spheres, m_looks},
+                    {(*m_sceneBuffers)[kSpheres], (*m_sceneBuffers)[kLooks]}, copies.scattered);
+    return !stager.isEmpty() || !changes.instances.empty();
 }
 
 void BinningPass::bindScene(vk::DescriptorSet set, const SceneBuffers& buffers) const {
@@ -340,24 +333,22 @@ void BinningPass::bindScene(vk::DescriptorSet set, const SceneBuffers& buffers) 
 // Between frames before, which read the scene's buffers, and the passes after.
 void BinningPass::recordCopies(vk::CommandBuffer commands, const Copies& copies) const {
     const auto isEmpty = [](const std::vector<vk::BufferCopy>& regions) { return regions.empty(); };
-    if (std::all_of(copies.regions.begin(), copies.regions.end(), isEmpty)) {
+    if (!std::all_of(copies.regions.begin(), copies.regions.end(), isEmpty)) {
+        awaitScene(commands, PipelineStage::eCopy, Access::eTransferWrite);
+        for (std::size_t i = 0; i < copies.regions.size(); ++i) {
+            if (!copies.regions[i].empty()) {
+                commands.copyBuffer(copies.staging.handle(), (*copies.buffers)[i].handle(),
+                                    copies.regions[i]);
+            }
+        }
+    } else if (copies.scattered.count == 0) {
         return;
     }
-    gpu::pipelineBarrier(commands, {},
-                         {{.srcStageMask = PipelineStage::eComputeShader | PipelineStage::eCopy,
-                           .srcAccessMask = Access::eTransferWrite,
-                           .dstStageMask = PipelineStage::eCopy,
-                           .dstAccessMask = Access::eTransferWrite}});
-    for (std::size_t i = 0; i < copies.regions.size(); ++i) {
-        if (!copies.regions[i].empty()) {
-            commands.copyBuffer(copies.staging.handle(), (*copies.buffers)[i].handle(), copies.regions[i]);
-        }
+    if (copies.scattered.count > 0) {
+        awaitScene(commands, PipelineStage::eComputeShader, Access::eShaderStorageWrite);
+        m_scatter.record(commands, copies.scattered);
     }
-    gpu::pipelineBarrier(commands, {},
-                         {{.srcStageMask = PipelineStage::eCopy,
-                           .srcAccessMask = Access::eTransferWrite,
-                           .dstStageMask = PipelineStage::eComputeShader,
-                           .dstAccessMask = Access::eShaderStorageRead}});
+    awaitScene(commands, PipelineStage::eComputeShader, Access::eShaderStorageRead);
 }
 
 std::uint64_t BinningPass::blocks() const {

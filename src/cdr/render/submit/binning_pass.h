@@ -4,6 +4,7 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/drawn_scene.h>
 #include <cdr/render/submit/draw_path.h>
+#include <cdr/render/submit/instance_scatter.h>
 #include <cdr/shaders/binning_shared.h>
 #include <cdr/visibility/level_choice.h>
 
@@ -16,7 +17,8 @@
 namespace cdr::render {
 
 /// A scene's instances on the device, and the compute passes that cull and bin them (shaders/binning.glsl). What changed
-/// in the scene reaches them by copies at the start of a frame's commands. So no frame in flight is waited for.
+/// in the scene reaches them at the start of a frame's commands, by copies and an InstanceScatter. So no frame in flight is
+/// waited for.
 class BinningPass {
   public:
     /// Storage buffers of the set; the first is the view, the next kSceneBuffers are the scene's.
@@ -43,7 +45,11 @@ class BinningPass {
         gpu::Buffer staging;
         std::array<std::vector<vk::BufferCopy>, kSceneBuffers> regions;
         std::shared_ptr<const SceneBuffers> buffers; ///< that the slot's set is to name
+        InstanceScatter::Slot scattered;
     };
+    Copies makeCopies() const {
+        return {.staging = {}, .regions = {}, .buffers = {}, .scattered = m_scatter.makeSlot()};
+    }
     /// Stages what changed in the scene since the last frame; base::RunError as the constructor. The last frame that
     /// used `copies` must have finished.
     /// @return whether Copies::buffers are others than before.
@@ -117,6 +123,7 @@ class BinningPass {
     gpu::Pipeline m_scan;
     gpu::Pipeline m_fill;
     gpu::Pipeline m_commands;
+    InstanceScatter m_scatter;
 };
 
 } // namespace cdr::render

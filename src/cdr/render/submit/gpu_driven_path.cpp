@@ -12,7 +12,8 @@ GpuDrivenPath::GpuDrivenPath(const gpu::Device& device, BinningPass& binning, co
       m_pass(pass),
       m_occlusion(occlusion),
       m_pool(device, vk::CommandBufferLevel::ePrimary, name),
-      m_lists(device, binning) {
+      m_lists(device, binning),
+      m_copies(binning.makeCopies()) {
     if (occlusion != nullptr) {
         m_first.emplace(device, binning);
         m_occlusionSlot = occlusion->makeSlot();

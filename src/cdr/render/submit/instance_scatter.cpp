@@ -1,0 +1,75 @@
+#include <cdr/render/submit/instance_scatter.h>
+#include <cdr/shaders/scatter_comp.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace cdr::render {
+
+namespace {
+
+constexpr auto kChangesType = vk::DescriptorType::eStorageBuffer;
+constexpr std::uint32_t kChangesBindings = 3;
+/// Invocations a workgroup of scatter.comp, and the groups that every device runs.
+constexpr std::uint32_t kChangesPerGroup = 256;
+constexpr std::size_t kMostGroups = 65'535;
+
+} // namespace
+
+InstanceScatter::InstanceScatter(const gpu::Device& device)
+    : m_device(device),
+      m_setLayout(gpu::makeSetLayout(
+          device, {std::vector(kChangesBindings, kChangesType), vk::ShaderStageFlagBits::eCompute},
+          "scatter set")),
+      m_layout(gpu::makePipelineLayout(
+          device,
+          {{m_setLayout}, {{.stageFlags = vk::ShaderStageFlagBits::eCompute, .size = sizeof(std::uint32_t)}}},
+          "scatter layout")),
+      m_pipeline(gpu::makeComputePipeline(device, {"scatter", gpu::Spirv(kScatterComp), m_layout})) {}
+
+InstanceScatter::Slot InstanceScatter::makeSlot() const {
+    Slot slot{.pool = gpu::makeDescriptorPool(m_device, 1, kChangesBindings, {kChangesType}),
+              .set = {},
+              .changes = {}};
+    slot.set = gpu::allocateSet(m_device, *slot.pool, *m_setLayout);
+    return slot;
+}
+
+std::size_t InstanceScatter::most() const {
+    return std::min<std::size_t>(m_device.info().maxStorageBufferBytes / sizeof(shaders::InstanceChange),
+                                 kMostGroups * kChangesPerGroup);
+}
+
+void InstanceScatter::stage(const Changes& changes, const Buffers& buffers, Slot& slot) const {
+    slot.count = static_cast<std::uint32_t>(changes.instances.size());
+    if (slot.count == 0) {
+        slot.changes = {}; // a scene that stands still keeps no copy of itself
+        return;
+    }
+    const std::size_t bytes = slot.count * sizeof(shaders::InstanceChange);
+    if (slot.changes.size() < bytes) {
+        gpu::requireDeviceBytes(m_device, bytes, "changes of a gpu-driven scene");
+        const std::size_t room =
+            std::min<std::size_t>(slot.count + slot.count / 2, most()) * sizeof(shaders::InstanceChange);
+        slot.changes = gpu::Buffer(m_device, room, vk::BufferUsageFlagBits::eStorageBuffer,
+                                   gpu::MemoryUse::hostWrites, "changed instances");
+    }
+    const std::span staged = slot.changes.as<shaders::InstanceChange>(slot.count);
+    for (std::size_t i = 0; i < staged.size(); ++i) {
+        const std::uint32_t instance = changes.instances[i];
+        staged[i] = {changes.spheres[instance], changes.looks[instance], instance, 0};
+    }
+    slot.changes.flush();
+    gpu::writeBufferBinding(m_device, slot.set, 0, kChangesType, slot.changes.handle());
+    gpu::writeBufferBinding(m_device, slot.set, 1, kChangesType, buffers.spheres.handle());
+    gpu::writeBufferBinding(m_device, slot.set, 2, kChangesType, buffers.looks.handle());
+}
+
+void InstanceScatter::record(vk::CommandBuffer commands, const Slot& slot) const {
+    commands.bindPipeline(vk::PipelineBindPoint::eCompute, *m_pipeline);
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *m_layout, 0, slot.set, {});
+    commands.pushConstants<std::uint32_t>(*m_layout, vk::ShaderStageFlagBits::eCompute, 0, slot.count);
+    commands.dispatch((slot.count + kChangesPerGroup - 1) / kChangesPerGroup, 1, 1);
+}
+
+} // namespace cdr::render
