@@ -207,7 +207,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"timing --frames 0", "frames"}, BadInput{"timing --size 0x5", "size must be"},
         BadInput{"timing --threads 0", "threads"}, BadInput{"timing --modes cdr-22", "did you mean 'cdr-2'"},
         BadInput{"timing --plot p.pdf", "unknown plot format"},
-        BadInput{"timing --against nosuch", "nosuch is not installed"},
+        BadInput{"timing --frames 1 --size 16x16 --modes log --against nosuch", "nosuch is not installed"},
         BadInput{"timing --against true --stages", "--stages"},
         BadInput{"timing --against true --rounds 0", "--rounds"}, BadInput{"timing --rounds 3", "--against"},
         BadInput{"timing --memory --stages", "--stages"},
