@@ -43,7 +43,7 @@ check_all() {
     CDR_ALL_CASES=1 build/release/bin/test_cli --gtest_brief=1 \
         --gtest_filter='*FaultSweep*:*FileFaults*:*NumericOptions*:Signals*:*Killed*'
     CDR_ALL_CASES=1 build/release/bin/test_render --gtest_brief=1 \
-        --gtest_filter='WorldTest.*:WorldSoakTest.*:SharedPipelinesTest.*:OcclusionCullingTest.*'
+        --gtest_filter='WorldTest.*:WorldSoakTest.*:SharedPipelinesTest.*:OcclusionCullingTest.*:ViewsTest.*:ShadowsTest.*'
     CDR_ALL_CASES=1 build/release/bin/test_depth --gtest_brief=1 --gtest_filter='WholeRange.*'
     CDR_ALL_CASES=1 build/release/bin/test_measure --gtest_brief=1 --gtest_filter='Certifier.*'
     CDR_ALL_CASES=1 ctest --preset release --tests-regex '^(Documents|Package|PackageAdded|Fuzz[.].*)$'

@@ -45,11 +45,6 @@ std::vector<render::RenderOptions> optionsOfAllPasses() {
     return all;
 }
 
-/// One submission, another at each turn. CDR_ALL_CASES takes all of them at each.
-std::vector<render::Submission> sample(const std::vector<render::Submission>& all, std::size_t turn) {
-    return test::takesAllCases() ? all : std::vector{all[turn % all.size()]};
-}
-
 /// A scene that blends, with and without detail, and shines, as far as the surfaces are kept in a G-buffer.
 scene::Scene withGlass(scene::Scene scene) {
     const scene::Material glass{.name = "glass",
@@ -76,7 +71,7 @@ TEST_F(SharedPipelinesTest, ResizingMakesNoPipelines) {
         const bool hasFacets = options.surface == render::SurfacePath::visibility;
         const scene::Scene scene = hasFacets ? setup.scene : withGlass(setup.scene);
         const render::GpuScene gpuScene(device(), scene);
-        for (const render::Submission submission : sample(submissions(), turn++)) {
+        for (const render::Submission submission : test::sampleOf(submissions(), turn++)) {
             if (submission == render::Submission::gpuDriven && hasFacets) {
                 continue;
             }
@@ -194,8 +189,11 @@ TEST_F(SharedPipelinesTest, ARendererThatIsPreparedForMaterialsMakesNone) {
     for (scene::Vertex& vertex : round.vertices) {
         vertex.normal = glm::normalize(vertex.position);
     }
+    const std::vector<render::Translucency> methods(render::kTranslucencies.begin(),
+                                                    render::kTranslucencies.end());
+    std::size_t turn = 0;
     for (const render::Submission submission : submissions()) {
-        for (const render::Translucency method : render::kTranslucencies) {
+        for (const render::Translucency method : test::sampleOf(methods, turn++)) {
             scene::World world(scene);
             render::GpuScene onDevice(device(), world);
             render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));

@@ -218,7 +218,7 @@ std::string describe(const render::RenderOptions& options) {
 
 /// The same rule for renderers of random options, seen from changing places. CDR_ALL_CASES takes more seeds.
 TEST_F(WorldTest, RenderersOfAnyOptionsShowAnyEdits) {
-    const std::uint64_t seeds = test::takesAllCases() ? 40 : 3;
+    const std::uint64_t seeds = test::takesAllCases() ? 40 : 2;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         std::mt19937_64 random(seed);
         World world;
@@ -271,7 +271,7 @@ TEST_F(WorldTest, EachEditIsShownAtOnce) {
         renderers.push_back(std::make_unique<render::Renderer>(
             device(), onDevice, optionsFor("anchored", submission, TargetsKind::single, 2, 2)));
     }
-    const std::size_t edits = test::takesAllCases() ? 150 : 80;
+    const std::size_t edits = test::takesAllCases() ? 150 : 50;
     for (std::size_t edit = 0; edit < edits; ++edit) {
         editor.editEvenly();
         const std::string wanted =
