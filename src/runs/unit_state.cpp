@@ -7,7 +7,7 @@
 #include <program/sha256.h>
 
 #include <algorithm>
-#include <cerrno>
+#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -109,8 +109,7 @@ UnitStateFile::UnitStateFile(std::filesystem::path path, UnitRun run)
     const host::Bytes bytes = host::readFile(m_path, kMaxStateBytes);
     m_state =
         readUnitState({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, m_run, m_path.string());
-    m_file.open(m_path, std::ios::binary | std::ios::app);
-    if (!m_file) {
+    if (!std::ofstream(m_path, std::ios::binary | std::ios::app)) {
         throw base::InputError(m_path.string() + ": cannot be written");
     }
 }
@@ -119,19 +118,12 @@ void UnitStateFile::keep(std::size_t unit, const output::Json& result) {
     if (!std::exchange(m_hasBegun, true)) {
         begin();
     }
-    errno = 0;
-    m_file << stateLineOf(unit, result) << std::flush;
-    if (!m_file) {
-        throw base::RunError(
-            fmt::format("{}: write failed: {}", m_path.string(), std::generic_category().message(errno)));
-    }
+    host::appendText(m_path, stateLineOf(unit, result));
 }
 
 void UnitStateFile::begin() {
     if (m_state.bytes == 0) {
-        m_file.close();
         host::writeText(m_path, stateHeadOf(m_run)); // whole, so that a head is never cut off
-        m_file.open(m_path, std::ios::binary | std::ios::app);
         return;
     }
     std::error_code error;

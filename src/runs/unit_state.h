@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <string>
 #include <string_view>
@@ -52,7 +51,6 @@ class UnitStateFile {
     std::filesystem::path m_path;
     UnitRun m_run;
     UnitState m_state;
-    std::ofstream m_file;
     bool m_hasBegun = false; ///< to write
 };
 

@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cdr::cli_test {
@@ -58,7 +60,7 @@ class FaultSweep : public testing::TestWithParam<Swept> {
         std::filesystem::remove(log);
         return run;
     }
-    static void expectEnded(const Failing& failing, const Run& sound);
+    static void expectEnded(const Failing& failing, const Failing& sound);
 };
 
 /// No hidden file, pictures that can be read, and documents that parse.
@@ -91,12 +93,23 @@ bool isLack(const std::string& line) {
     return line.find("it lacks") != std::string::npos || line.find("tools/setup.sh") != std::string::npos;
 }
 
+/// Names of files, and the bytes of pictures that show no times.
+std::map<std::string, std::string> picturesIn(const TemporaryFolder& folder) {
+    std::map<std::string, std::string> pictures = filesIn(folder.path());
+    for (auto& [name, bytes] : pictures) {
+        const bool isPicture = name.ends_with(".png") || name.ends_with(".exr");
+        bytes = isPicture ? std::move(bytes) : "";
+    }
+    return pictures;
+}
+
 /// One line and status 1, or all as without the failure.
-void FaultSweep::expectEnded(const Failing& failing, const Run& sound) {
+void FaultSweep::expectEnded(const Failing& failing, const Failing& sound) {
     const ProgramResult& result = failing.run.result;
     expectWhole(*failing.folder);
     if (result.status == 0) {
-        EXPECT_EQ(result.err, sound.result.err);
+        EXPECT_EQ(result.err, sound.run.result.err);
+        EXPECT_TRUE(picturesIn(*failing.folder) == picturesIn(*sound.folder)) << "other pictures";
         return;
     }
     EXPECT_EQ(result.status, 1);
@@ -118,8 +131,9 @@ TEST_P(FaultSweep, EveryCallMayFail) {
             continue;
         }
         const long error = kErrors.at(kind);
-        const TemporaryFolder whole;
-        const Run sound = runUnder({.call = "each", .after = test::kForever, .result = error}, whole);
+        Failing whole;
+        whole.run = runUnder({.call = "each", .after = test::kForever, .result = error}, *whole.folder);
+        const Run& sound = whole.run;
         if (sound.result.status == 2 && isLack(sound.result.err)) {
             GTEST_SKIP() << sound.result.err;
         }
@@ -139,7 +153,7 @@ TEST_P(FaultSweep, EveryCallMayFail) {
                 SCOPED_TRACE(testing::Message()
                              << GetParam().command << ": call " << chosen[first + i] << " of " << sound.calls
                              << ", " << failing[i].run.failed << ", " << error);
-                expectEnded(failing[i], sound);
+                expectEnded(failing[i], whole);
             }
             cases += failing.size();
         }

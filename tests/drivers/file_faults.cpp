@@ -1,8 +1,11 @@
 // A library that makes one call on files fail, to be put before the system's with LD_PRELOAD.
 //
 // The environment variable CDR_FILE_FAULT chooses it: "AFTER ERROR", for instance "5 28". Calls are counted that open a file
-// to write, write into one, rename one or make a folder. Only those in the folder that the process starts in count. The call
-// after the first AFTER fails with ERROR, an errno.
+// to write, write into one, close one, rename one or make a folder. Only those in the folder that the process starts in count.
+// The call after the first AFTER fails with ERROR, an errno. A file whose close fails is closed, and
+// as it was when it was opened: what was written did not reach the disk.
+//
+// The environment variable CDR_FILE_FAULT_LOG names a file. When the process ends, the number of calls is added to it, a line.
 //
 // Where CDR_AFFINITY_FAULT is set, no process is bound to CPUs any more.
 
@@ -40,6 +43,17 @@ class FileFault {
             m_folder[0] = '\0';
         }
     }
+    ~FileFault() {
+        const char* log = std::getenv("CDR_FILE_FAULT_LOG");
+        if (log == nullptr || m_folder[0] == '\0') {
+            return;
+        }
+        std::FILE* file = next<std::FILE* (*)(const char*, const char*)>("fopen")(log, "a");
+        if (file != nullptr) {
+            std::fprintf(file, "%ld\n", m_calls.load());
+            next<int (*)(std::FILE*)>("fclose")(file);
+        }
+    }
     FileFault(const FileFault&) = delete;
     FileFault& operator=(const FileFault&) = delete;
 
@@ -47,12 +61,22 @@ class FileFault {
     bool hits(const char* path) { return isInside(path) && hits(); }
     bool hits(int descriptor) { return isOurs(descriptor) && hits(); }
 
-    /// Remembers what was opened to write.
+    /// Remembers what was opened to write, and how long it was.
     int opened(const char* path, int descriptor) {
         if (descriptor >= 0 && descriptor < kDescriptors) {
-            m_ours[static_cast<std::size_t>(descriptor)] = isInside(path);
+            struct stat status {};
+            const bool isKnown = isInside(path) && ::fstat(descriptor, &status) == 0;
+            m_ours[static_cast<std::size_t>(descriptor)] = isKnown;
+            m_sizes[static_cast<std::size_t>(descriptor)] = status.st_size;
         }
         return descriptor;
+    }
+
+    /// What was written since did not reach the disk.
+    void loseBytes(int descriptor) {
+        if (::ftruncate(descriptor, m_sizes[static_cast<std::size_t>(descriptor)]) != 0) {
+            std::abort();
+        }
     }
 
   private:
@@ -75,6 +99,7 @@ class FileFault {
 
     std::array<char, PATH_MAX> m_folder{};
     std::array<std::atomic<bool>, kDescriptors> m_ours{};
+    std::array<std::atomic<off_t>, kDescriptors> m_sizes{};
     long m_after = 0;
     int m_error = 0;
     std::atomic<long> m_calls{0};
@@ -153,8 +178,29 @@ CDR_EXPORT ssize_t writev(int descriptor, const iovec* parts, int count) {
 }
 
 CDR_EXPORT int close(int descriptor) {
+    const bool isHit = fileFault().hits(descriptor);
+    const int error = errno;
+    if (isHit) {
+        fileFault().loseBytes(descriptor);
+    }
     fileFault().opened("/", descriptor); // the number may come again
-    return next<int (*)(int)>("close")(descriptor);
+    const int closed = next<int (*)(int)>("close")(descriptor);
+    errno = isHit ? error : errno;
+    return isHit ? -1 : closed;
+}
+
+CDR_EXPORT int fclose(std::FILE* file) {
+    const int descriptor = ::fileno(file);
+    const bool isHit = fileFault().hits(descriptor);
+    const int error = errno;
+    std::fflush(file);
+    if (isHit) {
+        fileFault().loseBytes(descriptor);
+    }
+    fileFault().opened("/", descriptor);
+    const int closed = next<int (*)(std::FILE*)>("fclose")(file);
+    errno = isHit ? error : errno;
+    return isHit ? EOF : closed;
 }
 
 CDR_EXPORT int rename(const char* from, const char* to) noexcept {

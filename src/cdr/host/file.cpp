@@ -115,25 +115,40 @@ int writeAll(int descriptor, std::span<const std::uint8_t> bytes) {
     throw base::RunError(oneLine(path) + ": cannot be written: " + std::generic_category().message(error));
 }
 
-/// An existing file that is open for writing, and closed with its owner.
+/// An existing file that is open for writing.
 class OutputFile {
   public:
-    explicit OutputFile(const fs::path& path)
-        : m_descriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC)),
+    /// @param append of open(): O_APPEND or nothing.
+    explicit OutputFile(const fs::path& path, int append = 0)
+        : m_descriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC | append)),
           m_error(m_descriptor < 0 ? errno : 0) {}
-    ~OutputFile() { ::close(m_descriptor); }
+    ~OutputFile() {
+        if (m_descriptor >= 0) {
+            ::close(m_descriptor);
+        }
+    }
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
-    /// The error number, 0 when all bytes were written.
-    int write(std::span<const std::uint8_t> bytes) const {
-        return m_error != 0 ? m_error : writeAll(m_descriptor, bytes);
+    /// Writes and closes; the error number, 0 when all bytes were written. Some file systems tell of a full disk by close().
+    int write(std::span<const std::uint8_t> bytes) {
+        if (m_error == 0) {
+            m_error = writeAll(m_descriptor, bytes);
+        }
+        if (m_error == 0 && ::close(std::exchange(m_descriptor, -1)) != 0 && errno != EINTR) {
+            m_error = errno;
+        }
+        return m_error;
     }
 
   private:
     int m_descriptor;
     int m_error;
 };
+
+std::span<const std::uint8_t> bytesOf(std::string_view text) {
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
 
 /// Whether the descriptor is open for writing.
 bool isWritable(int descriptor) {
@@ -227,7 +242,13 @@ void writeFile(const fs::path& path, std::span<const std::uint8_t> bytes) {
 }
 
 void writeText(const fs::path& path, std::string_view text) {
-    writeFile(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    writeFile(path, bytesOf(text));
+}
+
+void appendText(const fs::path& path, std::string_view text) {
+    if (const int error = OutputFile(path, O_APPEND).write(bytesOf(text)); error != 0) {
+        throwWriteFailed(path, error);
+    }
 }
 
 void requireWritable(const fs::path& path) {

@@ -64,6 +64,9 @@ void writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> 
 /// writeFile() of a text.
 void writeText(const std::filesystem::path& path, std::string_view text);
 
+/// Adds a text to the end of a file that exists, in its place. RunError when it cannot all be written.
+void appendText(const std::filesystem::path& path, std::string_view text);
+
 /// Throws as PendingFile unless `path` can be written. Changes nothing; call it before long work.
 void requireWritable(const std::filesystem::path& path);
 
