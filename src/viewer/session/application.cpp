@@ -105,6 +105,24 @@ double Application::secondsOfUpdate() {
     return m_driver != nullptr ? Driver::kStepSeconds : seconds;
 }
 
+InputOwner Application::handleKey(const KeyInput& key) {
+    InterfaceModel& interface = m_model.interface;
+    if (sidebarWidth() <= 0.0f) {
+        interface.panelKeys.reset(); // the window has become too narrow for them
+    }
+    if (m_interface.wantsKeys() || (interface.panelKeys && !isForEveryPlace(key))) {
+        return InputOwner::interface;
+    }
+    const bool wasWanted = interface.showsPanel;
+    applyShortcut(key, m_model);
+    const bool isAskedFor = interface.panelKeys || (interface.showsPanel && !wasWanted);
+    if (isAskedFor && sidebarWidth() <= 0.0f) {
+        interface.panelKeys.reset();
+        interface.sayProblem("the window is too narrow for the panels");
+    }
+    return ownerIf(!interface.panelKeys);
+}
+
 void Application::handleInput() {
     const PictureArea area = pictureArea();
     for (const InputEvent& event : m_window.takeEvents()) {
@@ -113,12 +131,7 @@ void Application::handleInput() {
         if (const auto* drop = std::get_if<DropInput>(&event)) {
             dropFiles(*drop);
         } else if (const auto* key = std::get_if<KeyInput>(&event)) {
-            const bool isTyped =
-                m_interface.wantsKeys() || (m_model.interface.panelKeys && !isForEveryPlace(*key));
-            if (!isTyped) {
-                applyShortcut(*key, m_model);
-            }
-            m_control.handle(event, area, ownerIf(!isTyped && !m_model.interface.panelKeys), m_model);
+            m_control.handle(event, area, handleKey(*key), m_model);
         } else {
             if (pointer == InputOwner::picture && std::holds_alternative<ButtonInput>(event) &&
                 area.contains(m_control.cursor())) {

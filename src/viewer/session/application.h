@@ -46,6 +46,8 @@ class Application {
     void stepDriver();
     double secondsOfUpdate();
     void handleInput();
+    /// @return who has the key. Panels that do not fit beside the picture get none.
+    InputOwner handleKey(const KeyInput& key);
     /// An action that fails, such as writing into a folder, shows a message and has no other effect.
     void perform(Action action);
     void tryPerform(Action action);

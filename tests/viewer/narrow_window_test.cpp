@@ -1,0 +1,32 @@
+#include "viewer_run.h"
+
+#include <gtest/gtest.h>
+
+namespace cdr::viewer_test {
+
+namespace {
+
+/// F2 to F6 show nothing where the panels have no room, so they take no keys either.
+TEST_F(ViewerTest, PanelsWithoutRoomTakeNoKeys) {
+    const RunResult run = play("--size 480x300 --technique anchored cubes",
+                               "wait-frame\nkey F3\nwait-ui 2\nstate\nkey C\nwait-ui 2\nstate\n"
+                               "key tab\nkey X\nwait-ui 2\nkey tab\nwait-ui 2\nstate\nquit\n");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 3u);
+    EXPECT_EQ(valueOf(states[0], "notice"), "the window is too narrow for the panels");
+    EXPECT_NE(states[1].find("second=anchored"), std::string::npos) << states[1];
+    EXPECT_EQ(valueOf(states[2], "notice"), "the window is too narrow for the panels");
+}
+
+/// A window that becomes too narrow while a panel has the keys.
+TEST_F(ViewerTest, PanelsThatLoseTheirRoomGiveTheKeysBack) {
+    const RunResult run = play("--size 560x300 --technique anchored cubes",
+                               "wait-frame\nkey F3\nwait-ui 2\nresize 480 300\nwait-state size=480x300\n"
+                               "wait-frame\nkey V\nwait-ui 2\nwait-frame\nstate\nquit\n");
+    ASSERT_EQ(run.lines("scene=").size(), 1u);
+    EXPECT_EQ(valueOf(run.lines("scene=")[0], "view"), "cascades");
+}
+
+} // namespace
+
+} // namespace cdr::viewer_test
