@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -44,19 +45,23 @@ float gap() {
     return ImGui::GetFontSize() * 0.6f;
 }
 
-/// Lines on a dark plate, `left` or `right` of x, never wider than `most`.
-void plate(const Canvas& canvas, ImVec2 at, bool growsLeft, float most, const std::string& title,
+/// To which side of a place a plate grows.
+enum class PlateSide : std::uint8_t { left, right };
+
+/// Lines on a dark plate, left or right of `at`, never wider than `most`.
+void plate(const Canvas& canvas, ImVec2 at, PlateSide side, float most, const std::string& title,
            const std::string& text) {
     const float inner = gap() * 0.8f;
     const float wrap = std::max(most - 2.0f * inner, ImGui::GetFontSize());
-    const ImVec2 titleSize = ImGui::CalcTextSize(title.c_str());
+    const ImVec2 titleSize = ImGui::CalcTextSize(title.c_str(), nullptr, false, wrap);
     const ImVec2 textSize =
         text.empty() ? ImVec2(0.0f, 0.0f) : ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
     const ImVec2 size{std::min(std::max(titleSize.x, textSize.x), wrap) + 2.0f * inner,
                       titleSize.y + (text.empty() ? 0.0f : textSize.y + 2.0f) + 1.6f * inner};
-    const ImVec2 low{growsLeft ? at.x - size.x : at.x, at.y};
+    const ImVec2 low{side == PlateSide::left ? at.x - size.x : at.x, at.y};
     canvas.draw.AddRectFilled(low, {low.x + size.x, low.y + size.y}, kPaper, 5.0f);
-    canvas.draw.AddText({low.x + inner, low.y + 0.8f * inner}, kInk, title.c_str());
+    canvas.draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + inner, low.y + 0.8f * inner}, kInk,
+                        title.c_str(), nullptr, wrap);
     if (!text.empty()) {
         canvas.draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(),
                             {low.x + inner, low.y + 0.8f * inner + titleSize.y + 2.0f}, kQuietInk,
@@ -90,13 +95,13 @@ void drawLabel(const Canvas& canvas, const PictureModel& picture, base::LengthUn
     if (index == 0) {
         const float room = isSplit ? divider - canvas.low.x - 2.0f * gap() : canvas.width() - 2.0f * gap();
         if (room > ImGui::GetFontSize() * 6.0f) {
-            plate(canvas, {canvas.low.x + gap(), y}, false, room, title, text);
+            plate(canvas, {canvas.low.x + gap(), y}, PlateSide::right, room, title, text);
         }
         return;
     }
     const float room = canvas.high.x - divider - 2.0f * gap();
     if (room > ImGui::GetFontSize() * 6.0f) {
-        plate(canvas, {canvas.high.x - gap(), y}, true, room, title, text);
+        plate(canvas, {canvas.high.x - gap(), y}, PlateSide::left, room, title, text);
     }
 }
 
