@@ -300,6 +300,17 @@ TEST_F(ViewerTest, SaysWhatIsWrongInOneLine) {
     for (const std::string option : {"--ui-scale nan", "--seed -1", "--frames -1", "--threads -1"}) {
         expectError("--frames 1 " + option + " afc", 2, option.substr(0, option.find(' ')));
     }
+    // What the panels leave unused, a command line may not ask for.
+    expectError("--frames 1 --shadows anchored --detail object alley", 2,
+                "levels of detail do without shadows");
+    expectError("--frames 1 --focus 10:0.3 alley", 2, "a lens with a focus needs targets layers, not single");
+    expectError("--frames 1 --focus 10:0.3 --targets layers --shadows plain alley", 2,
+                "a lens with a focus does without shadows");
+    expectError("--frames 1 --occlusion 1:layers alley", 2, "needs targets with layers");
+    expectError("--frames 1 --time nan afc", 2, "--time must be finite");
+    // Before the window opens, not when it quits.
+    expectError("--device 99 --screenshot x.jpg afc", 2, "cannot write '.jpg' pictures");
+    expectError("--device 99 --screenshot missing/x.png afc", 2, "missing/x.png: ");
     const RunResult endless =
         runShell("timeout 1000 '" CDR_VIEWER_DRIVE "' --soak nan", folder(), environment());
     EXPECT_EQ(endless.status, 2);

@@ -41,15 +41,16 @@ PictureSize sizeOfEncoded(std::span<const std::uint8_t> encoded, const std::stri
 }
 
 std::vector<std::uint8_t> encodeImage(const std::filesystem::path& path, const ImageRgba8& image) {
+    requireEncodable(path);
+    return host::lowerExtension(path) == ".png" ? encodePng(image) : encodeTga(image);
+}
+
+void requireEncodable(const std::filesystem::path& path) {
     const std::string extension = host::lowerExtension(path);
-    if (extension == ".png") {
-        return encodePng(image);
+    if (extension != ".png" && extension != ".tga") {
+        throw base::InputError(
+            fmt::format("{}: cannot write '{}' pictures, use .png or .tga", path.string(), extension));
     }
-    if (extension == ".tga") {
-        return encodeTga(image);
-    }
-    throw base::InputError(
-        fmt::format("{}: cannot write '{}' pictures, use .png or .tga", path.string(), extension));
 }
 
 void writeImage(const std::filesystem::path& path, const ImageRgba8& image) {

@@ -40,6 +40,9 @@ std::vector<std::uint8_t> encodeImage(const std::filesystem::path& path, const I
 /// 32-bit float channels, all of one size, as OpenEXR. InputError, which begins with `path`, for unusable channels.
 std::vector<std::uint8_t> encodeExr(const std::filesystem::path& path, std::span<const ExrChannel> channels);
 
+/// InputError unless writeImage() knows the extension. Call it before long work.
+void requireEncodable(const std::filesystem::path& path);
+
 /// Writes `path` as PNG or TGA by its extension, whole or not at all. InputError for another extension.
 void writeImage(const std::filesystem::path& path, const ImageRgba8& image);
 

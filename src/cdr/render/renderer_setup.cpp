@@ -141,6 +141,18 @@ std::uint32_t subPixelBits(const gpu::Device& device, const RenderOptions& optio
     return options.snapBits > 0 ? std::min(options.snapBits, ofDevice) : ofDevice;
 }
 
+void requireCompatible(const RenderOptions& options) {
+    requireUsable(options.effects);
+    requireFocusable(options);
+    requireShadows(options);
+    if (options.effects.occlusion.perLayer && !hasLayers(options.targets.kind)) {
+        throw base::InputError(fmt::format("ambient occlusion per layer needs targets with layers "
+                                           "(accumulate, pool or layers), not {}",
+                                           nameOf(options.targets.kind)));
+    }
+    requireDetail(options);
+}
+
 vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options,
                            const SceneTraits& scene) {
     if (options.framesInFlight < 1 || options.framesInFlight > kMaxFramesInFlight) {
@@ -155,18 +167,10 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
         throw base::InputError(fmt::format("a renderer is prepared for at most {} lights, not {}",
                                            kMaxPreparedLights, options.prepareFor.lights));
     }
-    requireUsable(options.effects);
     if (options.part != CascadePart{}) {
         requireDivisible(options, scene);
     }
-    requireFocusable(options);
-    requireShadows(options);
-    if (options.effects.occlusion.perLayer && !hasLayers(options.targets.kind)) {
-        throw base::InputError(fmt::format("ambient occlusion per layer needs targets with layers "
-                                           "(accumulate, pool or layers), not {}",
-                                           nameOf(options.targets.kind)));
-    }
-    requireDetail(options);
+    requireCompatible(options);
     const std::uint32_t most = device.info().maxImageSide;
     for (const std::uint32_t side : {options.width, options.height}) {
         if (side < 1 || side > most) {

@@ -9,6 +9,9 @@ namespace cdr::render {
 
 /// What RenderOptions come to, for the renderer's own use.
 
+/// base::InputError for options that no device and no scene allow together.
+void requireCompatible(const RenderOptions& options);
+
 /// The picture's size. base::InputError for options that cannot be, base::RunError, with both figures, when
 /// the picture's memory does not suffice.
 vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, const SceneTraits& scene);

@@ -1,6 +1,9 @@
 #include "startup.h"
 
 #include <cdr/base/error.h>
+#include <cdr/host/file.h>
+#include <cdr/image/codec.h>
+#include <cdr/render/renderer_setup.h>
 
 #include <fmt/format.h>
 
@@ -25,6 +28,16 @@ void chooseTechniques(const Arguments& arguments, ViewSettings& settings) {
         if (settings.second) {
             settings.second->format = *arguments.format;
         }
+    }
+}
+
+/// What would end the viewer later ends it before its window opens.
+void requireUsable(const Arguments& arguments) {
+    requireCompatible(arguments.drawing); // panels may leave unused what a command line may not
+    scene::requireUsable(arguments.choice);
+    if (!arguments.screenshot.empty()) {
+        image::requireEncodable(arguments.screenshot);
+        host::requireWritable(arguments.screenshot);
     }
 }
 
@@ -57,6 +70,7 @@ ViewSettings settingsOf(const Arguments& arguments) {
 } // namespace
 
 ViewerModel initialModel(const Arguments& arguments) {
+    requireUsable(arguments);
     ViewerModel model;
     ViewSettings& settings = model.settings;
     settings = settingsOf(arguments);

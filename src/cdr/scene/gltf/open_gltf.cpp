@@ -138,27 +138,6 @@ FrameClock clockOf(const GltfChoice& choice) {
     return {.start = choice.seconds.value_or(0.0), .framesPerSecond = choice.framesPerSecond.value_or(0.0)};
 }
 
-void requireUsable(const GltfChoice& choice) {
-    if (choice.seconds && !(*choice.seconds >= 0.0 && std::isfinite(*choice.seconds))) {
-        throw base::InputError(
-            fmt::format("--time must be finite and at least 0, in seconds, not {}", *choice.seconds));
-    }
-    if (choice.framesPerSecond &&
-        !(*choice.framesPerSecond > 0.0 && *choice.framesPerSecond <= kMaxFramesPerSecond)) {
-        throw base::InputError(fmt::format("--fps must be above 0 and at most {}, not {}",
-                                           kMaxFramesPerSecond, *choice.framesPerSecond));
-    }
-    if (choice.textureMiB && (*choice.textureMiB < 1 || *choice.textureMiB > kMaxTextureMiB)) {
-        throw base::InputError(fmt::format("--texture-memory must be from 1 to {}, in MiB, not {}",
-                                           kMaxTextureMiB, *choice.textureMiB));
-    }
-    if (choice.pointRadius &&
-        !(*choice.pointRadius >= kMinPointRadius && *choice.pointRadius <= kMaxPointRadius)) {
-        throw base::InputError(fmt::format("--points must be from {} to {}, in scene units, not {}",
-                                           kMinPointRadius, kMaxPointRadius, *choice.pointRadius));
-    }
-}
-
 /// An animation by its name, else by its number.
 std::optional<std::size_t> chosenAnimation(const std::filesystem::path& path, const GltfImport& import,
                                            const GltfChoice& choice) {
@@ -261,6 +240,27 @@ ModelLight parseModelLight(std::string_view name) {
 bool isGltfPath(const std::filesystem::path& path) {
     const std::string extension = host::lowerExtension(path);
     return extension == ".gltf" || extension == ".glb";
+}
+
+void requireUsable(const GltfChoice& choice) {
+    if (choice.seconds && !(*choice.seconds >= 0.0 && std::isfinite(*choice.seconds))) {
+        throw base::InputError(
+            fmt::format("--time must be finite and at least 0, in seconds, not {}", *choice.seconds));
+    }
+    if (choice.framesPerSecond &&
+        !(*choice.framesPerSecond > 0.0 && *choice.framesPerSecond <= kMaxFramesPerSecond)) {
+        throw base::InputError(fmt::format("--fps must be above 0 and at most {}, not {}",
+                                           kMaxFramesPerSecond, *choice.framesPerSecond));
+    }
+    if (choice.textureMiB && (*choice.textureMiB < 1 || *choice.textureMiB > kMaxTextureMiB)) {
+        throw base::InputError(fmt::format("--texture-memory must be from 1 to {}, in MiB, not {}",
+                                           kMaxTextureMiB, *choice.textureMiB));
+    }
+    if (choice.pointRadius &&
+        !(*choice.pointRadius >= kMinPointRadius && *choice.pointRadius <= kMaxPointRadius)) {
+        throw base::InputError(fmt::format("--points must be from {} to {}, in scene units, not {}",
+                                           kMinPointRadius, kMaxPointRadius, *choice.pointRadius));
+    }
 }
 
 std::optional<double> secondsAt(const GltfChoice& choice, std::uint32_t frame) {

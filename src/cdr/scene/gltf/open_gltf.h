@@ -58,6 +58,9 @@ inline constexpr double kMinPointRadius = 1e-30;
 /// Most that GltfChoice::pointRadius takes.
 inline constexpr double kMaxPointRadius = 1e30;
 
+/// base::InputError for a number out of its range, whatever the file.
+CDR_EXPORT void requireUsable(const GltfChoice& choice);
+
 /// The moment that a frame shows, in seconds of the animation, where one is played.
 CDR_EXPORT std::optional<double> secondsAt(const GltfChoice& choice, std::uint32_t frame);
 
