@@ -41,6 +41,18 @@ TEST_F(MovingPartsOfTheViewer, ArePickedWhereTheyAre) {
     }
 }
 
+/// The frame of a camera path, which `cdr render` takes too.
+TEST_F(ViewerTest, BeginsAtTheFrameOfTheScenesPath) {
+    const RunResult run =
+        play("--size 560x300 --technique anchored --frame 40 afc", "wait-frame\npicture shown.png\nquit\n");
+    const RunResult rendered = runShell(
+        "'" CDR_PROGRAM "' render afc --technique anchored --frame 40 --colours bright --size 212x300 "
+        "-o rendered.png",
+        folder(), environment());
+    ASSERT_EQ(rendered.status, 0) << rendered.err;
+    EXPECT_EQ(picture("shown.png"), picture("rendered.png"));
+}
+
 } // namespace
 
 } // namespace cdr::viewer_test

@@ -61,7 +61,9 @@ void addRenderLine(CLI::App& program, Arguments& arguments) {
 /// What the copied command line says of the camera.
 void addPlace(CLI::App& program, Arguments& arguments) {
     program.option_defaults()->group("Camera");
-    program.add_option("--frame", arguments.camera.frame, "Frame at which a scene that moves begins")
+    program
+        .add_option("--frame", arguments.camera.frame,
+                    "Frame at which a scene or its camera that moves begins")
         ->check(options::wholeNumber());
     options::addCameraOptions(program, arguments.camera);
     options::addSceneChoice(program, arguments.choice);

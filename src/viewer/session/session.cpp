@@ -102,6 +102,11 @@ void Session::followTour() {
     }
 }
 
+std::uint32_t Session::frameOfMotion() const {
+    return m_model.settings.choice.framesPerSecond ? m_model.camera.playback.frame(m_model.settings.choice)
+                                                   : m_model.camera.pathFrame;
+}
+
 RenderRequest Session::wantedRequest(const PictureArea& area) const {
     RenderRequest request{
         .serial = m_serial + 1, .settings = m_model.settings, .extent = area.extent, .camera = {}};
@@ -112,9 +117,7 @@ RenderRequest Session::wantedRequest(const PictureArea& area) const {
         request.camera = m_model.camera.now;
     }
     if (isOpen && m_model.picture.shown->scene->setup.motion) {
-        request.frame = m_model.settings.choice.framesPerSecond
-                            ? m_model.camera.playback.frame(m_model.settings.choice)
-                            : m_model.camera.pathFrame;
+        request.frame = frameOfMotion();
     }
     return request;
 }
@@ -320,11 +323,13 @@ void Session::enterScene(const RenderResult& result) {
     if (m_model.interface.notice.kind == NoticeKind::opening) {
         m_model.interface.notice = {};
     }
-    m_model.camera.ofScene = result.scene->setup.path.at(0);
+    const scene::CameraPath& path = result.scene->setup.path;
+    m_model.camera.ofScene = path.at(0);
     const auto first = std::exchange(m_model.camera.first, std::nullopt);
-    m_model.camera.now = scene::canonical(first ? overridden(result.camera, *first) : result.camera);
-    m_model.camera.isThere = true;
     m_model.camera.pathFrame = first ? first->frame : 0;
+    m_model.camera.now =
+        scene::canonical(first ? overridden(path.at(frameOfMotion()), *first) : result.camera);
+    m_model.camera.isThere = true;
     m_model.camera.surfaceView = 0.0;
     m_model.picture.measuring.clear();
     m_model.performance.statistics.clear();

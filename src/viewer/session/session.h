@@ -63,6 +63,8 @@ class Session {
     void followPath(double seconds);
     void followTour();
     void followAnimation(double seconds);
+    /// At which a scene that moves is shown.
+    std::uint32_t frameOfMotion() const;
     RenderRequest wantedRequest(const PictureArea& area) const;
     void ask(RenderRequest request);
     void adopt(RenderResult result);
