@@ -152,6 +152,14 @@ TEST_F(ViewerTest, FlipsShowWhileTheCameraMoves) {
     EXPECT_LT(std::stoi(valueOf(anchored.lines("scene=").at(0), "flipped")), 10);
 }
 
+/// As the keys 1 to 6 do.
+TEST_F(ViewerTest, PresetsOfThePanelKeepTheFormat) {
+    const RunResult run = play(kSmall + "--technique standard --format d16 cubes",
+                               "wait-frame\nwindow before.png\nclick technique/anchored\nwait-frame\n"
+                               "state\nquit\n");
+    ASSERT_EQ(run.lines("scene=cubes technique=anchored, d16 ").size(), 1u) << run.out;
+}
+
 } // namespace
 
 } // namespace cdr::viewer_test

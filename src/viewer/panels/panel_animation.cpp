@@ -69,7 +69,7 @@ void drawAnimationPanel(const Widgets& widgets, const RenderResult* result, View
     if (length <= 0.0) {
         return;
     }
-    if (widgets.toggle(playback.isPlaying ? "pause" : "play animation", playback.isPlaying)) {
+    if (widgets.toggle(playback.isPlaying ? "pause" : "play animation", onIf(playback.isPlaying))) {
         playback.isPlaying = !playback.isPlaying;
     }
     widgets.beside();

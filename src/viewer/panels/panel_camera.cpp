@@ -47,17 +47,17 @@ void showLength(const Widgets& widgets, InterfaceModel& interface, std::string_v
 }
 
 void chooseMotion(const Widgets& widgets, ViewerModel& model) {
-    if (widgets.toggle("scene's path", model.camera.motion == Motion::scenePath)) {
+    if (widgets.toggle("scene's path", onIf(model.camera.motion == Motion::scenePath))) {
         model.camera.motion = model.camera.motion == Motion::scenePath ? Motion::free : Motion::scenePath;
     }
     widgets.beside();
     const bool isRecording = model.camera.recorder.isRecording();
-    if (widgets.toggle(isRecording ? "stop recording" : "record", isRecording)) {
+    if (widgets.toggle(isRecording ? "stop recording" : "record", onIf(isRecording))) {
         model.actions.push_back(Action::record);
     }
     if (!model.camera.recorder.recording().cameras.empty() && !isRecording) {
         widgets.beside();
-        if (widgets.toggle("play", model.camera.motion == Motion::recording)) {
+        if (widgets.toggle("play", onIf(model.camera.motion == Motion::recording))) {
             model.actions.push_back(Action::playRecording);
         }
     }
@@ -76,7 +76,7 @@ void chooseMotion(const Widgets& widgets, ViewerModel& model) {
         model.actions.push_back(Action::screenshotWindow);
     }
     widgets.beside();
-    if (widgets.toggle(model.video != nullptr ? "stop video" : "video", model.video != nullptr)) {
+    if (widgets.toggle(model.video != nullptr ? "stop video" : "video", onIf(model.video != nullptr))) {
         model.actions.push_back(Action::video);
     }
 }
@@ -85,11 +85,11 @@ void chooseMotion(const Widgets& widgets, ViewerModel& model) {
 
 void drawCameraPanel(const Widgets& widgets, ViewerModel& model) {
     widgets.heading("Camera");
-    if (widgets.toggle("fly", !model.camera.orbits)) {
+    if (widgets.toggle("fly", onIf(!model.camera.orbits))) {
         model.camera.orbits = false;
     }
     widgets.beside();
-    if (widgets.toggle("orbit", model.camera.orbits)) {
+    if (widgets.toggle("orbit", onIf(model.camera.orbits))) {
         beginOrbit(model.camera, model.picture.measuring);
     }
     ImGui::AlignTextToFramePadding();

@@ -36,7 +36,7 @@ void drawEyesPanel(const Widgets& widgets, ViewerModel& model) {
         if (mode != scene::kStereoModes.front()) {
             widgets.beside();
         }
-        if (widgets.toggle(nameOf(mode), settings.views.stereo == mode)) {
+        if (widgets.toggle(nameOf(mode), onIf(settings.views.stereo == mode))) {
             settings.views.stereo = mode;
         }
     }

@@ -28,9 +28,10 @@ void choosePresets(const Widgets& widgets, std::string_view prefix, depth::Techn
         if (i % 3 != 0) {
             widgets.beside();
         }
-        if (widgets.toggle(fmt::format("{}/{}", prefix, presets[i].name),
-                           technique == presets[i].technique)) {
-            technique = presets[i].technique;
+        depth::Technique preset = presets[i].technique;
+        preset.format = technique.format; // stays, as it does with the keys
+        if (widgets.toggle(fmt::format("{}/{}", prefix, presets[i].name), onIf(technique == preset))) {
+            technique = preset;
         }
     }
 }

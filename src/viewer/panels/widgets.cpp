@@ -114,7 +114,8 @@ bool Widgets::button(std::string_view name) const {
     return isPressed;
 }
 
-bool Widgets::toggle(std::string_view name, bool isOn) const {
+bool Widgets::toggle(std::string_view name, ToggleState state) const {
+    const bool isOn = state == ToggleState::on;
     if (isOn) {
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
         ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));

@@ -12,6 +12,13 @@
 
 namespace cdr::viewer {
 
+/// Whether what a button stands for is on.
+enum class ToggleState : std::uint8_t { off, on };
+
+constexpr ToggleState onIf(bool isOn) {
+    return isOn ? ToggleState::on : ToggleState::off;
+}
+
 /// The interface's building blocks: Dear ImGui's, in one look, and each known to scripts by its name.
 class Widgets {
   public:
@@ -36,7 +43,7 @@ class Widgets {
     /// @return whether it was clicked.
     bool button(std::string_view name) const;
     /// A button that shows whether what it stands for is on. @return whether it was clicked.
-    bool toggle(std::string_view name, bool isOn) const;
+    bool toggle(std::string_view name, ToggleState state) const;
     bool checkbox(std::string_view name, bool& isOn) const;
     bool count(std::string_view name, int& value, int low, int high) const;
     /// A number that is typed. Each letter that makes another number changes it.
