@@ -16,17 +16,6 @@ namespace cdr::viewer {
 
 namespace {
 
-/// Draws of each cascade, counted from the jobs that recorded them.
-std::vector<std::size_t> drawsOf(const SideResult& side) {
-    std::vector<std::size_t> draws(side.frame->cascades.size(), 0);
-    for (const TimelineJob& job : side.timeline.jobs) {
-        if (job.cascade && *job.cascade < draws.size()) {
-            draws[*job.cascade] += job.draws;
-        }
-    }
-    return draws;
-}
-
 void drawCascades(const SideResult& side, base::LengthUnit unit) {
     constexpr int kColumns = 4;
     if (!ImGui::BeginTable("cascades", kColumns, ImGuiTableFlags_SizingStretchProp)) {
@@ -36,8 +25,8 @@ void drawCascades(const SideResult& side, base::LengthUnit unit) {
         ImGui::TableSetupColumn(name);
     }
     ImGui::TableHeadersRow();
-    const std::vector<std::size_t> draws = drawsOf(side);
     const depth::Cascades& cascades = side.frame->cascades;
+    const auto draws = drawsByCascade(side.timeline, cascades.size(), side.options.submission);
     for (std::size_t i = 0; i < cascades.size(); ++i) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
@@ -52,7 +41,7 @@ void drawCascades(const SideResult& side, base::LengthUnit unit) {
         const double step = techniqueStepView(side.options.technique, cascades, last);
         ImGui::TextUnformatted(base::quantityText(step, unit).c_str());
         ImGui::TableNextColumn();
-        ImGui::Text("%zu", draws[i]);
+        ImGui::TextUnformatted(draws ? fmt::format("{}", (*draws)[i]).c_str() : "-");
     }
     ImGui::EndTable();
 }

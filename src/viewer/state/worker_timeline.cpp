@@ -74,4 +74,18 @@ WorkerTimeline timelineOf(const host::Trace& trace) {
     return timeline;
 }
 
+std::optional<std::vector<std::size_t>> drawsByCascade(const WorkerTimeline& timeline, std::size_t cascades,
+                                                       render::Submission submission) {
+    if (submission == render::Submission::gpuDriven) {
+        return std::nullopt;
+    }
+    std::vector<std::size_t> draws(cascades, 0);
+    for (const TimelineJob& job : timeline.jobs) {
+        if (job.cascade && *job.cascade < cascades) {
+            draws[*job.cascade] += job.draws;
+        }
+    }
+    return draws;
+}
+
 } // namespace cdr::viewer

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/host/trace.h>
+#include <cdr/render/submit/submission.h>
 
 #include <cstddef>
 #include <optional>
@@ -36,5 +37,9 @@ struct WorkerTimeline {
 /// The last frame that a trace holds; empty when it holds none. On the thread that drives the frame, between
 /// frames. host::Trace::forget() before each frame keeps a trace that is read this way small.
 WorkerTimeline timelineOf(const host::Trace& trace);
+
+/// Draws of each cascade, counted from the jobs that recorded them. None where the device chooses them.
+std::optional<std::vector<std::size_t>> drawsByCascade(const WorkerTimeline& timeline, std::size_t cascades,
+                                                       render::Submission submission);
 
 } // namespace cdr::viewer

@@ -113,6 +113,17 @@ TEST(WorkerTimeline, HoldsWhatAPoolDid) {
     }
 }
 
+TEST(WorkerTimeline, KnowsNoDrawsOfCascadesThatTheDeviceChooses) {
+    const WorkerTimeline timeline{.workers = 2,
+                                  .stages = {},
+                                  .jobs = {{.cascade = 1, .draws = 3},
+                                           {.worker = 1, .cascade = 1, .draws = 2},
+                                           {.cascade = 7, .draws = 9}}};
+    EXPECT_EQ(drawsByCascade(timeline, 3, render::Submission::secondaries),
+              (std::vector<std::size_t>{0, 5, 0}));
+    EXPECT_EQ(drawsByCascade(timeline, 3, render::Submission::gpuDriven), std::nullopt);
+}
+
 } // namespace
 
 } // namespace cdr::viewer
