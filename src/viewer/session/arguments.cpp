@@ -63,7 +63,7 @@ void addPlace(CLI::App& program, Arguments& arguments) {
     program.option_defaults()->group("Camera");
     program
         .add_option("--frame", arguments.camera.frame,
-                    "Frame at which a scene or its camera that moves begins")
+                    "Frame at which a moving scene, or its camera path, begins")
         ->check(options::wholeNumber());
     options::addCameraOptions(program, arguments.camera);
     options::addSceneChoice(program, arguments.choice);
