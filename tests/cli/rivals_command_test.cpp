@@ -64,6 +64,11 @@ TEST(RivalsCommand, DrawsThoseThatAreAskedForAlone) {
     }
     EXPECT_EQ(names,
               (std::vector<std::string>{"anchored", "reversed", "atomic-log", "object-anchors/prepass"}));
+    // At this size no pixel shows a pair off edges, which is no result.
+    EXPECT_EQ(document.at("resolved").at(0).at("pairs_seen"), 0);
+    EXPECT_EQ(document.at("resolved").at(0).at("pairs_seen_unlike"), 0);
+    EXPECT_NE(result.out.find("no pixel tells"), std::string::npos) << result.out;
+    EXPECT_EQ(result.out.find("none, >"), std::string::npos) << result.out;
 }
 
 /// Rivals as rows of commands that measure techniques.

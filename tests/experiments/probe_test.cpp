@@ -69,4 +69,24 @@ TEST_F(Probe, RoundedVerticesResolveLess) {
     }
 }
 
+/// Cubes so small in the picture that no pixel shows a pair off edges.
+TEST_F(Probe, APictureTooSmallToTellSaysNothing) {
+    ProbeOptions options;
+    options.distancesView = {1000.0};
+    options.techniques = {depth::namedTechnique("anchored")};
+    options.formats = {depth::DepthFormat::d32f};
+    ranks::OneProcess alone;
+    const auto measured = [&](std::uint32_t width, std::uint32_t height) {
+        options.width = width;
+        options.height = height;
+        return runProbe(
+                   device(), options, [](auto, auto, const auto&) {}, alone)
+            .at(0);
+    };
+    EXPECT_EQ(measured(64, 36).pairsSeen, 0u);
+    EXPECT_FALSE(measured(64, 36).resolvedView);
+    EXPECT_GT(measured(320, 180).pairsSeen, 10u);
+    EXPECT_TRUE(measured(320, 180).resolvedView);
+}
+
 } // namespace

@@ -37,8 +37,9 @@ output::Columns<experiments::ProbeResult> probeColumns(base::LengthUnit unit) {
     };
     const auto resolvedText = [text](const Result& result) {
         const char* orLess = result.isRival() && result.resolvesAll ? " or less" : "";
-        return result.resolvedView ? text(*result.resolvedView) + orLess
-                                   : "none, > " + text(result.largestView);
+        return result.resolvedView     ? text(*result.resolvedView) + orLess
+               : result.pairsSeen == 0 ? "no pixel tells"
+                                       : "none, > " + text(result.largestView);
     };
     const auto predictedText = [unit](const Result& result) {
         return result.isRival() ? std::string()
@@ -64,6 +65,7 @@ output::Columns<experiments::ProbeResult> probeColumns(base::LengthUnit unit) {
              [](const Result& result) {
                  return result.isRival() ? output::Json(result.resolvesAll) : output::absent();
              }},
+        {.key = "pairs_seen", .value = &Result::pairsSeen},
         {.key = "predicted",
          .value = [](const Result& result) { return output::finiteOrNull(result.predictedView); },
          .heading = "predicted",

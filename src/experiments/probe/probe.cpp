@@ -54,8 +54,7 @@ constexpr double kNotForecast = std::numeric_limits<double>::quiet_NaN();
 
 /// What a picture comes to.
 struct Probed {
-    std::optional<double> resolvedView;
-    bool resolvesAll = false;
+    Resolved resolved;
     double predictedView = 0.0;
     double guaranteedView = 0.0;
     std::size_t cascades = 0;
@@ -95,8 +94,7 @@ class Prober {
             measure::castTruth(setup.scene, camera, m_options.width, m_options.height, m_workers);
         const auto measured = [&](Drawer& drawer, double predictedView, double guaranteedView) -> Probed {
             const DrawnFrame frame = drawer.render(camera);
-            return {.resolvedView = smallestResolved(frame.ids, truth, ladder),
-                    .resolvesAll = resolvesAll(frame.ids, truth, ladder),
+            return {.resolved = resolvedIn(frame.ids, truth, ladder),
                     .predictedView = predictedView,
                     .guaranteedView = guaranteedView,
                     .cascades = frame.cascades};
@@ -136,8 +134,9 @@ class Prober {
             row.technique = name;
             row.format = format;
             row.distanceView = distanceView;
-            row.resolvedView = probed->resolvedView;
-            row.resolvesAll = probed->resolvesAll;
+            row.resolvedView = probed->resolved.view;
+            row.resolvesAll = probed->resolved.all;
+            row.pairsSeen = probed->resolved.pairsSeen;
             row.predictedView = probed->predictedView;
             row.guaranteedView = probed->guaranteedView;
             row.smallestView = scenes::ladderSeparation(ladder, 0);

@@ -40,9 +40,10 @@ struct ProbeResult {
     std::string technique;
     std::optional<depth::DepthFormat> format; ///< none for a rival, which has keys of 64 bits
     double distanceView = 0.0;
-    /// The smallest separation that, with all larger ones, shows no wrong pixel; empty when the largest does.
+    /// The smallest separation that, with all larger ones, shows no wrong pixel; empty when the largest does, or none is seen.
     std::optional<double> resolvedView;
     bool resolvesAll = false;    ///< no separation of the ladder shows one, so less may be resolved
+    std::size_t pairsSeen = 0;   ///< pairs of which a pixel tells: of 0 the picture is too small
     double predictedView = 0.0;  ///< depth::forecast(); NaN for a rival, which it does not know
     double guaranteedView = 0.0; ///< the same with every rounding at its worst
     double smallestView = 0.0;   ///< of the ladder: `resolved` can be no less

@@ -62,22 +62,18 @@ scenes::LadderOptions probeLadder(double distanceView, std::optional<double> nea
             .scale = std::min(1.0, distanceView / 1000.0)};
 }
 
-std::optional<double> smallestResolved(const image::ImageU32& ids, const measure::TruthImage& truth,
-                                       const scenes::LadderOptions& ladder) {
+Resolved resolvedIn(const image::ImageU32& ids, const measure::TruthImage& truth,
+                    const scenes::LadderOptions& ladder) {
     const Rungs rungs = judged(ids, truth, ladder);
-    std::optional<double> resolved;
-    for (std::uint32_t pair = scenes::kLadderPairs; pair-- > 0 && !rungs.wrong[pair];) {
-        if (!rungs.lucky[pair]) {
-            resolved = scenes::ladderSeparation(ladder, pair);
+    Resolved resolved{.view = std::nullopt, .all = true};
+    for (std::uint32_t pair = scenes::kLadderPairs; pair-- > 0;) {
+        resolved.all = resolved.all && !rungs.wrong[pair];
+        resolved.pairsSeen += rungs.wrong[pair] || !rungs.lucky[pair] ? 1 : 0;
+        if (resolved.all && !rungs.lucky[pair]) {
+            resolved.view = scenes::ladderSeparation(ladder, pair);
         }
     }
     return resolved;
-}
-
-bool resolvesAll(const image::ImageU32& ids, const measure::TruthImage& truth,
-                 const scenes::LadderOptions& ladder) {
-    const Rungs rungs = judged(ids, truth, ladder);
-    return std::none_of(rungs.wrong.begin(), rungs.wrong.end(), [](bool wrong) { return wrong; });
 }
 
 } // namespace cdr::experiments

@@ -4,6 +4,7 @@
 #include <cdr/measure/truth/truth.h>
 #include <scenes/ladder.h>
 
+#include <cstddef>
 #include <optional>
 
 namespace cdr::experiments {
@@ -12,16 +13,19 @@ namespace cdr::experiments {
 scenes::LadderOptions probeLadder(double distanceView, std::optional<double> nearView = {},
                                   std::optional<double> farView = {});
 
-/// The smallest separation that, with all larger ones, shows no wrong pixel; empty if the largest shows one. Of surfaces that
-/// are not resolved the one with the higher id is visible. So a pair whose front has the higher id is right by luck. Such a
-/// pair can fail the test but not pass it.
-/// @param ids object index + 1, of a picture of `truth`'s size.
-std::optional<double> smallestResolved(const image::ImageU32& ids, const measure::TruthImage& truth,
-                                       const scenes::LadderOptions& ladder);
+/// What a picture of the ladder shows. Of surfaces that are not resolved the one with the higher id is visible. So a pair whose
+/// front has the higher id is right by luck. Such a pair can fail the test but not pass it.
+struct Resolved {
+    /// The smallest separation that, with all larger ones, shows no wrong pixel; empty if the largest shows one, or none tells.
+    std::optional<double> view;
+    /// No separation shows a wrong pixel, so smaller ones than `view` may be resolved too.
+    bool all = false;
+    /// Pairs of which a pixel tells whether they are resolved: those that are not right by luck. 0: the picture says nothing.
+    std::size_t pairsSeen = 0;
+};
 
-/// Whether no separation shows a wrong pixel: then smaller ones than smallestResolved() may be resolved too.
-/// @param ids as above.
-bool resolvesAll(const image::ImageU32& ids, const measure::TruthImage& truth,
-                 const scenes::LadderOptions& ladder);
+/// @param ids object index + 1, of a picture of `truth`'s size.
+Resolved resolvedIn(const image::ImageU32& ids, const measure::TruthImage& truth,
+                    const scenes::LadderOptions& ladder);
 
 } // namespace cdr::experiments

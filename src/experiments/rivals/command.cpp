@@ -44,12 +44,14 @@ output::Columns<experiments::RivalScene> rivalSceneColumns() {
 
 output::Columns<experiments::RivalResolved> rivalResolvedColumns(base::LengthUnit unit) {
     using Result = experiments::RivalResolved;
-    const auto textOf = [unit](std::optional<double> Result::*part) {
-        return [unit, part](const Result& result) {
+    const auto textOf = [unit](std::optional<double> Result::*part, std::size_t Result::*pairsSeen) {
+        return [unit, part, pairsSeen](const Result& result) -> std::string {
             const auto text = [unit](double view) {
                 return base::quantityText(view, unit, base::NumberStyle::plain);
             };
-            return result.*part ? text(*(result.*part)) : "none, > " + text(result.largestView);
+            return result.*part             ? text(*(result.*part))
+                   : result.*pairsSeen == 0 ? "no pixel tells"
+                                            : "none, > " + text(result.largestView);
         };
     };
     return {
@@ -59,14 +61,16 @@ output::Columns<experiments::RivalResolved> rivalResolvedColumns(base::LengthUni
         {.key = "resolved",
          .value = [](const Result& result) { return output::finiteOrNull(result.resolvedView); },
          .heading = "resolves equal cubes",
-         .text = textOf(&Result::resolvedView)},
+         .text = textOf(&Result::resolvedView, &Result::pairsSeen)},
         {.key = "resolved_unlike",
          .value = [](const Result& result) { return output::finiteOrNull(result.unlikeView); },
          .heading = "unlike ones",
-         .text = textOf(&Result::unlikeView)},
+         .text = textOf(&Result::unlikeView, &Result::unlikePairsSeen)},
         {.key = "resolved_ratio",
          .value = [](const Result& result) { return output::finiteOrNull(result.ratio); },
          .heading = "over anchored"},
+        {.key = "pairs_seen", .value = &Result::pairsSeen},
+        {.key = "pairs_seen_unlike", .value = &Result::unlikePairsSeen},
         {.key = "smallest", .value = &Result::smallestView},
         {.key = "largest", .value = &Result::largestView}};
 }

@@ -198,27 +198,31 @@ class RivalsRun {
     void measureLadder(double distanceView, RivalsReport& report) {
         scenes::LadderOptions ladder = probeLadder(distanceView);
         ladder.smallestSeparation = kSmallestSeparation;
-        const std::vector<std::optional<double>> equal = resolvedOn(ladder);
+        const std::vector<Resolved> equal = resolvedOn(ladder);
         ladder.frontDepth = kUnlikeDepth;
-        const std::vector<std::optional<double>> unlike = resolvedOn(ladder);
-        const std::optional<double> baseline = unlike[m_baseline];
+        const std::vector<Resolved> unlike = resolvedOn(ladder);
+        const std::optional<double> baseline = unlike[m_baseline].view;
         for (std::size_t i = 0; i < equal.size(); ++i) {
             report.resolved.push_back(
                 {.contender = m_options.contenders[i].name,
                  .isRival = m_options.contenders[i].isRival(),
                  .distanceView = distanceView,
-                 .resolvedView = equal[i],
-                 .unlikeView = unlike[i],
-                 .ratio = baseline && unlike[i] ? std::optional(*unlike[i] / *baseline) : std::nullopt,
+                 .resolvedView = equal[i].view,
+                 .unlikeView = unlike[i].view,
+                 .pairsSeen = equal[i].pairsSeen,
+                 .unlikePairsSeen = unlike[i].pairsSeen,
+                 .ratio =
+                     baseline && unlike[i].view ? std::optional(*unlike[i].view / *baseline) : std::nullopt,
                  .smallestView = scenes::ladderSeparation(ladder, 0),
                  .largestView = scenes::ladderSeparation(ladder, scenes::kLadderPairs - 1)});
         }
     }
 
     /// By contender: the median over ladders of other seeds, since a single pair that rounds well or badly moves one.
-    std::vector<std::optional<double>> resolvedOn(const scenes::LadderOptions& ladder) {
+    std::vector<Resolved> resolvedOn(const scenes::LadderOptions& ladder) {
         constexpr double kNone = std::numeric_limits<double>::infinity();
         std::vector<std::vector<double>> samples(m_options.contenders.size());
+        std::vector<Resolved> medians(m_options.contenders.size());
         for (std::uint64_t i = 0; i < kLadders; ++i) {
             step(fmt::format("ladder at {}", ladder.distanceView));
             const scene::SceneSetup setup = scenes::makeLadder(m_options.seed + i, ladder);
@@ -227,15 +231,18 @@ class RivalsRun {
             const measure::TruthImage truth = field.truthAt(camera);
             for (std::size_t each = 0; each < field.size(); ++each) {
                 const image::ImageU32 ids = field.contender(each).render(camera).ids;
-                samples[each].push_back(smallestResolved(ids, truth, ladder).value_or(kNone));
+                const Resolved resolved = resolvedIn(ids, truth, ladder);
+                medians[each].pairsSeen += resolved.pairsSeen;
+                if (resolved.pairsSeen > 0) {
+                    samples[each].push_back(resolved.view.value_or(kNone));
+                }
             }
         }
-        std::vector<std::optional<double>> resolved;
-        for (const std::vector<double>& of : samples) {
-            const double middle = measure::median(of);
-            resolved.push_back(std::isfinite(middle) ? std::optional(middle) : std::nullopt);
+        for (std::size_t each = 0; each < medians.size(); ++each) {
+            const double middle = samples[each].empty() ? kNone : measure::median(samples[each]);
+            medians[each].view = std::isfinite(middle) ? std::optional(middle) : std::nullopt;
         }
-        return resolved;
+        return medians;
     }
 
     const gpu::Device& m_device;

@@ -69,9 +69,11 @@ struct RivalResolved {
     std::string contender;
     bool isRival = false;
     double distanceView = 0.0;
-    /// Of pairs of equal cubes, which float32 rounds alike: the median of smallestResolved() over ladders of five seeds.
+    /// Of pairs of equal cubes, which float32 rounds alike: the median over those ladders of five seeds of which pixels tell.
     std::optional<double> resolvedView;
     std::optional<double> unlikeView; ///< of pairs whose front is shallower
+    std::size_t pairsSeen = 0;        ///< pairs of equal cubes of which a pixel tells, over all ladders
+    std::size_t unlikePairsSeen = 0;  ///< the same of the others
     std::optional<double>
         ratio; ///< of unlikeView over the baseline's, below 1 where it is finer; where both are known
     double smallestView = 0.0; ///< of the ladder: `resolved` can be no less

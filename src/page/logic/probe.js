@@ -46,7 +46,8 @@ export function listingReliability(document) {
  * forecast says so by more than a factor of two.
  */
 export function reliability(document) {
-    const ratios = document.results.filter((row) => row.resolved !== null).map(judgedRatio);
+    const told = document.results.filter(isTold);
+    const ratios = told.filter((row) => row.resolved !== null).map(judgedRatio);
     const coarser = ratios.filter((ratio) => ratio > 2).length;
     const finer = ratios.filter((ratio) => ratio < 0.5).length;
     return {
@@ -55,14 +56,19 @@ export function reliability(document) {
         coarser,
         finer,
         worstRatio: Math.max(1, ...ratios),
-        missed: document.results.filter((row) => row.resolved === null && judgedRatio(row) > 2).length,
+        missed: told.filter((row) => row.resolved === null && judgedRatio(row) > 2).length,
         beyondBound: beyondBound(document),
     };
 }
 
+/** Whether a pixel tells what is resolved. Reports of earlier programs do not say. */
+function isTold(row) {
+    return row.pairs_seen !== 0;
+}
+
 /** How many are coarser than even the bound, every rounding at its worst, by more than the ladder tells apart. */
 function beyondBound(document) {
-    const known = document.results.filter((row) => "guaranteed" in row);
+    const known = document.results.filter((row) => "guaranteed" in row && isTold(row));
     const isBeyond = (row) => {
         const rung = rungOf(row);
         const bound = row.guaranteed ?? Infinity;

@@ -11,8 +11,12 @@ export function figure(value, digits) {
     return exactly(number(value, digits), value);
 }
 
-/** Both ends of an interval. */
-export function interval([low, high]) {
+/** Both ends of an interval; a dash where there is none. */
+export function interval(ends) {
+    if (ends === null) {
+        return "-";
+    }
+    const [low, high] = ends;
     return h("span", {}, figure(low), " to ", figure(high));
 }
 
@@ -36,6 +40,14 @@ export function length(value, digits = 4, unit = "none") {
         write(element, chosenUnit());
     }
     return element;
+}
+
+/** The smallest resolved separation of a row. None was resolved, or none of the pairs could be seen. */
+export function separation(row, resolved, pairsSeen) {
+    if (resolved === null) {
+        return pairsSeen === 0 ? "no pixel tells" : h("span", {}, "over ", length(row.largest));
+    }
+    return length(resolved);
 }
 
 /** A sentence of the program in parts: texts, and numbers where a length stands. Words ask for units. */

@@ -1,7 +1,7 @@
 import { formats, judgedRatio, series } from "../logic/probe.js";
 import { techniqueTitles } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
-import { figure, length } from "./figures.js";
+import { figure, length, separation } from "./figures.js";
 import { makePlot } from "./plot.js";
 
 export function fillProbe(document) {
@@ -36,7 +36,7 @@ function makeTable(document) {
         ["Technique", "format", "distance", "measured", "predicted", "ratio", "at worst"],
         document.results.map((row) => [
             techniqueLabel(row.technique, techniqueTitles[row.technique] ?? row.technique), row.format.toUpperCase(), length(row.distance),
-            row.resolved === null ? h("span", {}, "over ", length(row.largest)) : length(row.resolved), length(row.predicted),
+            separation(row, row.resolved, row.pairs_seen), length(row.predicted),
             row.resolved === null || row.predicted === null ? "" : figure(judgedRatio(row), 2),
             row.guaranteed === undefined ? "" : length(row.guaranteed)]));
 }

@@ -1,6 +1,6 @@
 import { techniqueTitles } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
-import { figure, interval, length, share } from "./figures.js";
+import { figure, interval, length, separation, share } from "./figures.js";
 
 const label = (row) => techniqueLabel(row.technique, techniqueTitles[row.technique] ?? row.technique);
 
@@ -17,11 +17,11 @@ function makeScenes(document) {
 }
 
 function makeResolved(document) {
-    const resolved = (row, field) => (row[field] === null ? h("span", {}, "over ", length(row.largest)) : length(row[field]));
     return table("Smallest resolved separation: of pairs of equal cubes, which float32 rounds alike, and of unlike pairs.",
         ["Technique", "distance", "equal pairs", "unlike pairs", "of those, over Anchored"],
         document.resolved.map((row) => [
-            label(row), length(row.distance), resolved(row, "resolved"), resolved(row, "resolved_unlike"),
+            label(row), length(row.distance), separation(row, row.resolved, row.pairs_seen),
+            separation(row, row.resolved_unlike, row.pairs_seen_unlike),
             row.resolved_ratio === null ? "" : figure(row.resolved_ratio)]));
 }
 

@@ -123,6 +123,9 @@ test("the ladder's ends do not count as errors of the forecast", () => {
     // A case that resolves nothing is not counted; where the forecast says otherwise, it is counted apart.
     const counts = reliability({ results: [row(0.1, 0.1), row(0.5, 0.1), row(0.01, 0.1), row(null, 0.01), row(null, 60)] });
     assert.deepEqual(counts, { all: 3, within: 1, coarser: 1, finer: 1, worstRatio: 5, missed: 1, beyondBound: null });
+    // Nor is one of which no pixel tells.
+    const unseen = { ...row(null, 0.01), pairs_seen: 0, guaranteed: 0.01 };
+    assert.deepEqual(reliability({ results: [unseen] }), { all: 0, within: 0, coarser: 0, finer: 0, worstRatio: 1, missed: 0, beyondBound: null });
     const bounded = (resolved, guaranteed) => ({ ...row(resolved, 0.1), guaranteed });
     const list = [bounded(0.1, 0.2), bounded(0.3, 0.2), bounded(null, 0.2), bounded(null, null), bounded(0.3, null), bounded(null, 5)];
     assert.equal(reliability({ results: list }).beyondBound, 2);
