@@ -66,13 +66,17 @@ inline Json jsonOf(const measure::Interval& interval) {
     return {interval.low, interval.high};
 }
 
-/// A bootstrap interval of 95 %, in JSON and in the table.
-template <typename Row>
-Column<Row> intervalColumn(measure::Interval Row::*interval, const std::string& pattern = "{} to {}") {
+inline Json jsonOf(const std::optional<measure::Interval>& interval) {
+    return interval ? jsonOf(*interval) : Json(nullptr);
+}
+
+/// A bootstrap interval of 95 %, in JSON and in the table. Where a row may have none: null and "-".
+template <typename Row, typename Interval>
+Column<Row> intervalColumn(Interval Row::*interval, const std::string& pattern = "{} to {}") {
     return {.key = "ci95",
             .value = [interval](const Row& row) { return jsonOf(row.*interval); },
             .heading = "95 % interval",
-            .format = {.pattern = pattern}};
+            .format = {.pattern = pattern, .missing = "-"}};
 }
 
 /// One cell of a table.

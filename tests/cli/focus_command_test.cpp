@@ -31,6 +31,9 @@ TEST(FocusCommand, ComparesEveryLensWithManyCameras) {
         EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures" / (mode + ".png")));
     }
     ASSERT_EQ(rows.size(), 5u);
+    EXPECT_TRUE(rows["cameras"].at("ci95").is_null()); // drawn once
+    EXPECT_EQ(rows["focus"].at("ci95").size(), 2u);
+    EXPECT_EQ(result.out.find("0 to 0"), std::string::npos) << result.out;
     EXPECT_EQ(rows["single"].at("rmse"), rows["layers"].at("rmse"));
     EXPECT_LT(rows["focus-blend"].at("rmse"), rows["focus"].at("rmse"));
     EXPECT_LT(rows["focus-blend"].at("rmse"), rows["layers"].at("rmse"));
@@ -41,6 +44,16 @@ TEST(FocusCommand, ComparesEveryLensWithManyCameras) {
     }
     EXPECT_TRUE(scales.contains(1));
     EXPECT_TRUE(scales.contains(8));
+}
+
+TEST(FocusCommand, DrawsTheSplitThatWasAskedFor) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("focus --split none --frames 1 --cameras 1 --size 64x36 --json f.json", folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(readText(folder.path() / "f.json"));
+    EXPECT_EQ(document.at("options").at("split"), "none");
+    EXPECT_EQ(document.at("cascades").size(), 1u);
 }
 
 TEST(FocusCommand, RenderTakesALens) {

@@ -3,6 +3,7 @@
 #include <experiments/focus/focus.h>
 
 #include <fmt/format.h>
+#include <options/parsed_option.h>
 #include <output/columns.h>
 #include <output/readable.h>
 #include <program/build_info.h>
@@ -13,8 +14,6 @@ namespace {
 
 struct FocusArguments {
     experiments::FocusOptions options;
-    std::string depth = "reversed";
-    std::string split;
     std::filesystem::path folder;
 };
 
@@ -46,10 +45,6 @@ output::Columns<experiments::FocusCascade> cascadeColumns() {
 
 void run(Command& command, FocusArguments& arguments) {
     experiments::FocusOptions& options = arguments.options;
-    options.mapping = depth::parseMapping(arguments.depth);
-    if (!arguments.split.empty()) {
-        options.split = depth::parseSplit(arguments.split);
-    }
     requireUsable(options.lens);
     const PictureFolder folder(arguments.folder, command.files());
     const scene::SceneSetup setup = command.openScene(options.scene, options.seed);
@@ -72,11 +67,11 @@ void run(Command& command, FocusArguments& arguments) {
         fmt::format("\n{}; {}, {} frames, {}x{}, sharp at {} through {}, {} cameras, {}, {} threads; "
                     "commit {}",
                     command.opened().text(), options.scene, options.frames, options.width, options.height,
-                    options.lens.distance, options.lens.aperture, options.cameras, arguments.depth,
+                    options.lens.distance, options.lens.aperture, options.cameras, nameOf(options.mapping),
                     options.threads, program::buildInfo().commit));
     nlohmann::ordered_json settings = settingsOf(options);
     settings.update({{"mapping", nameOf(options.mapping)},
-                     {"split", arguments.split.empty() ? "circles" : nameOf(options.split)},
+                     {"split", options.split ? nameOf(*options.split) : "circles"},
                      {"distance", options.lens.distance},
                      {"aperture", options.lens.aperture},
                      {"cameras", options.cameras}});
@@ -100,8 +95,8 @@ void addOptions(CLI::App& command, FocusArguments& arguments) {
     command.add_option("--cameras", options.cameras, "Cameras on the lens of the reference")
         ->check(CLI::Range(1u, 4096u))
         ->capture_default_str();
-    command.add_option("--depth", arguments.depth, "Depth mapping")->capture_default_str();
-    command.add_option("--split", arguments.split,
+    options::addNamed(command, "--depth", options.mapping, depth::parseMapping, "Depth mapping");
+    options::addParsed(command, "--split", options.split, depth::parseSplit,
                        "How cascades are cut; where circles of confusion double unless given");
 }
 

@@ -109,9 +109,7 @@ class FocusComparison {
 
   private:
     render::RenderOptions renderOptions(const FocusMode& mode) const {
-        const bool isGiven = !std::holds_alternative<depth::SplitNone>(m_options.split);
-        const depth::Split split =
-            isGiven ? m_options.split : depth::Split(depth::SplitAt{m_lens.boundaries()});
+        const depth::Split split = m_options.split.value_or(depth::SplitAt{m_lens.boundaries()});
         render::RenderOptions options{
             .width = m_options.width,
             .height = m_options.height,

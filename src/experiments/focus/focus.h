@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,7 @@ struct FocusOptions {
     std::uint32_t cameras = 64; ///< on the lens of the reference
     std::size_t threads = 1;
     depth::Mapping mapping = depth::Mapping::reversed;
-    /// How cascades are cut; none: where circles of confusion are 2, 4, 8 and 16 pixels.
-    depth::Split split = depth::SplitNone{};
+    std::optional<depth::Split> split; ///< without: cut where circles of confusion are 2, 4, 8 and 16 pixels
     render::Focus lens{.distance = 12.0, .aperture = 0.15};
 };
 
@@ -39,11 +39,11 @@ struct FocusResult {
     std::string mode;
     double frameMs = 0.0;
     double executeMs = 0.0;
-    double speedup = 1.0;        ///< of execute over "layers": the median of the ratios frame by frame
-    measure::Interval speedup95; ///< bootstrapped
-    std::uint64_t pixels = 0;    ///< of all layers; of "cameras" all pictures
-    double flip = 0.0;           ///< mean LDR-FLIP to the reference
-    double rmse = 0.0;           ///< of linear light to the reference, over all channels
+    double speedup = 1.0; ///< of execute over "layers": the median of the ratios frame by frame
+    std::optional<measure::Interval> speedup95; ///< bootstrapped; not of "cameras", which are drawn once
+    std::uint64_t pixels = 0;                   ///< of all layers; of "cameras" all pictures
+    double flip = 0.0;                          ///< mean LDR-FLIP to the reference
+    double rmse = 0.0;                          ///< of linear light to the reference, over all channels
     image::ImageRgba8 picture;
 };
 
