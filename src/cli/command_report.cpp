@@ -79,6 +79,9 @@ nlohmann::ordered_json makeManifest(const Command& command, const report::PlanOp
                                                             {"threads", options.threads},
                                                             {"seed", options.seed},
                                                             {"sections", options.sections}});
+    if (const std::string device = textOf(command.global().device); !device.empty()) {
+        manifest["options"]["device"] = device;
+    }
     manifest["videos"] = options.videos;
     manifest["made_at"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
     return manifest;

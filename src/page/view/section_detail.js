@@ -4,7 +4,7 @@ import { h, slot, table } from "./elements.js";
 import { figure, interval, share } from "./figures.js";
 import { makeWipe } from "./wipe.js";
 
-const titles = { none: "In full", object: "By object", cascade: "By cascade", "none-again": "In full, again" };
+export const titles = { none: "In full", object: "By object", cascade: "By cascade", cluster: "By cluster", "none-again": "In full, again" };
 
 export function fillDetail(document, folder) {
     const shown = document.results.filter((row) => row.mode !== "none-again");

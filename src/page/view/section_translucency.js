@@ -36,5 +36,5 @@ function makeTable(document) {
         ["Method", "largest error", "mean error", "within one step", "miscounted", "MiB", "execute, ms"],
         document.results.map((row) => [
             h("span", {}, titleOf(row)), figure(row.max_error), figure(row.mean_error), share(row.within_one_step),
-            figure(row.miscounted), figure(row.bytes / 2 ** 20), figure(row.execute_ms)]));
+            figure(row.miscounted), figure(row.bytes / 2 ** 20), row.execute_ms === null ? "-" : figure(row.execute_ms)]));
 }
