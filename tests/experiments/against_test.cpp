@@ -74,6 +74,16 @@ TEST(Against, FewRoundsSeeNothing) {
     EXPECT_EQ(verdictOf(few), "too few rounds to tell, 6 are needed");
 }
 
+/// Before this build has measured its frames.
+TEST(Against, LooksForTheOtherProgramFirst) {
+    std::size_t runs = 0;
+    const cdr::experiments::AgainstOptions options{
+        .here = "true", .against = "no-such-program", .arguments = {}, .rounds = 1, .seed = 1};
+    EXPECT_THROW(cdr::experiments::runAgainst(options, [&](std::size_t, std::size_t) { ++runs; }),
+                 InputError);
+    EXPECT_EQ(runs, 0u);
+}
+
 TEST(Against, NeedsATimeOfEachRound) {
     BuildTimes times = timesOf(1.0, 0.1);
     times.againUs.pop_back();

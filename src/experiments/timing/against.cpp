@@ -149,6 +149,9 @@ std::string verdictOf(const Comparison& comparison) {
 AgainstReport runAgainst(const AgainstOptions& options,
                          const std::function<void(std::size_t, std::size_t)>& progress) {
     constexpr std::size_t kRuns = 3; // this build, the other, this build again
+    if (!program::isInstalled(options.against.string())) {
+        throw base::InputError(options.against.string() + " is not installed");
+    }
     const RunFolder folder;
     runs::ShuffledOrder order(kRuns, options.seed);
     AgainstReport report;
