@@ -128,6 +128,14 @@ TEST(TranslucencyCommand, CoverageOfNothingIsHashedByPixels) {
     EXPECT_EQ(hashes.size(), 2u);
 }
 
+TEST(TranslucencyCommand, WhatIsNotTimedHasNoTime) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("translucency --size 16x16 --cascades 1 --repeats 0 --json t.json", folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(json::parse(readText(folder.path() / "t.json"))["results"][0].at("execute_ms").is_null());
+}
+
 } // namespace
 
 } // namespace cdr::cli_test

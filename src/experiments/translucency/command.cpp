@@ -62,7 +62,10 @@ output::Columns<experiments::TranslucencyResult> translucencyColumns() {
            .value = [](const Result& result) { return result.stats.bytes; },
            .heading = "MiB",
            .text = mebibytes},
-          {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms"},
+          {.key = "execute_ms",
+           .value = [](const Result& result) { return output::finiteOrNull(result.executeMs); },
+           .heading = "execute ms",
+           .format = {.missing = "-"}},
           {.key = "note", .value = &Result::note}}});
 }
 

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,7 @@ struct TranslucencyResult {
     render::TranslucencyStats stats;
     std::string note; ///< of `stats.refusal`, for people: why it was not sorted, though it was to be
     measure::LayerDifference difference;
-    double executeMs = 0.0; ///< median
+    std::optional<double> executeMs; ///< median; none where nothing was timed
     image::ImageRgba8 picture;
 };
 
