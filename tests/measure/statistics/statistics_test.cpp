@@ -95,6 +95,8 @@ TEST(ScalingLaw, AmdahlFindsItsOwnSerialFraction) {
     EXPECT_NEAR(fitAmdahl(points).value(), 0.2, 1e-12);
     EXPECT_NEAR(fitAmdahl({{2.0, 2.0}}).value(), 0.0, 1e-12);
     EXPECT_NEAR(fitAmdahl({{2.0, 1.0}}).value(), 1.0, 1e-12);
+    EXPECT_EQ(fitAmdahl({{2.0, 3.0}}), 0.0); // better than threads can
+    EXPECT_EQ(fitAmdahl({{2.0, 0.8}}), 1.0); // slower than one
     EXPECT_FALSE(fitAmdahl({{1.0, 1.0}}).has_value());
     EXPECT_FALSE(fitAmdahl({}).has_value());
 }

@@ -1,5 +1,6 @@
 #include <cdr/measure/statistics/scaling_law.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -20,7 +21,7 @@ std::optional<double> fitAmdahl(const std::vector<SpeedUp>& points) {
         xx += x * x;
         xy += x * (1.0 / point.factor - 1.0 / point.threads);
     }
-    return xx > 0.0 ? std::optional(xy / xx) : std::nullopt;
+    return xx > 0.0 ? std::optional(std::clamp(xy / xx, 0.0, 1.0)) : std::nullopt;
 }
 
 std::optional<UniversalScalability> fitUniversalScalability(const std::vector<SpeedUp>& points) {

@@ -12,8 +12,8 @@ struct SpeedUp {
 };
 
 /// Least-squares fit of Amdahl's law (1967), 1 / factor = s + (1 - s) / threads, for its serial fraction s.
-/// Below 0 says the points scale better than threads can, above 1 that threads slow the work down. None
-/// without a point of more than one thread.
+/// It is held to 0, where points scale better than threads can, and to 1, where threads slow the work down. None without a point
+/// of more than one thread.
 std::optional<double> fitAmdahl(const std::vector<SpeedUp>& points);
 
 /// Gunther's universal scalability law, factor = p / (1 + contention (p - 1) + coherence p (p - 1)).
