@@ -40,7 +40,8 @@ TEST(OrbitCommand, MeasuresTheZoom) {
     EXPECT_EQ(rows[3]["technique"], "anchored");
     EXPECT_EQ(rows[3]["wrong"], 0);
     EXPECT_GT(rows[3]["pixels"].get<int>(), 5000);
-    for (const char* file : {"orbit_reversed.png", "orbit_anchored_wrong.png", "orbit_sheet.png"}) {
+    for (const char* file :
+         {"orbit_window.png", "orbit_reversed.png", "orbit_anchored_wrong.png", "orbit_sheet.png"}) {
         EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures" / file)) << file;
     }
 }

@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 #include <ranks/one_process.h>
 
+#include <set>
+#include <string>
+
 namespace cdr::experiments {
 namespace {
 
@@ -35,6 +38,22 @@ TEST(OrbitPlot, DrawsALinePerTechniqueAndNoneAsTheFloor) {
     EXPECT_NE(script.find("a ''device''"), std::string::npos) << script;
 }
 
+/// Colours come again after six lines, so points and dashes differ.
+TEST(OrbitPlot, DrawsNoTwoLinesAlike) {
+    std::vector<OrbitResult> results;
+    for (int i = 0; i < 13; ++i) {
+        results.push_back({.frame = 0, .fovYDegrees = 60.0, .technique = std::to_string(i), .wrong = {}});
+    }
+    const std::string script = orbitPlot(results, "a device");
+    std::set<std::string> styles;
+    for (std::size_t at = script.find("pointtype"); at != std::string::npos;
+         at = script.find("pointtype", at + 1)) {
+        styles.insert(script.substr(at, script.find(" title", at) - at));
+    }
+    EXPECT_EQ(styles.size(), results.size()) << script;
+    EXPECT_NE(script.find("set format xy '%g'"), std::string::npos) << "ticks read 100, not 100.000000";
+}
+
 using OrbitDrawn = cdr::test::DeviceTest;
 
 /// In a scene that is less to make.
@@ -54,6 +73,18 @@ TEST_F(OrbitDrawn, RoundedVerticesAreWrongAtMoreEdges) {
             .wrong.edgeWrong;
     };
     EXPECT_GT(edgeWrong(2), edgeWrong(0));
+}
+
+/// Where one frame is drawn, it is the last: the telescope's, and not what the window shows.
+TEST_F(OrbitDrawn, OneFrameHasNoPictureOfTheWindow) {
+    const scene::SceneSetup setup = scenes::makeMixed();
+    OrbitOptions options{.width = 64, .height = 36, .frames = 1, .techniques = {}};
+    options.techniques = {depth::namedTechnique("anchored")};
+    ranks::OneProcess alone;
+    const OrbitRun run = runOrbit(
+        device(), setup, options, [](auto, auto, const auto&) {}, alone);
+    EXPECT_EQ(run.last.size(), 1u);
+    EXPECT_TRUE(run.window.pixels.empty());
 }
 
 } // namespace

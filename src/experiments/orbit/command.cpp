@@ -38,7 +38,9 @@ std::string fileName(const experiments::PictureResult& result) {
 
 void writePictures(const PictureFolder& folder, const std::vector<experiments::PictureResult>& results,
                    const image::ImageRgba8& window, const std::string& device) {
-    folder.write(kWindowPicture, window);
+    if (!window.pixels.empty()) {
+        folder.write(kWindowPicture, window);
+    }
     for (const experiments::PictureResult& result : results) {
         folder.write(fileName(result) + ".png", result.picture);
         folder.write(fileName(result) + "_wrong.png", result.heatMap);
@@ -118,9 +120,12 @@ void run(Command& command, OrbitArguments& arguments) {
     printNeeds(console, options.rivalsBeside);
     console.line(
         fmt::format("\nshare of wrong pixels off edges; {}, {}x{}", device, options.width, options.height));
+    const bool hasWindow = !result.window.pixels.empty();
     if (folder.isWanted()) {
         writePictures(folder, result.last, result.window, command.device().info().name);
-        console.line(fmt::format("pictures of the first and the last frame in {}", folder.path().string()));
+        console.line(fmt::format("pictures of {} in {}",
+                                 hasWindow ? "the first and the last frame" : "the last frame",
+                                 folder.path().string()));
     }
     if (!arguments.plot.empty()) {
         output::writePlot(arguments.plot,
@@ -133,7 +138,7 @@ void run(Command& command, OrbitArguments& arguments) {
                                           {"snap_bits", options.snapBits},
                                           {"instances", setup.scene.instances.size()}});
     if (folder.isWanted()) {
-        document["window_picture"] = kWindowPicture;
+        document["window_picture"] = hasWindow ? output::Json(kWindowPicture) : output::Json(nullptr);
     }
     const auto written = folder.isWanted() ? result.last : std::vector<experiments::PictureResult>();
     document["results"] = output::jsonOf(orbitColumns(written, result.results.back().frame), result.results);

@@ -65,7 +65,8 @@ class Zoom {
             const DrawnFrame frame = m_drawers[i].render(camera);
             measured.push_back(
                 {.cascades = frame.cascades, .wrong = measure::countWrong(frame.ids, truth, inner)});
-            if (unit == 0 && i + 1 == m_options.techniques.size()) {
+            const bool isWindow = unit == 0 && m_numbers.size() > 1; // else it is the last frame too
+            if (isWindow && i + 1 == m_options.techniques.size()) {
                 made["window"] = runs::packedPicture(frame.color);
             }
             if (unit + 1 == m_numbers.size() && m_drawers[i].shades()) {

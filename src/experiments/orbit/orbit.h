@@ -41,7 +41,8 @@ struct OrbitResult {
 struct OrbitRun {
     std::vector<OrbitResult> results; ///< by frame, then technique, then rival
     std::vector<PictureResult> last;  ///< of the path's last frame, by technique; rivals shade nothing
-    image::ImageRgba8 window;         ///< the first frame under the last technique
+    image::ImageRgba8
+        window; ///< the path's first frame under the last technique; empty where the last alone is drawn
 };
 
 /// The frames that are looked at: `count` of a path's `length`, evenly, ascending, the last always.
