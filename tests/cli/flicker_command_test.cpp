@@ -76,6 +76,8 @@ TEST(FlickerCommand, WritesVideosFramesAndStateAndGoesOnFromIt) {
 
     const ProgramResult again = runProgram(arguments + "b.json", folder.path());
     ASSERT_EQ(again.status, 0) << again.err;
+    EXPECT_NE(again.out.find("results kept in ./flicker_state.json: 3\n"), std::string::npos) << again.out;
+    EXPECT_EQ(first.out.find("results kept"), std::string::npos) << first.out;
     EXPECT_EQ(readText(folder.path() / "a.json"), readText(folder.path() / "b.json"));
     EXPECT_EQ(readText(folder.path() / "frames" / "log" / "0002.tga"), frame);
     EXPECT_EQ(json::parse(readText(folder.path() / "a.json")).at("results")[0].at("format"), "d16");

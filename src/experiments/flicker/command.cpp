@@ -129,6 +129,9 @@ std::vector<experiments::FlickerResult> measure(Command& command, const FlickerA
     experiments::FlickerHooks hooks;
     hooks.progress = command.progress();
     hooks.ranks = &command.ranks();
+    hooks.resumes = [&](std::uint32_t frames) {
+        command.console().line(fmt::format("results kept in {}: {}", options.state->string(), frames));
+    };
     if (arguments.videos || arguments.tga) {
         hooks.pictures = [&](std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures) {
             if (videos) {

@@ -88,6 +88,9 @@ class Flicker {
     std::vector<FlickerResult> run(const FlickerStateFile* file, ranks::Ranks& ranks) {
         if (file != nullptr) {
             file->load(m_state);
+            if (m_hooks.resumes && m_state.framesDone > 0) {
+                m_hooks.resumes(m_state.framesDone);
+            }
         }
         const std::uint32_t done = runs::sharedOf(ranks, std::vector{m_state.framesDone})[0];
         const std::uint32_t begin = m_hooks.pictures ? 0 : done;

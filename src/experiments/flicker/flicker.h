@@ -62,6 +62,8 @@ struct FlickerHooks {
     /// Receives every frame's pictures in the techniques' order, from the first frame on also where a run
     /// resumes. Rivals have none.
     std::function<void(std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures)> pictures;
+    /// Called before the first frame where a run resumes, on the first rank, with how many frames are done.
+    std::function<void(std::uint32_t frames)> resumes{};
     /// That share the frames; null where the process is alone. The first one has results and pictures, and keeps the state.
     ranks::Ranks* ranks = nullptr;
 };
