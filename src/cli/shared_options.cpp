@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <set>
+#include <string>
 #include <string_view>
 
 namespace cdr::cli {
@@ -100,12 +102,36 @@ void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help
     command.add_option("--frames", frames, help)->check(CLI::Range(1u, most))->capture_default_str();
 }
 
+std::vector<std::string> techniqueNames(const std::vector<std::string>& parts) {
+    std::vector<std::string> names;
+    for (const std::string& part : parts) {
+        // No technique's name begins with a digit or has "=" before a colon.
+        const bool isNumber = part.find_first_of("0123456789.") == 0;
+        if (!names.empty() && (isNumber || part.find('=') < part.find(':'))) {
+            names.back() += "," + part;
+        } else {
+            names.push_back(part);
+        }
+    }
+    return names;
+}
+
+void requireDistinct(const std::vector<depth::NamedTechnique>& techniques) {
+    std::set<std::string> names;
+    for (const depth::NamedTechnique& named : techniques) {
+        if (!names.insert(named.name).second) {
+            throw base::InputError(
+                fmt::format("{} is there twice: its pictures would have one name", named.name));
+        }
+    }
+}
+
 void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techniques) {
     command
         .add_option_function<std::vector<std::string>>(
             "--techniques",
-            [&techniques](const std::vector<std::string>& names) {
-                for (const std::string& name : names) {
+            [&techniques](const std::vector<std::string>& parts) {
+                for (const std::string& name : techniqueNames(parts)) {
                     techniques.push_back(depth::namedTechnique(name));
                 }
             },

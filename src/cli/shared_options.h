@@ -83,6 +83,12 @@ void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height);
 void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help,
                std::uint32_t most = kMaxFrames);
 
+/// The names in a list that was divided at commas, some of which are part of a name: "standard/at:1,2", "anchored/fitted:1,max=2".
+std::vector<std::string> techniqueNames(const std::vector<std::string>& parts);
+
+/// base::InputError where a technique is named twice. For commands that name pictures after techniques.
+void requireDistinct(const std::vector<depth::NamedTechnique>& techniques);
+
 /// `--techniques A,B,...`; none: all presets.
 void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techniques);
 

@@ -346,6 +346,23 @@ TEST(RenderCommand, TracesWorkersCascadesAndTheDevice) {
     EXPECT_GT(jobs, 2 * 8);
 }
 
+/// A list of techniques is divided at commas, but not where a split has some.
+TEST(ProbeCommand, TakesTechniquesWhoseNamesHaveCommas) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("probe --distances 1000 --size 64x36 --formats d32f --techniques "
+                   "standard/at:1,2,anchored/fitted:1px,max=2,reversed --json p.json",
+                   folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("no pixel tells"), std::string::npos) << result.out;
+    std::vector<std::string> names;
+    for (const json& row : json::parse(readText(folder.path() / "p.json")).at("results")) {
+        names.push_back(row.at("technique"));
+        EXPECT_EQ(row.at("pairs_seen"), 0);
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"standard/at:1,2", "anchored/fitted:1px,max=2", "reversed"}));
+}
+
 } // namespace
 
 } // namespace cdr::cli_test

@@ -95,6 +95,9 @@ void printTable(const Console& console, const std::vector<experiments::OrbitResu
 void run(Command& command, OrbitArguments& arguments) {
     const experiments::OrbitOptions& options = arguments.options;
     const PictureFolder folder(arguments.folder, command.files(), "orbit_");
+    if (folder.isWanted()) {
+        requireDistinct(options.techniques);
+    }
     if (!arguments.plot.empty()) {
         output::requirePlottable(arguments.plot);
         command.files().writes("--plot", arguments.plot);

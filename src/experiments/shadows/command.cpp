@@ -61,6 +61,7 @@ output::Columns<experiments::ShadowResult> shadowColumns() {
 void run(Command& command, ShadowArguments& arguments) {
     experiments::ShadowExperiment& experiment = arguments.experiment;
     experiment.options.surface = render::parseSurfacePath(arguments.surface);
+    experiment.techniques = techniqueNames(experiment.techniques);
     if (!arguments.camera.path.empty()) {
         command.reads(arguments.camera.path);
     }
