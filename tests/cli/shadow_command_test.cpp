@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -34,6 +35,15 @@ TEST(ShadowCommand, ComparesBothMethodsWithTheTruth) {
     EXPECT_EQ(document["results"][0]["method"], "plain");
     EXPECT_EQ(document["results"][1]["method"], "anchored");
     EXPECT_LE(document["results"][1]["wrong_fraction"], document["results"][0]["wrong_fraction"]);
+}
+
+/// All frames' truth is kept at once, so what has no room ends before the first ray.
+TEST(ShadowCommand, SaysHowMuchMemoryTheTruthNeeds) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram("shadows alley --frames 1000000 --size 1920x1080", folder.path());
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.err.find("the truth of 1000000 frames under "), std::string::npos) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
 }
 
 /// A technique's name is a part of the names of pictures.

@@ -1,6 +1,7 @@
 #include "shadows.h"
 
 #include <cdr/base/error.h>
+#include <cdr/host/host_memory.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
 
@@ -58,11 +59,14 @@ void runShadows(const gpu::Device& device, const scene::SceneSetup& setup,
     if (scene.lights.empty()) {
         throw base::InputError(fmt::format("{}: it has no light that could cast a shadow", scene.name));
     }
+    const std::size_t lights = std::min(scene.lights.size(), render::kMaxShadowLights);
+    const std::uint64_t pixels = std::uint64_t{experiment.options.width} * experiment.options.height;
+    host::requireHostBytes(pixels * lights * cameras.frames * sizeof(measure::ShadowPixel),
+                           fmt::format("the truth of {} frames under {} lights", cameras.frames, lights));
     host::WorkerPool workers(experiment.options.threads);
     const measure::TruthCaster shapes(scene, workers);
     const measure::ShadowTruthCaster caster(scene, shapes.shapes());
     const render::GpuScene gpuScene(device, scene);
-    const std::size_t lights = std::min(scene.lights.size(), render::kMaxShadowLights);
     std::vector<measure::ShadowImage> truths; // by frame and light
     const std::size_t steps = cameras.frames * (lights + variants.size());
     std::size_t done = 0;
