@@ -432,6 +432,16 @@ TEST(Assets, LargerOnesAreRecognisable) {
     }
 }
 
+/// A special case is named in every output.
+TEST(RenderTable, NamesASurfacePathThatIsNotTheDefault) {
+    const TemporaryFolder folder;
+    const auto drawn = [&](const std::string& options) {
+        return runProgram("render cubes --technique standard --size 64x36 " + options, folder.path()).out;
+    };
+    EXPECT_NE(drawn("--surface lit").find("standard/lit"), std::string::npos) << drawn("--surface lit");
+    EXPECT_EQ(drawn("").find("standard/"), std::string::npos) << drawn("");
+}
+
 } // namespace
 
 } // namespace cdr::cli_test

@@ -72,10 +72,16 @@ output::Columns<RenderRow> renderColumns(const RenderHeadings& shown) {
     const auto ofTimes = [](auto member) {
         return [member](const RenderRow& row) { return row.made.frame().stats.times.*member; };
     };
+    // A surface path that is not the default is named as `timing --modes` does.
+    const auto techniqueText = [](const RenderRow& row) {
+        return row.options.surface == render::SurfacePath::gbuffer
+                   ? row.technique
+                   : fmt::format("{}/{}", row.technique, nameOf(row.options.surface));
+    };
     output::Columns<RenderRow> columns{
         {.heading = "scene",
          .text = [](const RenderRow& row) { return labelOf(row.scene, row.made.number()); }},
-        {.key = "technique", .value = &RenderRow::technique, .heading = "technique"},
+        {.key = "technique", .value = &RenderRow::technique, .heading = "technique", .text = techniqueText},
         {.key = "targets", .value = [](const RenderRow& row) { return nameOf(row.options.targets.kind); }},
         {.key = "layers", .value = [](const RenderRow& row) { return row.options.targets.layers; }},
         {.key = "submission", .value = [](const RenderRow& row) { return nameOf(row.options.submission); }},
