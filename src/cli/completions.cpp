@@ -6,6 +6,9 @@
 #include <fmt/ranges.h>
 #include <options/help_format.h>
 
+#include <algorithm>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace cdr::cli {
@@ -34,14 +37,37 @@ std::vector<std::string> dashedNames(const CLI::Option& option) {
     return names;
 }
 
-std::vector<std::string> dashedNames(const CLI::App& app) {
+std::vector<std::string> dashedNames(const std::vector<const CLI::Option*>& options) {
     std::vector<std::string> names;
-    for (const CLI::Option* option : options::shownOptions(app)) {
+    for (const CLI::Option* option : options) {
         for (std::string& name : dashedNames(*option)) {
             names.push_back(std::move(name));
         }
     }
     return names;
+}
+
+/// Those of a command and, behind them, the program's own, which may stand behind a command too.
+std::vector<const CLI::Option*> optionsBehind(const CLI::App& program, const CLI::App& command) {
+    std::vector<const CLI::Option*> options = options::shownOptions(command);
+    for (const CLI::Option* option : options::shownOptions(program)) {
+        const bool isOwn = std::any_of(options.begin(), options.end(), [&](const CLI::Option* own) {
+            return own->get_single_name() == option->get_single_name();
+        });
+        if (!isOwn) {
+            options.push_back(option);
+        }
+    }
+    return options;
+}
+
+/// The viewer's options, which its help alone knows, as a shell lists them.
+constexpr std::string_view kViewerOptions =
+    "view --help 2>/dev/null | grep -oE -- '--[a-z][a-z-]*' | sort -u";
+
+/// Whether what follows a command is another program's.
+bool isOfViewer(const CLI::App& command) {
+    return command.get_name() == "view";
 }
 
 std::string escaped(const std::string& text, std::string_view special) {
@@ -57,8 +83,11 @@ std::string escaped(const std::string& text, std::string_view special) {
 std::string bashScript(const CLI::App& program) {
     std::string cases;
     for (const CLI::App* command : program.get_subcommands({})) {
-        cases += fmt::format("        {}) words='{}' ;;\n", command->get_name(),
-                             fmt::join(dashedNames(*command), " "));
+        const std::string words =
+            isOfViewer(*command)
+                ? fmt::format("$(\"${{COMP_WORDS[0]}}\" {})", kViewerOptions)
+                : fmt::format("'{}'", fmt::join(dashedNames(optionsBehind(program, *command)), " "));
+        cases += fmt::format("        {}) words={} ;;\n", command->get_name(), words);
     }
     // Anything else a command takes may be a file, which `-o default` completes.
     return fmt::format(R"(_cdr() {{
@@ -75,12 +104,12 @@ std::string bashScript(const CLI::App& program) {
 complete -o default -F _cdr cdr
 )",
                        fmt::join(commandNames(program), "|"), fmt::join(commandNames(program), " "),
-                       fmt::join(dashedNames(program), " "), cases);
+                       fmt::join(dashedNames(options::shownOptions(program)), " "), cases);
 }
 
-std::string zshOptions(const CLI::App& app) {
+std::string zshOptions(const std::vector<const CLI::Option*>& options) {
     std::string specs;
-    for (const CLI::Option* option : options::shownOptions(app)) {
+    for (const CLI::Option* option : options) {
         for (const std::string& name : dashedNames(*option)) {
             specs +=
                 fmt::format(" \\\n            '{}[{}]{}'", name, escaped(option->get_description(), "[]:\\"),
@@ -96,8 +125,12 @@ std::string zshScript(const CLI::App& program) {
     for (const CLI::App* command : program.get_subcommands({})) {
         commands +=
             fmt::format("    '{}:{}'\n", command->get_name(), escaped(command->get_description(), ":\\"));
-        cases += fmt::format("    {})\n        _arguments '*:file:_files'{} ;;\n", command->get_name(),
-                             zshOptions(*command));
+        const std::string body =
+            isOfViewer(*command)
+                ? fmt::format("if [[ $PREFIX == -* ]]; then compadd -- $($words[1] {}); else _files; fi",
+                              kViewerOptions)
+                : fmt::format("_arguments '*:file:_files'{}", zshOptions(optionsBehind(program, *command)));
+        cases += fmt::format("    {})\n        {} ;;\n", command->get_name(), body);
     }
     // A file of fpath is the body of a function; sourced, it says whose completion that function is.
     return fmt::format(R"(#compdef cdr
@@ -112,12 +145,13 @@ case ${{words[(r)({0})]}} in
 }}
 if [[ $funcstack[1] == _cdr ]]; then _cdr "$@"; else compdef _cdr cdr; fi
 )",
-                       fmt::join(commandNames(program), "|"), commands, zshOptions(program), cases);
+                       fmt::join(commandNames(program), "|"), commands,
+                       zshOptions(options::shownOptions(program)), cases);
 }
 
-std::string fishOptions(const CLI::App& app, const std::string& condition) {
+std::string fishOptions(const std::vector<const CLI::Option*>& options, const std::string& condition) {
     std::string lines;
-    for (const CLI::Option* option : options::shownOptions(app)) {
+    for (const CLI::Option* option : options) {
         if (option->get_positional()) {
             continue;
         }
@@ -135,11 +169,14 @@ std::string fishOptions(const CLI::App& app, const std::string& condition) {
 }
 
 std::string fishScript(const CLI::App& program) {
-    std::string lines = fishOptions(program, "__fish_use_subcommand");
+    std::string lines = fishOptions(options::shownOptions(program), "__fish_use_subcommand");
     for (const CLI::App* command : program.get_subcommands({})) {
         lines += fmt::format("complete -c cdr -f -n __fish_use_subcommand -a {} -d '{}'\n",
                              command->get_name(), escaped(command->get_description(), "\\"));
-        lines += fishOptions(*command, fmt::format("__fish_seen_subcommand_from {}", command->get_name()));
+        const std::string behind = fmt::format("__fish_seen_subcommand_from {}", command->get_name());
+        lines += isOfViewer(*command) ? fmt::format("complete -c cdr -n '{}' -a '(cdr {})'\n", behind,
+                                                    escaped(std::string(kViewerOptions), ""))
+                                      : fishOptions(optionsBehind(program, *command), behind);
     }
     return lines;
 }

@@ -41,14 +41,19 @@ TEST(ShellCommands, BashCompletesCommandsAndTheirOptions) {
     std::ofstream(folder.path() / "cdr.bash") << runProgram("completions bash", folder.path()).out;
     const auto completed = [&](const std::string& words, int at) {
         std::ofstream(folder.path() / "try.bash")
-            << "source cdr.bash; COMP_WORDS=(" << words << "); COMP_CWORD=" << at
-            << "; _cdr; echo ${COMPREPLY[@]}\n";
+            << "source cdr.bash; cdr() { '" CDR_PROGRAM "' \"$@\"; }; COMP_WORDS=(" << words
+            << "); COMP_CWORD=" << at << "; _cdr; echo ${COMPREPLY[@]}\n";
         return runProgram("--version > /dev/null; bash try.bash", folder.path()).out;
     };
     EXPECT_EQ(completed("cdr ren", 1), "render\n");
     EXPECT_EQ(completed("cdr --device 0 sc", 3), "scaling\n");
     EXPECT_EQ(completed("cdr render cubes --tech", 3), "--technique\n");
     EXPECT_EQ(completed("cdr render cu", 2), "\n"); // files
+    EXPECT_EQ(completed("cdr render cubes --qui", 3), "--quiet\n") << "what every command takes";
+    EXPECT_EQ(completed("cdr render cubes --hel", 3), "--help\n") << "once";
+    if (runProgram("view --version", folder.path(), "PATH=/nowhere").status == 0) {
+        EXPECT_EQ(completed("cdr view --vsy", 2), "--vsync\n") << "the viewer's";
+    }
 }
 
 TEST(ShellCommands, ZshTakesItsScriptSourcedToo) {
