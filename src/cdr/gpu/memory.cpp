@@ -36,11 +36,14 @@ VmaAllocationCreateFlags hostAccess(MemoryUse use) {
     }
 }
 
-VmaAllocationCreateInfo allocationInfo(MemoryUse use, bool isAlone) {
+/// Whether what is made lies in memory with others.
+enum class MemoryBlock : std::uint8_t { shared, own };
+
+VmaAllocationCreateInfo allocationInfo(MemoryUse use, MemoryBlock block) {
     VmaAllocationCreateInfo info{};
     info.usage = VMA_MEMORY_USAGE_AUTO;
     info.flags = hostAccess(use);
-    if (isAlone) {
+    if (block == MemoryBlock::own) {
         info.flags |= VMA_ALLOCATION_CREATE_DEDICATED_MEMORY_BIT;
     }
     return info;
@@ -84,7 +87,8 @@ Buffer::Buffer(const Device& device, std::size_t bytes, vk::BufferUsageFlags usa
     : m_bytes(bytes) {
     // Vulkan has no buffers of no bytes; an empty scene still gets its buffers.
     const vk::BufferCreateInfo bufferInfo{.size = std::max<std::size_t>(bytes, 4), .usage = usage};
-    const VmaAllocationCreateInfo memory = allocationInfo(use, bytes >= kOwnMemoryBytes);
+    const VmaAllocationCreateInfo memory =
+        allocationInfo(use, bytes >= kOwnMemoryBytes ? MemoryBlock::own : MemoryBlock::shared);
     VkBuffer buffer = VK_NULL_HANDLE;
     VmaAllocation allocation = nullptr;
     VmaAllocationInfo info{};
@@ -118,8 +122,8 @@ Image::Image(const Device& device, const ImageOptions& options, const std::strin
     }
     const vk::ImageCreateInfo imageInfo = createInfo(options);
     const std::uint64_t bytes = bytesOfPixels(options);
-    const bool isAlone = static_cast<bool>(options.usage & ~kTexture);
-    const VmaAllocationCreateInfo memory = allocationInfo(MemoryUse::deviceOnly, isAlone);
+    const MemoryBlock block = options.usage & ~kTexture ? MemoryBlock::own : MemoryBlock::shared;
+    const VmaAllocationCreateInfo memory = allocationInfo(MemoryUse::deviceOnly, block);
     VkImage image = VK_NULL_HANDLE;
     VmaAllocation allocation = nullptr;
     check(vmaCreateImage(device.allocator(), &static_cast<const VkImageCreateInfo&>(imageInfo), &memory,
@@ -147,7 +151,7 @@ std::uint64_t predictBytes(const Device& device, const ImageOptions& options) {
 bool takesDeviceBytes(const Device& device, MemoryUse use) {
     const vk::BufferCreateInfo buffer{.size = kOwnMemoryBytes,
                                       .usage = vk::BufferUsageFlagBits::eTransferDst};
-    const VmaAllocationCreateInfo memory = allocationInfo(use, false);
+    const VmaAllocationCreateInfo memory = allocationInfo(use, MemoryBlock::shared);
     std::uint32_t type = 0;
     check(vmaFindMemoryTypeIndexForBufferInfo(
               device.allocator(), &static_cast<const VkBufferCreateInfo&>(buffer), &memory, &type),

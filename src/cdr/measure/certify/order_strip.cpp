@@ -241,15 +241,18 @@ void OrderStrip::enterPixel(const ScreenTriangle& triangle, std::uint32_t id, st
 PixelFinding OrderStrip::findingAt(std::uint32_t x, std::uint32_t y) const {
     const Order& order = m_orders[indexOf(x, y)];
     const double reach = m_reach[indexOf(x, y)];
-    return {verdictOn(order, m_frame.ids.at(x, y) == 0, reach), static_cast<float>(order.offView)};
+    const bool isBackground = m_frame.ids.at(x, y) == 0;
+    return {isBackground ? verdictOnBackground(order) : verdictOnObject(order, reach),
+            static_cast<float>(order.offView)};
 }
 
-PixelVerdict OrderStrip::verdictOn(const Order& order, bool isBackground, double reach) {
-    if (isBackground) {
-        return order.otherMost < kNever    ? PixelVerdict::refused
-               : order.otherLeast < kNever ? PixelVerdict::open
-                                           : PixelVerdict::certified;
-    }
+PixelVerdict OrderStrip::verdictOnBackground(const Order& order) {
+    return order.otherMost < kNever    ? PixelVerdict::refused
+           : order.otherLeast < kNever ? PixelVerdict::open
+                                       : PixelVerdict::certified;
+}
+
+PixelVerdict OrderStrip::verdictOnObject(const Order& order, double reach) {
     if (order.otherMost < order.least || order.least == kNever) {
         return PixelVerdict::refused;
     }

@@ -86,7 +86,8 @@ class OrderStrip {
     };
 
     void keepReach(std::uint32_t x, std::uint32_t y, double reach);
-    static PixelVerdict verdictOn(const Order& order, bool isBackground, double reach);
+    static PixelVerdict verdictOnBackground(const Order& order);
+    static PixelVerdict verdictOnObject(const Order& order, double reach);
     std::array<Edge, 3> edgesOf(const ScreenTriangle& triangle) const;
     /// The triangle's box with what its corners may be off.
     PixelRect boxOf(const ScreenTriangle& triangle) const;

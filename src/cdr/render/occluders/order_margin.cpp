@@ -40,12 +40,13 @@ depth::Technique slicedTechnique(depth::Technique technique, const FrameView& vi
 }
 
 /// How many times coarser depth is by its slice.
-double sliceLoss(const FrameView& view, bool isFloat, double distanceView) {
+double sliceLoss(const FrameView& view, depth::DepthFormat format, double distanceView) {
     for (const CascadeView& cascade : view.cascades) {
         if (distanceView <= cascade.clipRange.farView) {
             return cascade.slice == DepthSlice{} ? 1.0
-                   : isFloat                     ? 4.0
-                             : 1.0 / static_cast<double>(cascade.slice.max - cascade.slice.min);
+                   : depth::traitsOf(format).isFloat
+                       ? 4.0
+                       : 1.0 / static_cast<double>(cascade.slice.max - cascade.slice.min);
         }
     }
     return kNever;
@@ -58,13 +59,12 @@ OrderMargin::OrderMargin(const depth::Technique& technique, const FrameView& vie
       m_nodesPerRatio(static_cast<double>(kNodes - 1) / std::log(view.camera.farView / m_nearView)) {
     const depth::Cascades cascades = view.ranges();
     const depth::Technique sliced = slicedTechnique(technique, view);
-    const bool isFloat = depth::traitsOf(technique.format).isFloat;
     m_nodes.reserve(kNodes);
     for (std::size_t node = 0; node < kNodes; ++node) {
         const double at = m_nearView * std::exp(static_cast<double>(node) / m_nodesPerRatio);
         const std::optional<depth::Forecast> forecast = depth::forecastIn(sliced, cascades, at);
         m_nodes.push_back(forecast ? farthestBeyond(at, kBetweenNodes * forecast->guaranteedView() *
-                                                            sliceLoss(view, isFloat, at)) +
+                                                            sliceLoss(view, technique.format, at)) +
                                          interpolationOf(technique.mapping) * at
                                    : kNever);
     }

@@ -87,7 +87,7 @@ void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::Vi
     const std::vector<SeenSphere> spheres = seenSpheres(view.camera, visible);
     const std::vector<ReceiverSlice> slices = isPlain ? practicalSlices(view.camera, view.frustum, spheres)
                                                       : receiverSlices(view.camera, view.frustum, spheres);
-    slot.slices = slicePush(slices, isPlain);
+    slot.slices = slicePush(slices, m_options.method);
     slot.views.clear();
     slot.receivers.clear();
     const std::size_t lights = std::min(m_scene.scene.lights.size(), kMaxShadowLights);
@@ -97,7 +97,7 @@ void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::Vi
             for (const LightView& seen : viewsOf(m_scene.scene.lights[light], slices[i], view)) {
                 slot.views.push_back(seen);
                 slot.receivers.push_back(
-                    {.light = light, .depth = sliceDepth(slices, i, isPlain), .area = area});
+                    {.light = light, .depth = sliceDepth(slices, i, m_options.method), .area = area});
             }
         }
     }

@@ -75,7 +75,8 @@ std::uint64_t SliceDepth::predictBytes(const gpu::Device& device, vk::Extent2D e
     return gpu::predictBytes(device, sliceOptions(extent));
 }
 
-shaders::SlicePush slicePush(std::span<const ReceiverSlice> slices, bool isPlain) {
+shaders::SlicePush slicePush(std::span<const ReceiverSlice> slices, ShadowMethod method) {
+    const bool isPlain = method == ShadowMethod::plain;
     shaders::SlicePush push{.nearView = shaders::vec4(std::numeric_limits<float>::infinity()),
                             .isPlain = isPlain ? 1u : 0u};
     for (std::size_t i = 0; isPlain && i < slices.size(); ++i) {
@@ -84,10 +85,10 @@ shaders::SlicePush slicePush(std::span<const ReceiverSlice> slices, bool isPlain
     return push;
 }
 
-float sliceDepth(std::span<const ReceiverSlice> slices, std::size_t slice, bool isPlain) {
+float sliceDepth(std::span<const ReceiverSlice> slices, std::size_t slice, ShadowMethod method) {
     constexpr int kExponentBias = 127;
-    const int number =
-        isPlain ? static_cast<int>(slice) + 1 : std::ilogb(slices[slice].nearView) + kExponentBias;
+    const int number = method == ShadowMethod::plain ? static_cast<int>(slice) + 1
+                                                     : std::ilogb(slices[slice].nearView) + kExponentBias;
     return static_cast<float>(number) / shaders::kMaxSlices;
 }
 

@@ -4,6 +4,7 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/shadows/receiver_slices.h>
+#include <cdr/render/shadows/shadows.h>
 #include <cdr/shaders/shadows_shared.h>
 
 #include <cstdint>
@@ -33,9 +34,9 @@ class SliceDepth {
 };
 
 /// The ends of slices, for shaders.
-/// @param slices all of a frame, nearest first. @param isPlain practicalSlices().
-shaders::SlicePush slicePush(std::span<const ReceiverSlice> slices, bool isPlain);
+/// @param slices all of a frame, nearest first. @param method that they were made for.
+shaders::SlicePush slicePush(std::span<const ReceiverSlice> slices, ShadowMethod method);
 /// What SliceDepth holds where a surface is in that slice.
-float sliceDepth(std::span<const ReceiverSlice> slices, std::size_t slice, bool isPlain);
+float sliceDepth(std::span<const ReceiverSlice> slices, std::size_t slice, ShadowMethod method);
 
 } // namespace cdr::render

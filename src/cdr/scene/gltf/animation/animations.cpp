@@ -87,7 +87,7 @@ class AnimationReader {
     void addChannel(const json& channel);
     std::size_t keyframesOf(int index, AnimatedPath path, std::size_t width);
     std::vector<float> timesOf(const json& sampler, const std::string& where);
-    std::vector<float> valuesOf(const json& sampler, const Keyframes& keyframes, bool isScalar,
+    std::vector<float> valuesOf(const json& sampler, const Keyframes& keyframes, AnimatedPath path,
                                 const std::string& where);
 
     const json& m_source;
@@ -140,7 +140,7 @@ std::size_t AnimationReader::keyframesOf(int index, AnimatedPath path, std::size
     if (keyframes.interpolation == Interpolation::cubicSpline && keyframes.times.size() < 2) {
         refuse("{}: a cubic spline needs two keyframes", where);
     }
-    keyframes.values = valuesOf(sampler, keyframes, path == AnimatedPath::weights, where);
+    keyframes.values = valuesOf(sampler, keyframes, path, where);
     m_animation.seconds = std::max(m_animation.seconds, static_cast<double>(keyframes.times.back()));
     m_animation.keyframes.push_back(std::move(keyframes));
     return found->second;
@@ -167,10 +167,11 @@ std::vector<float> AnimationReader::timesOf(const json& sampler, const std::stri
     return times;
 }
 
-std::vector<float> AnimationReader::valuesOf(const json& sampler, const Keyframes& keyframes, bool isScalar,
-                                             const std::string& where) {
+std::vector<float> AnimationReader::valuesOf(const json& sampler, const Keyframes& keyframes,
+                                             AnimatedPath path, const std::string& where) {
     const Accessor& accessor = m_accessors.at(requiredIndex(sampler, "output", where));
     const std::size_t parts = keyframes.interpolation == Interpolation::cubicSpline ? 3 : 1;
+    const bool isScalar = path == AnimatedPath::weights;
     const std::size_t components = isScalar ? 1 : keyframes.width;
     const std::size_t elements = keyframes.times.size() * parts * (isScalar ? keyframes.width : 1);
     if (static_cast<std::size_t>(accessor.components()) != components || accessor.count() != elements) {
