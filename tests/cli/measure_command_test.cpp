@@ -356,7 +356,8 @@ TEST(ProbeCommand, TakesTechniquesWhoseNamesHaveCommas) {
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.out.find("no pixel tells"), std::string::npos) << result.out;
     std::vector<std::string> names;
-    for (const json& row : json::parse(readText(folder.path() / "p.json")).at("results")) {
+    const json document = json::parse(readText(folder.path() / "p.json"));
+    for (const json& row : document.at("results")) {
         names.push_back(row.at("technique"));
         EXPECT_EQ(row.at("pairs_seen"), 0);
     }
