@@ -15,7 +15,7 @@ const axeSource = readFileSync(requireOfPage.resolve("axe-core/axe.min.js"), "ut
 
 export const program = process.env.CDR_PROGRAM;
 export const folder = mkdtempSync(join(tmpdir(), "cdr_report_"));
-const screenshots = process.env.CDR_SCREENSHOTS;
+const screenshots = process.env.CDR_ALL_CASES && process.env.CDR_SCREENSHOTS;
 
 /** A copy of the report that the test Report.Made wrote. */
 export function copyReport() {
@@ -64,7 +64,7 @@ export async function close(page) {
     assert.deepEqual(faults, []);
 }
 
-/** For people to look at. */
+/** For people to look at, with CDR_ALL_CASES: a picture of a whole page takes as long as a test. */
 export async function screenshot(page, name) {
     if (screenshots) {
         mkdirSync(screenshots, { recursive: true });
