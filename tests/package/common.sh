@@ -38,7 +38,7 @@ install_cdr() {
         -DCDR_WARNINGS_AS_ERRORS=ON -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG= "${hidden[@]}" "$flags" "$@"
     quiet cmake --build "$at/build"
     quiet cmake --install "$at/build" --prefix "$at/prefix"
-    quiet cmake -G Ninja -S "$source_dir/src/examples/depth_only" -B "$at/example" -DCMAKE_BUILD_TYPE=Release \
+    quiet cmake -G Ninja -S "$source_dir/src/examples/depth_only" -B "$at/example" -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
         -DCMAKE_PREFIX_PATH="$at/prefix" -DCMAKE_FIND_ROOT_PATH="$at/prefix" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$flags" "$@"
     quiet cmake --build "$at/example"
     echo "$name: built and installed"

@@ -58,9 +58,11 @@ expect_lines() {
 # The allocator's header that cdr was built with, for hosts that have the allocator too.
 vma_folder=$(sed -n 's/^VMA_INCLUDE_DIR:PATH=//p' "$build_dir/CMakeCache.txt")
 
-# build_example NAME FOLDER: a debug program, whatever the library is, but without -g: nobody debugs it.
+# build_example NAME FOLDER: a debug program, whatever the library is, but without -g: nobody debugs it. Its sources are compiled
+# as one, since the headers of Vulkan take most of the time.
 build_example() {
     quiet cmake -G Ninja -S "$source_dir/src/examples/$1" -B "$2" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG= \
+        -DCMAKE_UNITY_BUILD=ON \
         -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror" -DCMAKE_PREFIX_PATH="$work/render" -DVMA_INCLUDE_DIR="$vma_folder"
     quiet cmake --build "$2"
 }
