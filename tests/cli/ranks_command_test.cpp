@@ -64,12 +64,12 @@ TEST_F(RanksCommand, RenderWritesTheFilesOfOneProcess) {
 
 /// Every preset, those of each kind with many ranks, and with fitted splits that keep to the frames before.
 TEST_F(RanksCommand, CascadesAreLaidOverEachOther) {
-    const std::vector<int> few{3};
+    const std::vector<int> few{2};
     const std::vector<int> all{1, 2, 3, 8};
     for (const auto& [technique, counts] :
-         {std::pair("standard", few), std::pair("cdr", takesAllCases() ? all : std::vector{1, 8}),
+         {std::pair("standard", few), std::pair("cdr", takesAllCases() ? all : std::vector{8}),
           std::pair("log", few), std::pair("logcdr", few), std::pair("reversed", few),
-          std::pair("anchored", takesAllCases() ? all : std::vector{2})}) {
+          std::pair("anchored", takesAllCases() ? all : std::vector{3})}) {
         expectSameFiles(
             std::string("render afc-near --ranks cascades --size 160x90 --frame 7 -o f%d.png --json all.json "
                         "--technique ") +

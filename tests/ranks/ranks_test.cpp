@@ -1,3 +1,4 @@
+#include "../support/all_cases.h"
 #include "../support/launched.h"
 #include "../support/temporary_folder.h"
 
@@ -61,7 +62,10 @@ class LaunchedRanks : public testing::TestWithParam<int> {
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Counts, LaunchedRanks, testing::Values(1, 2, 4, 7));
+/// One, two, and as many as meet in a tree of three levels; with CDR_ALL_CASES a whole tree too.
+INSTANTIATE_TEST_SUITE_P(Counts, LaunchedRanks,
+                         testing::ValuesIn(test::takesAllCases() ? std::vector{1, 2, 7, 4}
+                                                                 : std::vector{1, 2, 7}));
 
 TEST_P(LaunchedRanks, HandOverEveryUnitOnceAndInOrder) {
     for (const std::size_t count : {0u, 3u, 40u}) {
