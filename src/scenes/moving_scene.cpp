@@ -16,9 +16,10 @@ scene::Scene withoutLevels(scene::Scene scene, const std::vector<std::uint32_t>&
 
 } // namespace
 
-MovingScene::MovingScene(scene::Scene scene, scene::SceneMotion motion)
+MovingScene::MovingScene(scene::Scene scene, scene::SceneMotion motion, Deform deform)
     : m_world(withoutLevels(std::move(scene), motion.meshes)),
-      m_motion(std::move(motion)) {
+      m_motion(std::move(motion)),
+      m_deform(deform) {
     for (const std::uint32_t instance : m_motion.instances) {
         m_instances.push_back(m_world.instance(instance));
     }
@@ -30,15 +31,32 @@ MovingScene::MovingScene(scene::Scene scene, scene::SceneMotion motion)
     }
 }
 
+void MovingScene::deform(std::uint32_t frame, host::WorkerPool& workers) {
+    std::vector<scene::MeshPose> poses =
+        m_motion.poses ? m_motion.poses(frame) : std::vector<scene::MeshPose>();
+    std::vector<scene::MeshVertices> vertices;
+    if (poses.empty() || m_deform != Deform::device) {
+        vertices = m_motion.vertices(frame, workers);
+    }
+    for (std::size_t i = 0; i < m_meshes.size(); ++i) {
+        if (poses.empty()) {
+            m_world.setVertices(m_meshes[i], std::move(vertices[i].vertices), std::move(vertices[i].details));
+        } else if (m_deform == Deform::cpu) {
+            m_world.setVertices(m_meshes[i], std::move(vertices[i]), scene::boundingRadiusOf(poses[i]));
+        } else if (m_deform == Deform::device) {
+            m_world.setPose(m_meshes[i], std::move(poses[i]));
+        } else {
+            m_world.setPose(m_meshes[i], std::move(poses[i]), std::move(vertices[i]));
+        }
+    }
+}
+
 bool MovingScene::show(std::uint32_t frame, host::WorkerPool& workers) {
     if (frame == m_frame) {
         return false;
     }
     if (!m_meshes.empty()) {
-        std::vector<scene::MeshVertices> vertices = m_motion.vertices(frame, workers);
-        for (std::size_t i = 0; i < m_meshes.size(); ++i) {
-            m_world.setVertices(m_meshes[i], std::move(vertices[i].vertices), std::move(vertices[i].details));
-        }
+        deform(frame, workers);
     }
     if (!m_instances.empty()) {
         m_world.setTransforms(m_instances, m_motion.transforms(frame));

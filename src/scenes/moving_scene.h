@@ -3,6 +3,7 @@
 #include <cdr/host/worker_pool.h>
 #include <cdr/scene/scene_setup.h>
 #include <cdr/scene/world/world.h>
+#include <scenes/deform.h>
 
 #include <cstdint>
 #include <span>
@@ -15,7 +16,8 @@ namespace cdr::scenes {
 class MovingScene {
   public:
     /// @param motion of the scene's instances. base::InputError as scene::World.
-    MovingScene(scene::Scene scene, scene::SceneMotion motion);
+    /// @param deform who makes vertices. Those that no pose makes (scene::SceneMotion::poses) the CPU makes.
+    MovingScene(scene::Scene scene, scene::SceneMotion motion, Deform deform = Deform::cpu);
 
     /// Brings all to where they are at a frame. Whether that was another one than is shown.
     /// base::InputError where a frame puts something where nothing can be drawn.
@@ -28,12 +30,15 @@ class MovingScene {
     const std::vector<std::uint32_t>& deformedMeshes() const { return m_motion.meshes; }
 
   private:
+    void deform(std::uint32_t frame, host::WorkerPool& workers);
+
     scene::World m_world;
     scene::SceneMotion m_motion;
     std::vector<scene::InstanceHandle> m_instances;
     std::vector<scene::MeshHandle> m_meshes;
     std::vector<scene::LightHandle> m_lights;
     std::uint32_t m_frame = 0;
+    Deform m_deform;
 };
 
 } // namespace cdr::scenes

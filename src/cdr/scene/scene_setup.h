@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/scene/animation/mesh_pose.h>
 #include <cdr/scene/camera_path.h>
 #include <cdr/scene/scene.h>
 #include <cdr/scene/world/check.h>
@@ -23,6 +24,8 @@ struct SceneMotion {
     std::vector<std::uint32_t> meshes{}; ///< that deform, by index; their instances are among `instances`
     /// The vertices of these at a frame, as many as each has.
     std::function<std::vector<MeshVertices>(std::uint32_t frame, host::WorkerPool& workers)> vertices{};
+    /// What gives the meshes these vertices; none where `vertices` alone knows. Its bounds are those of the meshes.
+    std::function<std::vector<MeshPose>(std::uint32_t frame)> poses{};
     std::vector<std::uint32_t> lights{}; ///< that move, by index
     /// These at a frame, in the same order.
     std::function<std::vector<PointLight>(std::uint32_t frame)> lightsAt{};

@@ -65,16 +65,82 @@ glm::dmat4 blended(const Deformer& deformer, std::span<const glm::dmat4> joints,
     return matrix;
 }
 
+/// A box about points.
+struct Box {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()};
+    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+    void add(const glm::dvec3& point) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    bool isEmpty() const { return low.x > high.x; }
+    glm::dvec3 centre() const { return isEmpty() ? glm::dvec3(0.0) : (low + high) * 0.5; }
+};
+
+/// Calls `visit` with each vertex and what joints do to it.
+template <typename Visit>
+void forEachInfluence(const Deformer& deformer, const Visit& visit) {
+    for (std::size_t vertex = 0; vertex + 1 < deformer.firstInfluence.size(); ++vertex) {
+        for (std::size_t i = deformer.firstInfluence[vertex]; i < deformer.firstInfluence[vertex + 1]; ++i) {
+            visit(glm::dvec3(deformer.vertices[vertex].position), deformer.influences[i]);
+        }
+    }
+}
+
+void measureJoints(Deformer& deformer) {
+    std::vector<Box> boxes;
+    forEachInfluence(deformer, [&](const glm::dvec3& position, const Influence& influence) {
+        boxes.resize(std::max<std::size_t>(boxes.size(), influence.joint + std::size_t{1}));
+        boxes[influence.joint].add(position);
+    });
+    std::vector<double> radii(boxes.size());
+    forEachInfluence(deformer, [&](const glm::dvec3& position, const Influence& influence) {
+        double& radius = radii[influence.joint];
+        radius = std::max(radius, glm::length(position - boxes[influence.joint].centre()));
+    });
+    deformer.jointReaches.clear();
+    for (std::uint32_t joint = 0; joint < boxes.size(); ++joint) {
+        if (!boxes[joint].isEmpty()) {
+            deformer.jointReaches.push_back(
+                {.joint = joint, .centre = boxes[joint].centre(), .radius = radii[joint]});
+        }
+    }
+}
+
+/// What bounds of poses are made from.
+void measureReaches(Deformer& deformer) {
+    deformer.reach = 0.0;
+    for (const Vertex& vertex : deformer.vertices) {
+        deformer.reach = std::max(deformer.reach, glm::length(glm::dvec3(vertex.position) - deformer.centre));
+    }
+    deformer.targetReach.clear();
+    for (const std::vector<MorphDelta>& target : deformer.targets) {
+        double most = 0.0;
+        for (const MorphDelta& delta : target) {
+            most = std::max(most, glm::length(glm::dvec3(delta.position)));
+        }
+        deformer.targetReach.push_back(most);
+    }
+    measureJoints(deformer);
+    deformer.weightError = 0.0;
+    for (std::size_t vertex = 0; vertex + 1 < deformer.firstInfluence.size(); ++vertex) {
+        double sum = 0.0;
+        for (std::size_t i = deformer.firstInfluence[vertex]; i < deformer.firstInfluence[vertex + 1]; ++i) {
+            sum += static_cast<double>(deformer.influences[i].weight);
+        }
+        deformer.weightError = std::max(deformer.weightError, std::abs(sum - 1.0));
+    }
+}
+
 } // namespace
 
 void finish(Deformer& deformer) {
-    glm::dvec3 low(std::numeric_limits<double>::infinity());
-    glm::dvec3 high(-low);
+    Box box;
     for (const Vertex& vertex : deformer.vertices) {
-        low = glm::min(low, glm::dvec3(vertex.position));
-        high = glm::max(high, glm::dvec3(vertex.position));
+        box.add(glm::dvec3(vertex.position));
     }
-    deformer.centre = deformer.vertices.empty() ? glm::dvec3(0.0) : (low + high) * 0.5;
+    deformer.centre = box.centre();
     std::vector<double> weightOf;
     for (const Influence& influence : deformer.influences) {
         weightOf.resize(std::max<std::size_t>(weightOf.size(), influence.joint + std::size_t{1}));
@@ -82,6 +148,7 @@ void finish(Deformer& deformer) {
     }
     deformer.anchor =
         static_cast<std::uint32_t>(std::max_element(weightOf.begin(), weightOf.end()) - weightOf.begin());
+    measureReaches(deformer);
 }
 
 DeformedPlace placeOf(const Deformer& deformer, const glm::dmat4& toWorld) {

@@ -1,5 +1,9 @@
 #pragma once
 
+/// @file
+/// @errors None.
+
+#include <cdr/base/export.h>
 #include <cdr/scene/mesh.h>
 
 #include <glm/glm.hpp>
@@ -25,6 +29,13 @@ struct Influence {
     float weight = 0.0f;     ///< those of a vertex add up to one
 };
 
+/// Where the vertices are that a joint moves, before it does.
+struct JointReach {
+    std::uint32_t joint = 0; ///< into the skin's joints
+    glm::dvec3 centre{0.0};  ///< of the box about these vertices
+    double radius = 0.0;     ///< of the sphere about them, at that centre
+};
+
 /// A mesh that morph targets and joints deform, as it is before they do.
 struct Deformer {
     std::vector<Vertex> vertices;      ///< about the mesh's origin
@@ -36,10 +47,14 @@ struct Deformer {
     std::vector<Influence> influences;            ///< vertex by vertex
     glm::dvec3 centre{0.0};                       ///< of its bounding box
     std::uint32_t anchor = 0;                     ///< with a skin: the joint that most of it follows
+    double reach = 0.0;                           ///< largest distance of a vertex from `centre`
+    std::vector<double> targetReach;              ///< how far each morph target moves a vertex at most
+    std::vector<JointReach> jointReaches;         ///< of joints that move vertices, ascending
+    double weightError = 0.0; ///< by how much the weights of a vertex miss a sum of one at most
 };
 
-/// Fills in `centre` and `anchor`.
-void finish(Deformer& deformer);
+/// Fills in `centre` and all that follows it.
+CDR_EXPORT void finish(Deformer& deformer);
 
 /// Where a deformed mesh stands, and from what its vertices are counted.
 struct DeformedPlace {
@@ -48,11 +63,11 @@ struct DeformedPlace {
 };
 
 /// By morph targets alone the mesh deforms in its own space, and its node carries it.
-DeformedPlace placeOf(const Deformer& deformer, const glm::dmat4& toWorld);
+CDR_EXPORT DeformedPlace placeOf(const Deformer& deformer, const glm::dmat4& toWorld);
 /// With a skin its node carries nothing. Vertices are worked out in world space, about a point that goes with a joint, so
 /// that float32 holds them wherever the model is.
 /// @param joints world space, by joint: where it is now, times its inverse bind matrix
-DeformedPlace placeOf(const Deformer& deformer, std::span<const glm::dmat4> joints);
+CDR_EXPORT DeformedPlace placeOf(const Deformer& deformer, std::span<const glm::dmat4> joints);
 
 /// What deforms a mesh at a moment, and where the mesh stands then.
 struct Deformation {
@@ -64,10 +79,10 @@ struct Deformation {
 /// Vertices `first` to `last` of the deformed mesh about its place, all in float64 until they are rounded once. Normals
 /// stay across the surface, and tangents along it.
 /// @param deformed with room for all vertices, and for all details where the deformer has them
-void deform(const Deformer& deformer, const Deformation& deformation, std::size_t first, std::size_t last,
-            MeshVertices& deformed);
+CDR_EXPORT void deform(const Deformer& deformer, const Deformation& deformation, std::size_t first,
+                       std::size_t last, MeshVertices& deformed);
 
 /// Gives the triangles of a flat mesh their normals; after all vertices were deformed.
-void setFlatNormals(const Deformer& deformer, std::span<Vertex> deformed);
+CDR_EXPORT void setFlatNormals(const Deformer& deformer, std::span<Vertex> deformed);
 
 } // namespace cdr::scene

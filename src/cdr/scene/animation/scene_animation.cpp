@@ -71,17 +71,32 @@ std::vector<Transform> transformsAt(const Moved& moved, std::uint32_t frame) {
     return transforms;
 }
 
-std::vector<MeshVertices> verticesAt(const Moved& moved, std::uint32_t frame, host::WorkerPool& workers) {
+std::vector<MeshPose> posesAt(const Moved& moved, std::uint32_t frame) {
     const Pose pose = moved.poseAt(frame);
     const auto joints = jointsOf(*moved.all, pose);
+    std::vector<MeshPose> poses;
+    for (const std::size_t i : moved.deformed) {
+        const DeformedMesh& mesh = moved.all->deformed[i];
+        const RigNode& node = moved.all->rig.nodes[mesh.node];
+        const auto weights = std::span(pose.weights).subspan(node.firstWeight, node.weightCount);
+        poses.push_back({.deformer = {moved.all, &mesh.deformer},
+                         .weights = {weights.begin(), weights.end()},
+                         .joints = mesh.skin ? joints[*mesh.skin] : std::vector<glm::dmat4>(),
+                         .place = placeOf(mesh, mesh.copies.front(), pose, joints)});
+    }
+    return poses;
+}
+
+std::vector<MeshVertices> verticesAt(const Moved& moved, std::uint32_t frame, host::WorkerPool& workers) {
+    const std::vector<MeshPose> poses = posesAt(moved, frame);
     struct Job {
         std::size_t mesh; ///< into the result
         std::size_t first;
     };
     std::vector<Job> jobs;
-    std::vector<MeshVertices> meshes(moved.deformed.size());
+    std::vector<MeshVertices> meshes(poses.size());
     for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) {
-        const Deformer& deformer = moved.all->deformed[moved.deformed[mesh]].deformer;
+        const Deformer& deformer = *poses[mesh].deformer;
         meshes[mesh].vertices.resize(deformer.vertices.size());
         meshes[mesh].details.resize(deformer.details.size());
         for (std::size_t first = 0; first < deformer.vertices.size(); first += kVerticesPerJob) {
@@ -90,18 +105,11 @@ std::vector<MeshVertices> verticesAt(const Moved& moved, std::uint32_t frame, ho
     }
     workers.run(jobs.size(), [&](std::size_t job, std::size_t) {
         const auto [mesh, first] = jobs[job];
-        const DeformedMesh& deformed = moved.all->deformed[moved.deformed[mesh]];
-        const RigNode& node = moved.all->rig.nodes[deformed.node];
-        const Deformation deformation{
-            .weights = std::span(pose.weights).subspan(node.firstWeight, node.weightCount),
-            .joints = deformed.skin ? std::span<const glm::dmat4>(joints[*deformed.skin])
-                                    : std::span<const glm::dmat4>(),
-            .place = placeOf(deformed, deformed.copies.front(), pose, joints)};
         const std::size_t last = std::min(first + kVerticesPerJob, meshes[mesh].vertices.size());
-        deform(deformed.deformer, deformation, first, last, meshes[mesh]);
+        deform(*poses[mesh].deformer, poses[mesh].deformation(), first, last, meshes[mesh]);
     });
     workers.run(meshes.size(), [&](std::size_t mesh, std::size_t) {
-        setFlatNormals(moved.all->deformed[moved.deformed[mesh]].deformer, meshes[mesh].vertices);
+        setFlatNormals(*poses[mesh].deformer, meshes[mesh].vertices);
     });
     return meshes;
 }
@@ -149,6 +157,7 @@ SceneMotion motionOf(const std::shared_ptr<const SceneAnimation>& animation,
         motion.meshes.push_back(animation->deformed[i].mesh);
     }
     motion.transforms = [moved](std::uint32_t frame) { return transformsAt(*moved, frame); };
+    motion.poses = [moved](std::uint32_t frame) { return posesAt(*moved, frame); };
     motion.vertices = [moved](std::uint32_t frame, host::WorkerPool& workers) {
         return verticesAt(*moved, frame, workers);
     };
@@ -181,6 +190,21 @@ void show(Scene& scene, const SceneMotion& motion, std::uint32_t frame, host::Wo
     for (std::size_t i = 0; i < motion.lights.size(); ++i) {
         requireUsable(lights[i], "light " + std::to_string(motion.lights[i]));
         scene.lights[motion.lights[i]] = lights[i];
+    }
+}
+
+void boundByPoses(Scene& scene, const SceneMotion& motion, std::uint32_t frame) {
+    if (!motion.poses) {
+        return;
+    }
+    const std::vector<MeshPose> poses = motion.poses(frame);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        Mesh& mesh = scene.meshes[motion.meshes[i]];
+        mesh.boundingRadius = boundingRadiusOf(poses[i]);
+        requireUsable(mesh.vertices, mesh.boundingRadius, mesh.name);
+    }
+    for (const std::uint32_t i : motion.instances) {
+        placeInstance(scene, i, scene.instances.position(i), scene.instances.basis[i]);
     }
 }
 

@@ -67,7 +67,10 @@ struct FrameClock {
 SceneMotion motionOf(const std::shared_ptr<const SceneAnimation>& animation,
                      std::optional<std::size_t> chosen, const FrameClock& clock);
 
-/// Brings a scene to a frame. base::InputError where a frame puts something where nothing can be drawn.
+/// Brings a scene to a frame, with the least bounds. base::InputError where a frame puts something where nothing can be drawn.
 void show(Scene& scene, const SceneMotion& motion, std::uint32_t frame, host::WorkerPool& workers);
+
+/// Gives what deforms the bounds of its poses, which contain the least ones. So the scene is as a frame of its motion.
+void boundByPoses(Scene& scene, const SceneMotion& motion, std::uint32_t frame);
 
 } // namespace cdr::scene

@@ -313,6 +313,7 @@ OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice
         }
     }
     const Sphere bounds = requiredBounds(import.scene);
+    boundByPoses(import.scene, motion, 0);
     const Sphere lightBounds = isSolid(atRest) ? atRest : bounds;
     const auto own = camera ? std::optional(drawnAs(*camera, camera->camera, lightBounds)) : std::nullopt;
     if (camera && camera->orthographic) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace cdr::scene {
@@ -196,24 +197,21 @@ void World::setVertices(MeshHandle handle, std::vector<Vertex> vertices) {
     setVertices(handle, std::move(vertices), m_scene.meshes[handle.index].details);
 }
 
-void World::setVertices(MeshHandle handle, std::vector<Vertex> vertices, std::vector<VertexDetail> details) {
+Mesh& World::requireDeformable(MeshHandle handle, std::size_t vertices) {
     m_meshes.places().require(handle);
     Mesh& mesh = m_scene.meshes[handle.index];
     const std::string what = nameOf("mesh", handle);
-    if (vertices.size() != mesh.vertices.size()) {
-        throw base::InputError(fmt::format("{}: {} vertices cannot stand in the place of {}", what,
-                                           vertices.size(), mesh.vertices.size()));
+    if (vertices != mesh.vertices.size()) {
+        throw base::InputError(fmt::format("{}: {} vertices cannot stand in the place of {}", what, vertices,
+                                           mesh.vertices.size()));
     }
     if (!mesh.levels.empty() || !mesh.clusters.clusters.empty()) {
         throw base::InputError(what + ": its levels of detail would not hold for other vertices");
     }
-    const float radius = boundingRadiusOf(vertices);
-    requireUsable(vertices, radius, what);
-    requireUsable(details, vertices.size(), what);
-    mesh.vertices = std::move(vertices);
-    mesh.details = std::move(details);
-    mesh.boundingRadius = radius;
-    mesh.boxHalfSides.reset();
+    return mesh;
+}
+
+void World::noteVertices(MeshHandle handle) {
     m_vertexChanges.add(handle.index, m_scene.meshes.size());
     for (const std::uint32_t i : m_meshUsers.of(handle.index, m_scene.instances)) {
         placeInstance(m_scene, i, m_scene.instances.position(i), m_scene.instances.basis[i]);
@@ -221,8 +219,66 @@ void World::setVertices(MeshHandle handle, std::vector<Vertex> vertices, std::ve
     }
 }
 
+void World::setVertices(MeshHandle handle, std::vector<Vertex> vertices, std::vector<VertexDetail> details) {
+    const float radius = boundingRadiusOf(vertices);
+    setVertices(handle, {.vertices = std::move(vertices), .details = std::move(details)}, radius);
+}
+
+void World::setVertices(MeshHandle handle, MeshVertices deformed, float boundingRadius) {
+    Mesh& mesh = requireDeformable(handle, deformed.vertices.size());
+    const std::string what = nameOf("mesh", handle);
+    requireUsable(deformed.vertices, boundingRadius, what);
+    requireUsable(deformed.details, deformed.vertices.size(), what);
+    mesh.vertices = std::move(deformed.vertices);
+    mesh.details = std::move(deformed.details);
+    mesh.boundingRadius = boundingRadius;
+    mesh.boxHalfSides.reset();
+    m_posed.erase(handle.index);
+    noteVertices(handle);
+}
+
+void World::setPose(MeshHandle handle, MeshPose pose) {
+    m_meshes.places().require(handle);
+    requireUsable(pose, nameOf("mesh", handle));
+    Mesh& mesh = requireDeformable(handle, pose.deformer->vertices.size());
+    const float radius = boundingRadiusOf(pose);
+    requireUsable(std::span<const Vertex>(), radius, nameOf("mesh", handle));
+    mesh.boundingRadius = radius;
+    mesh.boxHalfSides.reset();
+    m_posed[handle.index] = {.pose = std::make_shared<const MeshPose>(std::move(pose))};
+    noteVertices(handle);
+}
+
+void World::setPose(MeshHandle handle, MeshPose pose, MeshVertices deformed) {
+    m_meshes.places().require(handle);
+    requireUsable(pose, nameOf("mesh", handle));
+    requireDeformable(handle, pose.deformer->vertices.size());
+    setVertices(handle, std::move(deformed), boundingRadiusOf(pose));
+    m_posed[handle.index] = {.pose = std::make_shared<const MeshPose>(std::move(pose)),
+                             .areVerticesPosed = true};
+}
+
+const MeshPose* World::pose(std::uint32_t mesh) const {
+    const auto found = m_posed.find(mesh);
+    return found == m_posed.end() ? nullptr : found->second.pose.get();
+}
+
+std::vector<std::uint32_t> World::posedMeshes() const {
+    std::vector<std::uint32_t> meshes;
+    for (const auto& [mesh, posed] : m_posed) {
+        meshes.push_back(mesh);
+    }
+    return meshes;
+}
+
+bool World::hasPosedVertices() const {
+    return std::all_of(m_posed.begin(), m_posed.end(),
+                       [](const auto& entry) { return entry.second.areVerticesPosed; });
+}
+
 void World::removeMesh(MeshHandle handle) {
     m_meshes.remove(m_scene.meshes, handle, Mesh{});
+    m_posed.erase(handle.index);
 }
 
 void World::requireMaterial(const Material& material) const {

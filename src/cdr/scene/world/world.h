@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cdr/base/export.h>
+#include <cdr/scene/animation/mesh_pose.h>
 #include <cdr/scene/world/check.h>
 #include <cdr/scene/world/mesh_users.h>
 #include <cdr/scene/world/table.h>
 
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -86,6 +89,26 @@ class CDR_EXPORT World {
     void setVertices(MeshHandle handle, std::vector<Vertex> vertices);
     /// The same with other details, one per vertex or none.
     void setVertices(MeshHandle handle, std::vector<Vertex> vertices, std::vector<VertexDetail> details);
+    /// The same with a bounding radius that is not the least one.
+    /// @param boundingRadius object space, about the origin
+    void setVertices(MeshHandle handle, MeshVertices deformed, float boundingRadius);
+    /// Gives a mesh the vertices that deform() makes of a pose, which the device makes for itself. Those of scene() stay as
+    /// they are, and only drawing sees the new ones: not truth, certificates and SurfacePath other than `gbuffer`. The bounds
+    /// are boundingRadiusOf(). Takes time by the number of joints and morph targets. setVertices() ends it.
+    /// @param pose of as many vertices as the mesh has
+    void setPose(MeshHandle handle, MeshPose pose);
+    /// The same where the CPU reads the vertices too.
+    /// @param deformed what deform() makes of the pose; scene() gets these
+    void setPose(MeshHandle handle, MeshPose pose, MeshVertices deformed);
+    /// The pose that gives a mesh its vertices, by place; null where it has those of scene().
+    /// @errors None.
+    const MeshPose* pose(std::uint32_t mesh) const;
+    /// The meshes that have a pose, ascending.
+    /// @errors None.
+    std::vector<std::uint32_t> posedMeshes() const;
+    /// Whether the vertices of scene() are those of all poses.
+    /// @errors None.
+    bool hasPosedVertices() const;
     /// No instance may use it.
     void removeMesh(MeshHandle handle);
     /// A material names its texture by TextureHandle::index.
@@ -119,6 +142,15 @@ class CDR_EXPORT World {
     void noteInstance(std::uint32_t index);
     void useTexture(const Material& material);
     void releaseTexture(const Material& material);
+    /// The mesh, if it may get so many other vertices.
+    Mesh& requireDeformable(MeshHandle handle, std::size_t vertices);
+    void noteVertices(MeshHandle handle);
+
+    /// How a mesh gets its vertices.
+    struct Posed {
+        std::shared_ptr<const MeshPose> pose; ///< copies of the world share it
+        bool areVerticesPosed = false;        ///< those of the scene
+    };
 
     Scene m_scene;
     std::uint32_t m_id; ///< in the handles that it gives
@@ -127,6 +159,7 @@ class CDR_EXPORT World {
     Table<MeshKind> m_meshes;
     MeshUsers m_meshUsers;
     ChangeLog m_vertexChanges;
+    std::map<std::uint32_t, Posed> m_posed; ///< by mesh
     Table<MaterialKind> m_materials;
     Table<TextureKind> m_textures;
     Places<LightKind> m_lightPlaces;

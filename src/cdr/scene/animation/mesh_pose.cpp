@@ -1,0 +1,87 @@
+#include <cdr/base/error.h>
+#include <cdr/scene/animation/mesh_pose.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cdr::scene {
+
+namespace {
+
+/// Covers the roundings of the vertices, and of the bounds themselves.
+constexpr double kRoundings = 1e-6;
+/// The same for what is rounded by how far the model is from the world's origin.
+constexpr double kWorldRoundings = 1e-14;
+
+/// No vector gets longer by more than this factor: the root of a bound of the largest eigenvalue of the matrix squared.
+double stretchOf(const glm::dmat3& matrix) {
+    const glm::dmat3 squared = glm::transpose(matrix) * matrix;
+    double most = 0.0;
+    for (int row = 0; row < 3; ++row) {
+        most =
+            std::max(most, std::abs(squared[0][row]) + std::abs(squared[1][row]) + std::abs(squared[2][row]));
+    }
+    return std::sqrt(most);
+}
+
+/// How far the morph targets move a vertex at most.
+double morphedBy(const MeshPose& pose) {
+    double most = 0.0;
+    for (std::size_t i = 0; i < std::min(pose.weights.size(), pose.deformer->targetReach.size()); ++i) {
+        most += std::abs(pose.weights[i]) * pose.deformer->targetReach[i];
+    }
+    return most;
+}
+
+float roundedUp(double radius) {
+    const auto rounded = static_cast<float>(radius);
+    return static_cast<double>(rounded) < radius
+               ? std::nextafter(rounded, std::numeric_limits<float>::infinity())
+               : rounded;
+}
+
+} // namespace
+
+void requireUsable(const MeshPose& pose, const std::string& what) {
+    if (pose.deformer == nullptr) {
+        throw base::InputError(what + ": its pose has no deformer");
+    }
+    const Deformer& deformer = *pose.deformer;
+    const std::size_t vertices = deformer.vertices.size();
+    if (!deformer.details.empty() && deformer.details.size() != vertices) {
+        throw base::InputError(what + ": its deformer needs details for all vertices, or none");
+    }
+    const std::size_t needed =
+        deformer.jointReaches.empty() ? 1 : deformer.jointReaches.back().joint + std::size_t{1};
+    if (!pose.joints.empty() &&
+        (deformer.firstInfluence.size() != vertices + 1 || pose.joints.size() < needed)) {
+        throw base::InputError(what + ": its pose has other joints than its deformer");
+    }
+}
+
+float boundingRadiusOf(const MeshPose& pose) {
+    const Deformer& deformer = *pose.deformer;
+    const double morphed = morphedBy(pose);
+    if (pose.joints.empty()) {
+        return roundedUp((deformer.reach + morphed) * (1.0 + kRoundings));
+    }
+    double most = 0.0;
+    double fromOrigin = glm::length(pose.place.position);
+    for (const JointReach& joint : deformer.jointReaches) {
+        const glm::dmat4& matrix = pose.joints[joint.joint];
+        const double fromPlace =
+            glm::length(glm::dvec3(matrix * glm::dvec4(joint.centre, 1.0)) - pose.place.position);
+        const double stretch = stretchOf(glm::dmat3(matrix));
+        const double reach = fromPlace + stretch * (joint.radius + morphed);
+        // A NaN must not get lost in a comparison.
+        most = std::isnan(most) || reach <= most ? most : reach;
+        fromOrigin = std::max(fromOrigin, glm::length(glm::dvec3(matrix[3])) +
+                                              stretch * (glm::length(joint.centre) + joint.radius));
+    }
+    const double offByWeights = deformer.weightError * glm::length(pose.place.position);
+    return roundedUp((1.0 + deformer.weightError) * most * (1.0 + kRoundings) + offByWeights +
+                     kWorldRoundings * fromOrigin);
+}
+
+} // namespace cdr::scene
