@@ -37,6 +37,7 @@ const output::Columns<gpu::DeviceInfo>& deviceColumns() {
              }},
         {.key = "sub_pixel_bits", .value = &Info::subPixelBits, .heading = "sub-pixel bits"},
         {.key = "gpu_driven_missing", .value = &Info::gpuDrivenMissing},
+        {.key = "deform_missing", .value = &Info::deformMissing},
         {.key = "max_image_side", .value = &Info::maxImageSide, .heading = "largest side"},
         {.key = "max_storage_buffer_bytes", .value = &Info::maxStorageBufferBytes},
         {.key = "timestamp_period_ns", .value = &Info::timestampPeriodNs},

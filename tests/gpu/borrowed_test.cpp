@@ -37,6 +37,7 @@ class BorrowedDevices : public testing::Test {
     }
     const std::string& name() const { return m_device.info().name; }
     bool hasFloat64() const { return m_device.info().hasFloat64; }
+    bool canDeform() const { return m_device.info().deformMissing.empty(); }
 
   private:
     Instance m_instance;
@@ -61,9 +62,11 @@ TEST_F(BorrowedDevices, WhatThePhysicalDeviceLacksIsRefusedByItsName) {
 TEST_F(BorrowedDevices, HaveTheNumbersOfShadersThatTheirOwnerNames) {
     BorrowedDevice borrowed = lent();
     EXPECT_FALSE(Device(borrowed).info().hasFloat64);
+    EXPECT_FALSE(Device(borrowed).info().deformMissing.empty());
     EXPECT_FALSE(Device(borrowed).info().hasInt64Atomics);
     borrowed.hasGpuDrivenFeatures = true;
     EXPECT_EQ(Device(borrowed).info().hasFloat64, hasFloat64());
+    EXPECT_EQ(Device(borrowed).info().deformMissing.empty(), canDeform());
     EXPECT_FALSE(Device(borrowed).info().hasInt64Atomics);
 }
 

@@ -253,6 +253,9 @@ Device::Device(const BorrowedDevice& borrowed) : m_handles(std::make_unique<Hand
     const bool hasFloat64 = borrowed.features != nullptr ? borrowed.features->features.shaderFloat64 != 0
                                                          : borrowed.hasGpuDrivenFeatures;
     info.hasFloat64 = info.hasFloat64 && hasFloat64;
+    if (info.deformMissing.empty() && !info.hasFloat64) {
+        info.deformMissing = {"shaderFloat64"};
+    }
     info.hasInt64Atomics = false;
     if (borrowed.hasDebugNames) {
         loadDebugNames();

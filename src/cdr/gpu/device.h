@@ -50,6 +50,7 @@ struct DeviceInfo {
     std::uint32_t index = 0;                      ///< as --device takes it
     std::vector<std::string> missing;             ///< why cdr cannot use it; empty when it can
     std::vector<std::string> gpuDrivenMissing;    ///< why it cannot cull and bin; empty when it can
+    std::vector<std::string> deformMissing;       ///< why it cannot deform meshes; empty when it can
     std::vector<depth::DepthFormat> depthFormats; ///< that it can draw to
     std::uint32_t queues = 0;                     ///< in the family cdr would use
     std::uint32_t maxImageSide = 0;               ///< pixels

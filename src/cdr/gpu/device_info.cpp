@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <iterator>
 #include <utility>
 
@@ -69,6 +70,31 @@ std::vector<std::string> missingFrom(vk::PhysicalDevice physical) {
     return missing;
 }
 
+using NamedFeature = std::pair<vk::Bool32, const char*>;
+
+std::vector<std::string> lackingOf(std::initializer_list<NamedFeature> features) {
+    std::vector<std::string> missing;
+    for (const auto& [has, name] : features) {
+        if (!has) {
+            missing.emplace_back(name);
+        }
+    }
+    return missing;
+}
+
+/// What compute passes need that compute in float64 as the CPU does, to the bit.
+std::vector<std::string> missingForDeforming(vk::PhysicalDevice physical) {
+    if (physical.getProperties().apiVersion < VK_API_VERSION_1_3) {
+        return {"Vulkan 1.3"};
+    }
+    const auto v12Properties =
+        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan12Properties>()
+            .get<vk::PhysicalDeviceVulkan12Properties>();
+    return lackingOf({{physical.getFeatures().shaderFloat64, "shaderFloat64"},
+                      {v12Properties.shaderRoundingModeRTEFloat32, "shaderRoundingModeRTEFloat32"},
+                      {v12Properties.shaderRoundingModeRTEFloat64, "shaderRoundingModeRTEFloat64"}});
+}
+
 /// Features that only culling and binning on the device needs.
 std::vector<std::string> missingForGpuDriven(vk::PhysicalDevice physical) {
     const auto properties = physical.getProperties();
@@ -83,18 +109,13 @@ std::vector<std::string> missingForGpuDriven(vk::PhysicalDevice physical) {
         physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan12Properties>()
             .get<vk::PhysicalDeviceVulkan12Properties>();
     const vk::PhysicalDeviceLimits& limits = properties.limits;
-    std::vector<std::string> missing;
-    for (const auto& [has, name] :
-         {std::pair{core.shaderFloat64, "shaderFloat64"},
-          std::pair{core.multiDrawIndirect, "multiDrawIndirect"},
-          std::pair{core.drawIndirectFirstInstance, "drawIndirectFirstInstance"},
-          std::pair{v12.drawIndirectCount, "drawIndirectCount"},
-          std::pair{v12Properties.shaderRoundingModeRTEFloat32, "shaderRoundingModeRTEFloat32"},
-          std::pair{v12Properties.shaderRoundingModeRTEFloat64, "shaderRoundingModeRTEFloat64"}}) {
-        if (!has) {
-            missing.emplace_back(name);
-        }
-    }
+    std::vector<std::string> missing =
+        lackingOf({{core.shaderFloat64, "shaderFloat64"},
+                   {core.multiDrawIndirect, "multiDrawIndirect"},
+                   {core.drawIndirectFirstInstance, "drawIndirectFirstInstance"},
+                   {v12.drawIndirectCount, "drawIndirectCount"},
+                   {v12Properties.shaderRoundingModeRTEFloat32, "shaderRoundingModeRTEFloat32"},
+                   {v12Properties.shaderRoundingModeRTEFloat64, "shaderRoundingModeRTEFloat64"}});
     if (limits.maxPerStageDescriptorStorageBuffers < kGpuDrivenStorageBuffers ||
         limits.maxComputeWorkGroupInvocations < kGpuDrivenInvocations) {
         missing.push_back(fmt::format("{} storage buffers and {} invocations a workgroup",
@@ -154,6 +175,7 @@ DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {
     info.index = index;
     info.missing = missingFrom(physical);
     info.gpuDrivenMissing = missingForGpuDriven(physical);
+    info.deformMissing = missingForDeforming(physical);
     std::copy_if(depth::kDepthFormats.begin(), depth::kDepthFormats.end(),
                  std::back_inserter(info.depthFormats),
                  [&](depth::DepthFormat format) { return findDepthFormat(physical, format).has_value(); });

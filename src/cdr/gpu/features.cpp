@@ -122,6 +122,9 @@ void enableFeatures(VkInstance instance, VkPhysicalDevice physical, VkPhysicalDe
         core.drawIndirectFirstInstance = VK_TRUE;
         v12->drawIndirectCount = VK_TRUE;
     }
+    if (info.deformMissing.empty()) {
+        core.shaderFloat64 = VK_TRUE;
+    }
     if (info.hasFragmentStores) {
         core.fragmentStoresAndAtomics = VK_TRUE;
     }

@@ -60,6 +60,9 @@ const char* refusalOf(const DrawnScene& drawn, const RenderOptions& options) {
     if (drawn.uploaded.hasEmission() || prepared.emission) {
         return "surfaces that emit light, or have an occlusion texture, read the G-buffer";
     }
+    if (!drawn.uploaded.hasHostVertices()) {
+        return "its triangles are written by the CPU, which lacks the vertices of meshes that the device deforms";
+    }
     if (drawn.uploaded.hasLayers()) {
         return "materials with a layer set their depth per pixel";
     }

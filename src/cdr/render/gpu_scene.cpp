@@ -8,6 +8,7 @@
 #include <cdr/render/materials/scene_textures.h>
 #include <cdr/render/upload/last_vertices.h>
 #include <cdr/render/upload/scene_meshes.h>
+#include <cdr/render/upload/vertex_updates.h>
 #include <cdr/shaders/shared.h>
 #include <cdr/visibility/blended.h>
 #include <cdr/visibility/instance_cells.h>
@@ -68,6 +69,7 @@ class GpuScene::State {
 
     void updateTables();
     bool followVertices();
+    bool followPoses();
     void updateVertices();
     void readKinds();
     bool areTablesReplaced() const;
@@ -91,6 +93,7 @@ class GpuScene::State {
     gpu::Retired m_retired;       ///< what frames in flight may still read
     SceneMeshes m_meshes;
     LastVertices m_lastVertices;
+    VertexUpdates m_vertexUpdates;
     bool m_keepsLastVertices = false;
     std::uint64_t m_verticesRevision = 0;
     SceneTextures m_textures;
@@ -115,6 +118,7 @@ GpuScene::State::State(const gpu::Device& device, const scene::Scene& scene, std
       m_retired(device),
       m_meshes(device),
       m_lastVertices(device),
+      m_vertexUpdates(device),
       m_textures(device, threads) {
     scene::requireUsable(scene);
     gpu::requireDeviceBytes(device, predictBytes(scene), "scene " + scene.name);
@@ -134,6 +138,9 @@ GpuScene::GpuScene(const gpu::Device& device, const scene::World& world, std::si
     const scene::World::Changes& changes = world.changes();
     m_state->m_followed = {changes.instances.end(), changes.meshes.end(), changes.materials.end(),
                            changes.textures.end(), changes.vertices.end()};
+    if (m_state->followPoses()) {
+        m_state->readKinds();
+    }
 }
 
 bool GpuScene::State::isCurrent() const {
@@ -213,6 +220,9 @@ const LastVertices& GpuScene::lastVertices() const {
 VkBuffer GpuScene::details() const {
     return m_state->m_meshes.details().handle();
 }
+bool GpuScene::hasHostVertices() const {
+    return !isLive() || m_state->m_world->hasPosedVertices();
+}
 const std::vector<MaterialWords>& GpuScene::materials() const {
     return m_state->m_materials;
 }
@@ -274,7 +284,9 @@ void GpuScene::State::update() {
 void GpuScene::State::replaceTables() {
     const scene::World::Changes& changes = m_world->changes();
     const auto meshes = changes.meshes.since(m_followed.meshes);
-    if (m_followed.meshes != changes.meshes.end()) {
+    const bool areMeshesOthers = m_followed.meshes != changes.meshes.end();
+    const vk::Buffer detailsBefore = m_meshes.details().handle();
+    if (areMeshesOthers) {
         m_meshes.follow(*m_scene, meshes, m_retired);
     }
     if (!meshes && !changes.vertices.since(m_followed.vertices)) { // all is there, and nothing deformed
@@ -286,6 +298,9 @@ void GpuScene::State::replaceTables() {
     m_textures.follow(*m_scene, changes.textures.since(m_followed.textures), m_retired);
     m_textures.followMaterials(*m_scene, changes.materials.since(m_followed.materials), m_retired);
     m_meshes.followDetails(*m_scene, m_retired);
+    if (areMeshesOthers || m_meshes.details().handle() != detailsBefore) {
+        followPoses(); // what was uploaded anew is as the CPU has it
+    }
     m_retired.close();
 }
 
@@ -330,15 +345,22 @@ bool GpuScene::State::followVertices() {
         std::iota(all.begin(), all.end(), 0u);
     }
     const std::span<const std::uint32_t> meshes = changed ? *changed : std::span<const std::uint32_t>(all);
-    gpu::waitForQueue(m_device); // frames in flight read what is written over
     ++m_verticesRevision;
-    if (m_keepsLastVertices) {
-        m_lastVertices.keep(m_meshes, *m_scene, meshes);
-    }
-    const bool changesPipeline = m_meshes.followVertices(*m_scene, meshes);
+    const bool changesPipeline = m_vertexUpdates.follow(
+        *m_world, meshes, {.meshes = m_meshes, .last = m_keepsLastVertices ? &m_lastVertices : nullptr});
     m_followed.vertices =
         changes.end(); // now: where the update fails after this, the next one moves nothing again
     return changesPipeline;
+}
+
+/// Has the device deform all meshes that it deforms at all. Whether that takes other pipelines.
+bool GpuScene::State::followPoses() {
+    const std::vector<std::uint32_t> meshes = m_world->posedMeshes();
+    if (meshes.empty()) {
+        return false;
+    }
+    m_verticesRevision += 2; // what is kept is not the last frame's
+    return m_vertexUpdates.follow(*m_world, meshes, {.meshes = m_meshes});
 }
 
 void GpuScene::State::updateVertices() {

@@ -100,6 +100,8 @@ class CDR_EXPORT GpuScene {
     /// The vertices before the last of these updates, of meshes that it gave others. Those after it, if the update also uploaded
     /// all meshes again.
     const LastVertices& lastVertices() const;
+    /// Whether scene() has the vertices that are drawn; else the device alone has those of some meshes (World::setPose()).
+    bool hasHostVertices() const;
     /// What vertices have beside vertices(), of all meshes; null where no material has detail.
     VkBuffer details() const;
     /// The part of a draw record that the material decides, by material.

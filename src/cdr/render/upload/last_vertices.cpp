@@ -6,10 +6,10 @@
 
 namespace cdr::render {
 
-void LastVertices::keep(const SceneMeshes& meshes, const scene::Scene& scene,
-                        std::span<const std::uint32_t> kept) {
+void LastVertices::choose(const SceneMeshes& meshes, const scene::Scene& scene,
+                          std::span<const std::uint32_t> kept) {
     m_first.clear();
-    std::vector<vk::BufferCopy> copies;
+    m_copies.clear();
     std::size_t bytes = 0;
     for (const std::uint32_t mesh : kept) {
         if (!m_first.try_emplace(mesh, bytes / sizeof(PackedVertex)).second) {
@@ -18,22 +18,37 @@ void LastVertices::keep(const SceneMeshes& meshes, const scene::Scene& scene,
         const auto first = static_cast<std::size_t>(meshes.ranges()[mesh].vertexOffset);
         const std::size_t size = scene.meshes[mesh].vertices.size() * sizeof(PackedVertex);
         if (size > 0) {
-            copies.push_back({.srcOffset = first * sizeof(PackedVertex), .dstOffset = bytes, .size = size});
+            m_copies.push_back({.srcOffset = first * sizeof(PackedVertex), .dstOffset = bytes, .size = size});
         }
         bytes += size;
     }
-    if (copies.empty()) {
-        return;
-    }
     if (m_buffer.size() < bytes) {
         gpu::requireDeviceBytes(m_device, bytes, "the last vertices of scene " + scene.name);
+        gpu::waitForQueue(m_device);
         m_buffer = gpu::Buffer(m_device, bytes,
                                vk::BufferUsageFlagBits::eVertexBuffer | vk::BufferUsageFlagBits::eTransferDst,
                                gpu::MemoryUse::deviceOnly, "last vertices");
     }
-    gpu::runOnce(m_device, [&](vk::CommandBuffer commands) {
-        commands.copyBuffer(meshes.vertices().handle(), m_buffer.handle(), copies);
-    });
+}
+
+void LastVertices::record(vk::CommandBuffer commands, const SceneMeshes& meshes) const {
+    using Stage = vk::PipelineStageFlagBits2;
+    using Touch = vk::AccessFlagBits2;
+    if (m_copies.empty()) {
+        return;
+    }
+    gpu::pipelineBarrier(
+        commands, {},
+        {{.srcStageMask = Stage::eVertexAttributeInput | Stage::eComputeShader | Stage::eCopy,
+          .srcAccessMask = Touch::eShaderStorageWrite | Touch::eTransferWrite,
+          .dstStageMask = Stage::eCopy,
+          .dstAccessMask = Touch::eTransferRead | Touch::eTransferWrite}});
+    commands.copyBuffer(meshes.vertices().handle(), m_buffer.handle(), m_copies);
+    gpu::pipelineBarrier(commands, {},
+                         {{.srcStageMask = Stage::eCopy,
+                           .srcAccessMask = Touch::eTransferWrite,
+                           .dstStageMask = Stage::eVertexAttributeInput,
+                           .dstAccessMask = Touch::eVertexAttributeRead}});
 }
 
 std::optional<std::size_t> LastVertices::firstOf(std::uint32_t mesh) const {

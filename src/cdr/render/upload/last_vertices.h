@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace cdr::render {
 
@@ -17,11 +18,13 @@ class LastVertices {
   public:
     explicit LastVertices(const gpu::Device& device) : m_device(device) {}
 
-    /// Copies the vertices of some meshes as they are on the device, in the place of those kept before, and waits. Nothing
-    /// that was submitted may still read those.
+    /// Chooses the meshes whose vertices are kept, in the place of those kept before. Waits for what was submitted where they
+    /// need more room.
     /// @param meshes have as many vertices as the scene's
     /// @param kept places, repeats allowed
-    void keep(const SceneMeshes& meshes, const scene::Scene& scene, std::span<const std::uint32_t> kept);
+    void choose(const SceneMeshes& meshes, const scene::Scene& scene, std::span<const std::uint32_t> kept);
+    /// Copies these vertices as they are on the device, once frames have read those kept before.
+    void record(vk::CommandBuffer commands, const SceneMeshes& meshes) const;
 
     /// PackedVertices, mesh by mesh.
     const gpu::Buffer& buffer() const { return m_buffer; }
@@ -32,6 +35,7 @@ class LastVertices {
     const gpu::Device& m_device;
     gpu::Buffer m_buffer;
     std::map<std::uint32_t, std::size_t> m_first; ///< by mesh
+    std::vector<vk::BufferCopy> m_copies;
 };
 
 } // namespace cdr::render

@@ -31,15 +31,6 @@ bool isFacet(const scene::Vertex& a, const scene::Vertex& b, const scene::Vertex
     return std::abs(glm::dot(area, glm::dvec3(a.normal))) >= least;
 }
 
-bool areFaceted(const std::vector<scene::Vertex>& vertices, const std::vector<std::uint32_t>& indices) {
-    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        if (!isFacet(vertices[indices[i]], vertices[indices[i + 1]], vertices[indices[i + 2]])) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /// At every level and in every cluster, since they share pipelines.
 bool isFaceted(const scene::Mesh& mesh) {
     return areFaceted(mesh.vertices, mesh.indices) && areFaceted(mesh.vertices, mesh.clusters.indices) &&
@@ -69,6 +60,15 @@ std::vector<PackedDetail> detailsOf(const scene::Mesh& mesh) {
 }
 
 } // namespace
+
+bool areFaceted(std::span<const scene::Vertex> vertices, std::span<const std::uint32_t> indices) {
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+        if (!isFacet(vertices[indices[i]], vertices[indices[i + 1]], vertices[indices[i + 2]])) {
+            return false;
+        }
+    }
+    return true;
+}
 
 /// On their way into the buffers.
 struct SceneMeshes::Packed {
@@ -131,7 +131,8 @@ void SceneMeshes::upload(const scene::Scene& scene, const Counts& room) {
                            gpu::MemoryUse::deviceOnly, name);
     };
     m_vertices = made(room.vertices * sizeof(PackedVertex),
-                      vk::BufferUsageFlagBits::eVertexBuffer | vk::BufferUsageFlagBits::eTransferSrc,
+                      vk::BufferUsageFlagBits::eVertexBuffer | vk::BufferUsageFlagBits::eStorageBuffer |
+                          vk::BufferUsageFlagBits::eTransferSrc,
                       "scene vertices");
     m_indices =
         made(room.indices * sizeof(std::uint32_t), vk::BufferUsageFlagBits::eIndexBuffer, "scene indices");
@@ -202,8 +203,10 @@ void SceneMeshes::uploadDetails(const scene::Scene& scene) {
         const std::vector<PackedDetail> more = detailsOf(scene.meshes[mesh]);
         std::copy(more.begin(), more.end(), details.begin() + m_ranges[mesh].vertexOffset);
     }
-    m_details = gpu::uploadBuffer(m_device, std::as_bytes(std::span(details)),
-                                  vk::BufferUsageFlagBits::eVertexBuffer, "scene vertex details");
+    m_details =
+        gpu::uploadBuffer(m_device, std::as_bytes(std::span(details)),
+                          vk::BufferUsageFlagBits::eVertexBuffer | vk::BufferUsageFlagBits::eStorageBuffer,
+                          "scene vertex details");
 }
 
 void SceneMeshes::followDetails(const scene::Scene& scene, gpu::Retired& retired) {
@@ -234,6 +237,11 @@ bool SceneMeshes::followVertices(const scene::Scene& scene, std::span<const std:
         gpu::writeBuffer(m_device, m_details, details);
     }
     return changesPipeline;
+}
+
+bool SceneMeshes::followPose(std::uint32_t mesh, float boundingRadius, bool isFaceted) {
+    m_ranges[mesh].boundingRadius = boundingRadius;
+    return std::exchange(m_ranges[mesh].isFaceted, isFaceted) != isFaceted;
 }
 
 std::uint64_t SceneMeshes::predictBytes(const scene::Scene& scene) {

@@ -14,6 +14,10 @@
 
 namespace cdr::render {
 
+/// Whether triangles of vertices are facets: of one colour, and of one normal, which is their own.
+/// @param indices three per triangle
+bool areFaceted(std::span<const scene::Vertex> vertices, std::span<const std::uint32_t> indices);
+
 /// A scene's meshes on a device: all vertices in one buffer, all indices in another.
 class SceneMeshes {
   public:
@@ -34,6 +38,9 @@ class SceneMeshes {
     /// the vertices. Whether a mesh became faceted or ceased to be, which takes another pipeline.
     /// @param changed meshes, repeats allowed
     bool followVertices(const scene::Scene& scene, std::span<const std::uint32_t> changed);
+
+    /// The device gives a mesh its vertices. Whether it became faceted or ceased to be.
+    bool followPose(std::uint32_t mesh, float boundingRadius, bool isFaceted);
 
     /// Uploads what vertices have beside themselves, or drops it, where materials now need it or do so no more; then waits.
     void followDetails(const scene::Scene& scene, gpu::Retired& retired);

@@ -1,0 +1,65 @@
+#include <cdr/gpu/commands.h>
+#include <cdr/render/upload/vertex_updates.h>
+
+#include <set>
+#include <vector>
+
+namespace cdr::render {
+
+bool VertexUpdates::isFaceted(const scene::World& world, const DeformJob& job) {
+    Looked& looked = m_looked[job.mesh];
+    if (looked.deformer != job.pose->deformer) {
+        looked = {.deformer = job.pose->deformer,
+                  .isFaceted = staysFaceted(*job.pose->deformer, world.scene().meshes[job.mesh].indices)};
+    }
+    return looked.isFaceted;
+}
+
+bool VertexUpdates::follow(const scene::World& world, std::span<const std::uint32_t> changed,
+                           const Into& into) {
+    std::vector<std::uint32_t> uploaded;
+    std::vector<DeformJob> jobs;
+    for (const std::uint32_t mesh : std::set<std::uint32_t>(changed.begin(), changed.end())) {
+        if (const scene::MeshPose* pose = world.pose(mesh)) {
+            const std::int32_t first = into.meshes.ranges()[mesh].vertexOffset;
+            jobs.push_back({.mesh = mesh, .pose = pose, .firstVertex = static_cast<std::size_t>(first)});
+        } else {
+            uploaded.push_back(mesh);
+        }
+    }
+    if (!jobs.empty()) {
+        if (m_deformer == nullptr) {
+            m_deformer = std::make_unique<DeviceDeformer>(m_device);
+        }
+        m_deformer->provide(jobs);
+    }
+    if (into.last != nullptr) {
+        into.last->choose(into.meshes, world.scene(), changed);
+    }
+    const auto keep = [&](vk::CommandBuffer commands) {
+        if (into.last != nullptr) {
+            into.last->record(commands, into.meshes);
+        }
+    };
+    bool changesPipeline = false;
+    if (!uploaded.empty()) {
+        gpu::waitForQueue(m_device); // frames in flight read what is written over
+        gpu::runOnce(m_device, keep);
+        changesPipeline = into.meshes.followVertices(world.scene(), uploaded);
+    }
+    for (const DeformJob& job : jobs) {
+        const float radius = world.scene().meshes[job.mesh].boundingRadius;
+        changesPipeline = into.meshes.followPose(job.mesh, radius, isFaceted(world, job)) || changesPipeline;
+    }
+    if (!jobs.empty()) {
+        m_deformer->run(jobs, {.vertices = into.meshes.vertices(), .details = into.meshes.details()},
+                        [&](vk::CommandBuffer commands) {
+                            if (uploaded.empty()) { // else it is done
+                                keep(commands);
+                            }
+                        });
+    }
+    return changesPipeline;
+}
+
+} // namespace cdr::render

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cdr/render/upload/device_deformer.h>
+#include <cdr/render/upload/last_vertices.h>
+#include <cdr/render/upload/scene_meshes.h>
+#include <cdr/scene/world/world.h>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+
+namespace cdr::render {
+
+/// Brings the vertices on the device to those of a world: uploads what the CPU deformed, and has the device deform the rest.
+class VertexUpdates {
+  public:
+    explicit VertexUpdates(const gpu::Device& device) : m_device(device) {}
+
+    /// What is brought up to date.
+    struct Into {
+        SceneMeshes& meshes;
+        LastVertices* last = nullptr; ///< gets the vertices before this; null: nobody reads them
+    };
+    /// Follows meshes that have other vertices, as many as before. Waits where some are uploaded.
+    /// @param changed meshes, repeats allowed
+    /// @return whether a mesh became faceted or ceased to be, which takes another pipeline.
+    /// base::InputError and base::RunError where the device cannot deform a mesh that has a pose.
+    bool follow(const scene::World& world, std::span<const std::uint32_t> changed, const Into& into);
+
+  private:
+    /// What is asked of a deformer once.
+    struct Looked {
+        std::shared_ptr<const scene::Deformer> deformer;
+        bool isFaceted = false;
+    };
+    bool isFaceted(const scene::World& world, const DeformJob& job);
+
+    const gpu::Device& m_device;
+    std::unique_ptr<DeviceDeformer> m_deformer; ///< once a mesh has a pose
+    std::map<std::uint32_t, Looked> m_looked;   ///< by mesh
+};
+
+} // namespace cdr::render

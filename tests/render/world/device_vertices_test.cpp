@@ -1,0 +1,205 @@
+#include "../../support/deformers.h"
+#include "../fixture.h"
+
+#include <cdr/gpu/commands.h>
+#include <cdr/gpu/memory.h>
+#include <cdr/render/materials/packed_vertex.h>
+
+#include <cstdlib>
+#include <numeric>
+#include <set>
+
+namespace cdr::render_test {
+
+namespace {
+
+/// Vertices that the device deforms, against those that the CPU does.
+class DeviceVerticesTest : public RenderTest {
+  protected:
+    void SetUp() override {
+        RenderTest::SetUp();
+        if (!device().info().deformMissing.empty()) {
+            GTEST_SKIP() << "the device lacks " << device().info().deformMissing.front();
+        }
+    }
+
+    /// Those of all meshes, as they are once what was submitted is done.
+    std::vector<render::PackedVertex> read(const render::GpuScene& scene, std::size_t count) {
+        const std::size_t bytes = count * sizeof(render::PackedVertex);
+        const gpu::Buffer copy(device(), bytes, vk::BufferUsageFlagBits::eTransferDst,
+                               gpu::MemoryUse::hostReads, "vertices of a test");
+        gpu::runOnce(device(), [&](vk::CommandBuffer commands) {
+            commands.copyBuffer(scene.vertices(), copy.handle(), vk::BufferCopy{.size = bytes});
+        });
+        copy.invalidate();
+        const auto vertices = copy.as<render::PackedVertex>(count);
+        return {vertices.begin(), vertices.end()};
+    }
+};
+
+scene::Mesh meshOf(const scene::Deformer& deformer) {
+    scene::Mesh mesh;
+    mesh.vertices = deformer.vertices;
+    mesh.details = deformer.details;
+    mesh.indices.resize(mesh.vertices.size());
+    std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
+    mesh.boundingRadius = scene::boundingRadiusOf(mesh.vertices);
+    return mesh;
+}
+
+/// A box, and a deformed mesh behind it in the buffers, whose material has a normal texture.
+scene::Scene sceneOf(const scene::Deformer& deformer) {
+    scene::Scene scene = boxScene();
+    scene.meshes.push_back(meshOf(deformer));
+    scene.textures.push_back(
+        {.pixels = image::ImageRgba8(1, 1, {200, 90, 220, 255}), .content = scene::TextureContent::data});
+    scene.materials[0].detail.normal = scene::TextureUse{};
+    addBox(scene, {1.0, 0.5, -7.0});
+    scene::addInstance(scene, 1, 0, 7, {0.0, 0.0, -12.0}, glm::mat3(1.0f));
+    return scene;
+}
+
+int stepsApart(std::uint32_t a, std::uint32_t b) {
+    const auto half = [](std::uint32_t word, unsigned shift) {
+        return static_cast<std::int16_t>(word >> shift);
+    };
+    return std::max(std::abs(half(a, 0u) - half(b, 0u)), std::abs(half(a, 16u) - half(b, 16u)));
+}
+
+/// Positions to the bit, normals to a step of 16 bits, for each kind of deformer.
+TEST_F(DeviceVerticesTest, AreThoseOfTheCpu) {
+    for (const test::DeformerKind& kind : test::deformerKinds()) {
+        const auto deformer = test::makeDeformer(kind, 1);
+        scene::World world(sceneOf(*deformer));
+        const std::size_t before = world.scene().meshes[0].vertices.size();
+        const std::size_t count = deformer->vertices.size();
+        render::GpuScene onDevice(device(), world);
+        for (std::uint32_t seed = 0; seed < 4; ++seed) {
+            const scene::MeshPose pose = test::poseOf(kind, deformer, seed);
+            const scene::MeshVertices expected = test::deformedByCpu(pose);
+            world.setPose(world.mesh(1), pose);
+            EXPECT_FALSE(onDevice.hasHostVertices());
+            onDevice.update();
+            const std::vector<render::PackedVertex> made = read(onDevice, before + count);
+            std::size_t wrong = 0;
+            int most = 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                const render::PackedVertex& vertex = made[before + i];
+                const render::PackedVertex right = render::packed(expected.vertices[i]);
+                const bool isSame =
+                    vertex.position == right.position && vertex.uv == right.uv && vertex.color == right.color;
+                wrong += isSame ? 0 : 1;
+                most = std::max(most, stepsApart(vertex.normal, right.normal));
+            }
+            EXPECT_EQ(wrong, 0u) << kind.name << ", pose " << seed;
+            EXPECT_LE(most, 1) << kind.name << ", pose " << seed;
+            EXPECT_EQ(made[0].position, world.scene().meshes[0].vertices[0].position);
+        }
+    }
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+/// Nobody waits between poses, frames that show them and frames that are read. Tangents show in the normal texture.
+TEST_F(DeviceVerticesTest, GiveThePicturesOfTheCpu) {
+    const scene::Camera camera{.fovY = 1.0, .nearView = 0.5, .farView = 1000.0};
+    for (const test::DeformerKind& kind : test::deformerKinds()) {
+        const auto deformer = test::makeDeformer(kind, 2);
+        for (const render::Submission submission : submissions()) {
+            scene::World posed(sceneOf(*deformer));
+            scene::World uploaded(sceneOf(*deformer));
+            render::GpuScene onDevice(device(), posed);
+            render::GpuScene fromCpu(device(), uploaded);
+            render::RenderOptions options = quarterOf(smallOptions(depth::parseTechnique("anchored")));
+            options.submission = submission;
+            options.framesInFlight = 3;
+            render::Renderer byDevice(device(), onDevice, options);
+            render::Renderer byCpu(device(), fromCpu, options);
+            std::set<std::string> pictures;
+            for (std::uint32_t seed = 0; seed < 4; ++seed) {
+                for (std::uint32_t hurried = 10; hurried < 14; ++hurried) {
+                    posed.setPose(posed.mesh(1), test::poseOf(kind, deformer, seed + hurried));
+                    byDevice.submit(camera);
+                }
+                const scene::MeshPose pose = test::poseOf(kind, deformer, seed);
+                posed.setPose(posed.mesh(1), pose);
+                uploaded.setVertices(uploaded.mesh(1), test::deformedByCpu(pose),
+                                     scene::boundingRadiusOf(pose));
+                byDevice.forgetFrames();
+                byCpu.forgetFrames();
+                const std::string picture = hashOf(byDevice.render(camera));
+                EXPECT_EQ(picture, hashOf(byCpu.render(camera)))
+                    << kind.name << ", pose " << seed << ", submission " << nameOf(submission);
+                EXPECT_EQ(posed.scene().instances.radius, uploaded.scene().instances.radius);
+                pictures.insert(picture);
+            }
+            EXPECT_EQ(pictures.size(), 4u) << kind.name;
+        }
+    }
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+/// Where the meshes move in the buffers, or the scene is uploaded again, the device deforms again.
+TEST_F(DeviceVerticesTest, OutlastEditsOfOtherMeshes) {
+    const scene::Camera camera{.fovY = 1.0, .nearView = 0.5, .farView = 1000.0};
+    const test::DeformerKind kind = test::deformerKinds()[2];
+    const auto deformer = test::makeDeformer(kind, 3);
+    const scene::MeshPose pose = test::poseOf(kind, deformer, 5);
+    scene::World posed(sceneOf(*deformer));
+    scene::World uploaded(sceneOf(*deformer));
+    render::GpuScene onDevice(device(), posed);
+    render::GpuScene fromCpu(device(), uploaded);
+    const render::RenderOptions options = quarterOf(smallOptions(depth::parseTechnique("anchored")));
+    render::Renderer byDevice(device(), onDevice, options);
+    render::Renderer byCpu(device(), fromCpu, options);
+    posed.setPose(posed.mesh(1), pose);
+    uploaded.setVertices(uploaded.mesh(1), test::deformedByCpu(pose), scene::boundingRadiusOf(pose));
+    for (int step = 0; step < 3; ++step) {
+        for (scene::World* world : {&posed, &uploaded}) {
+            const scene::MeshHandle mesh =
+                world->addMesh(scene::makeBox(glm::vec3(0.3f + 0.1f * static_cast<float>(step))));
+            world->addInstance({.mesh = mesh,
+                                .material = world->material(0),
+                                .object = 20,
+                                .transform = {.position = {-2.0 + step, 1.0, -6.0}}});
+        }
+        EXPECT_EQ(hashOf(byDevice.render(camera)), hashOf(byCpu.render(camera))) << step;
+    }
+    const render::GpuScene anew(device(), posed);
+    render::GpuScene another(device(), posed);
+    render::Renderer later(device(), another, options);
+    EXPECT_EQ(hashOf(later.render(camera)), hashOf(byCpu.render(camera)));
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+/// Facets are made by the CPU, which needs the vertices for them.
+TEST_F(DeviceVerticesTest, AreNoFacetsUnlessTheCpuHasThemToo) {
+    const scene::Camera camera{.fovY = 1.0, .nearView = 0.5, .farView = 1000.0};
+    scene::Scene scene = boxScene();
+    auto deformer = std::make_shared<scene::Deformer>();
+    deformer->vertices = scene.meshes[0].vertices;
+    finish(*deformer);
+    const scene::MeshPose pose{.deformer = deformer, .weights = {}, .joints = {}, .place = {}};
+    addBox(scene, {0.0, 0.0, -7.0});
+    scene::World world(std::move(scene));
+    render::GpuScene onDevice(device(), world);
+    render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
+    options.surface = render::SurfacePath::visibility;
+    render::Renderer renderer(device(), onDevice, options);
+    renderer.render(camera);
+    world.setPose(world.mesh(0), pose);
+    try {
+        renderer.render(camera);
+        ADD_FAILURE() << "it was drawn";
+    } catch (const base::InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("vertices of meshes that the device deforms"),
+                  std::string::npos)
+            << error.what();
+    }
+    world.setPose(world.mesh(0), pose, test::deformedByCpu(pose));
+    EXPECT_TRUE(onDevice.hasHostVertices());
+    renderer.render(camera);
+}
+
+} // namespace
+
+} // namespace cdr::render_test
