@@ -186,6 +186,19 @@ void drawFrames(Command& command, const RenderArguments& arguments, const Render
     command.endProgress();
 }
 
+/// Who deforms what does; none where nothing does.
+std::optional<scenes::Deform> deformOf(Command& command, const RenderArguments& arguments,
+                                       const scene::SceneMotion& motion, const WantedOfFrames& wanted) {
+    if (motion.meshes.empty()) {
+        return std::nullopt;
+    }
+    const bool cpuReads =
+        wanted.truth || wanted.certificate || arguments.drawing.surface != render::SurfacePath::gbuffer;
+    return options::deformOn(command.device().info(), arguments.deform,
+                             cpuReads ? options::VertexReaders::drawingAndCpu
+                                      : options::VertexReaders::drawing);
+}
+
 void runRender(Command& command, RenderArguments& arguments) {
     RenderPlan plan = planOf(command, arguments);
     std::optional<host::Trace> trace;
@@ -197,9 +210,10 @@ void runRender(Command& command, RenderArguments& arguments) {
                                 .certificate = !arguments.certify.empty() && finishes};
     host::WorkerPool workers(arguments.drawing.threads);
     scene::SceneSetup setup = openDrawn(command, arguments, plan, wanted, workers);
+    arguments.deform = deformOf(command, arguments, setup.motion, wanted);
     std::optional<scenes::MovingScene> moving;
     if (setup.motion) {
-        moving.emplace(std::move(setup.scene), setup.motion);
+        moving.emplace(std::move(setup.scene), setup.motion, arguments.deform.value_or(scenes::Deform::cpu));
     }
     FrameMaker maker(command.device(), moving ? moving->world().scene() : setup.scene,
                      moving ? &*moving : nullptr, plan.options, plan.views, wanted, workers);

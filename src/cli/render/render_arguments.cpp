@@ -50,6 +50,9 @@ nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth
     add("animation", arguments.choice.animation);
     add("time", arguments.choice.seconds);
     add("fps", arguments.choice.framesPerSecond);
+    if (arguments.deform) {
+        options["deform"] = nameOf(*arguments.deform);
+    }
     if (!arguments.layers.texts.empty()) {
         options["layers"] = arguments.layers.texts;
     }
@@ -96,6 +99,7 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     command.option_defaults()->group("Scene");
     options::addSceneChoice(command, arguments.choice);
     options::addAnimationChoice(command, arguments.choice);
+    options::addDeform(command, arguments.deform);
     addSeed(command, arguments.seed, "Seed of a random scene");
     options::addColours(command, arguments.colours);
     options::addLayers(command, arguments.layers);

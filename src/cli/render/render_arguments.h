@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 #include <options/camera_options.h>
+#include <options/deform_choice.h>
 #include <options/drawing_options.h>
 #include <options/scene_options.h>
 #include <options/views/views_plan.h>
@@ -42,6 +43,7 @@ struct RenderArguments {
     options::LayerArguments layers;
     std::uint64_t seed = scenes::kDefaultSeed;
     scene::GltfChoice choice;
+    std::optional<scenes::Deform> deform; ///< told; once frames are drawn, who deforms what does
 };
 
 /// The technique of --technique, or of --depth and --split. base::InputError where both are given.

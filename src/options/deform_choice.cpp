@@ -1,0 +1,34 @@
+#include "deform_choice.h"
+
+#include "parsed_option.h"
+
+#include <CLI/CLI.hpp>
+#include <cdr/base/error.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace cdr::options {
+
+void addDeform(CLI::App& command, std::optional<scenes::Deform>& deform) {
+    addParsed(command, "--deform", deform, scenes::parseDeform,
+              "Who bends skins and morph targets in the frames of --fps: cpu or device, which needs float64. "
+              "Else device on graphics cards that can");
+}
+
+scenes::Deform deformOn(const gpu::DeviceInfo& device, std::optional<scenes::Deform> told,
+                        VertexReaders readers) {
+    using scenes::Deform;
+    const bool can = device.deformMissing.empty();
+    if (told == Deform::device && !can) {
+        throw base::InputError(
+            fmt::format("--deform device: {} lacks {}", device.name, fmt::join(device.deformMissing, ", ")));
+    }
+    const bool isCard = device.kind != gpu::DeviceKind::cpu;
+    if (told.value_or(isCard && can ? Deform::device : Deform::cpu) == Deform::cpu) {
+        return Deform::cpu;
+    }
+    return readers == VertexReaders::drawing ? Deform::device : Deform::both;
+}
+
+} // namespace cdr::options
