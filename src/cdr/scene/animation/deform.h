@@ -17,10 +17,10 @@ namespace cdr::scene {
 
 /// How far a morph target moves a vertex.
 struct MorphDelta {
-    std::uint32_t vertex = 0;
-    glm::vec3 position{0.0f};
-    glm::vec3 normal{0.0f};
-    glm::vec3 tangent{0.0f}; ///< of VertexDetail::tangent, whose w stays
+    std::uint32_t vertex = 0; ///< into Deformer::vertices
+    glm::vec3 position{0.0f}; ///< what is added to Vertex::position at a weight of one
+    glm::vec3 normal{0.0f};   ///< the same for Vertex::normal
+    glm::vec3 tangent{0.0f};  ///< of VertexDetail::tangent, whose w stays
 };
 
 /// A joint that a vertex follows.
@@ -73,7 +73,7 @@ CDR_EXPORT DeformedPlace placeOf(const Deformer& deformer, std::span<const glm::
 struct Deformation {
     std::span<const double> weights;    ///< of the morph targets
     std::span<const glm::dmat4> joints; ///< as placeOf() takes them; empty without a skin
-    DeformedPlace place;
+    DeformedPlace place;                ///< where it stands
 };
 
 /// Vertices `first` to `last` of the deformed mesh about its place, all in float64 until they are rounded once. Normals
