@@ -112,6 +112,30 @@ TEST_F(ViewerTest, SaysThatAFolderCannotBeWritten) {
     EXPECT_EQ(valueOf(states[3], "technique"), "anchored,") << "it goes on";
 }
 
+/// Files that may not grow stand for a disk that is full. What the viewer itself prints is shorter.
+TEST_F(ViewerTest, SaysThatAFileCannotBeWrittenToItsEnd) {
+    std::ofstream(folder() / "script")
+        << "wait-frame\nkey F12\nwait-ui 2\nstate\nkey F12 shift\nwait-ui 3\nstate\nkey 6\nwait-frame\nstate\nquit\n";
+    const RunResult run =
+        runShell("(trap '' XFSZ && ulimit -f 4 && '" CDR_VIEWER_DRIVE "' --size 560x300 --script " +
+                     (folder() / "script").string() + " cubes)",
+                 folder(), environment());
+    EXPECT_EQ(run.status, 0) << run.err;
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 3u) << run.out;
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_NE(valueOf(states[i], "notice").find("write failed"), std::string::npos) << states[i];
+    }
+    EXPECT_EQ(valueOf(states[2], "technique"), "anchored,") << "it goes on";
+    EXPECT_FALSE(fs::exists(folder() / "cdr-window-0001.png"));
+
+    const RunResult saved = runShell("(trap '' XFSZ && ulimit -f 4 && '" CDR_VIEWER_DRIVE
+                                     "' --size 560x300 --frames 20 --screenshot w.png cubes)",
+                                     folder(), environment());
+    EXPECT_EQ(saved.status, 1) << saved.err;
+    EXPECT_NE(saved.err.find("write failed"), std::string::npos) << saved.err;
+}
+
 TEST_F(ViewerTest, OpensTheSceneAmongWhatIsDropped) {
     fs::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", folder() / "shapes.gltf");
     std::ofstream(folder() / "notes.txt") << "no scene";

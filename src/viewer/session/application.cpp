@@ -195,6 +195,16 @@ void Application::present(image::ImageRgba8* capture, ImDrawData* drawn) {
     m_model.performance.presentMs = 1000.0 * secondsSince(begin);
 }
 
+void Application::saveWindow(const image::ImageRgba8& pixels) {
+    m_unsaved.reset();
+    try {
+        image::writeImage(*std::exchange(m_capture, std::nullopt), pixels);
+    } catch (const base::RunError& error) {
+        m_unsaved = error.what();
+        m_model.interface.sayProblem(error.what());
+    }
+}
+
 void Application::drawFrame() {
     const vk::Extent2D extent = m_window.extent();
     if (extent.width == 0 || extent.height == 0) {
@@ -214,7 +224,7 @@ void Application::drawFrame() {
     image::ImageRgba8 pixels;
     present(m_capture ? &pixels : nullptr, drawn);
     if (m_capture && !pixels.pixels.empty()) {
-        image::writeImage(*std::exchange(m_capture, std::nullopt), pixels);
+        saveWindow(pixels);
     }
     m_model.performance.uiFrameMs = 1000.0 * secondsSince(begin);
     m_redraws = std::max(m_redraws - 1, 0);
@@ -272,6 +282,9 @@ void Application::finish() {
         constexpr int kTries = 3; // the window may just have changed its size
         for (int attempt = 0; attempt < kTries && m_capture; ++attempt) {
             drawFrame();
+        }
+        if (m_unsaved) {
+            throw base::RunError(*m_unsaved); // nobody sees a notice any more
         }
     }
     m_window.hide(); // the end waits for the picture being rendered; hidden meanwhile

@@ -57,6 +57,7 @@ class Application {
     void recordVideo(double seconds);
     void copyCommandLines();
     void captureWindow();
+    void saveWindow(const image::ImageRgba8& pixels);
     void frameSelected();
     void toggleTour();
     PictureArea pictureArea() const;
@@ -88,6 +89,7 @@ class Application {
     Session m_session;
 
     std::optional<std::filesystem::path> m_capture; ///< file for the next frame's window
+    std::optional<std::string> m_unsaved;           ///< why the last window was not saved
     Clock::time_point m_lastFrame = Clock::now();
     Clock::time_point m_lastUpdate = Clock::now();
     int m_redraws = 3; ///< frames due: the interface takes a few to settle after input
