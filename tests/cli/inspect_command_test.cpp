@@ -124,6 +124,50 @@ TEST(InspectCommand, FindsNothingWhereALayerSaysWhichIsSeen) {
     EXPECT_EQ(rowOf(run.document, "anchored", "d32f").at("wrong"), 0);
 }
 
+/// A masked material that keeps all, or nothing, of what it covers.
+json maskOf(double alpha) {
+    return {{"alphaMode", "MASK"}, {"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.5, 0.5, alpha}}}}};
+}
+
+TEST(InspectCommand, WhatAMaskCutsAwayIsNeitherWrongNorCoplanar) {
+    const TemporaryFolder folder;
+    for (const double z : {-30.1, -29.6}) {
+        writeSquares(folder.path() / "a.gltf", {{"wall", {0.3, 0.0, -30.1}, 20.0},
+                                                {"poster", {1.7, 1.1, z}, 4.0, maskOf(0.1)},
+                                                {"board", {-3.0, 0.0, -20.0}, 3.0}});
+        const InspectRun run =
+            inspect("a.gltf --fail-above 0 --technique anchored" + std::string(kSmall), folder);
+        EXPECT_EQ(run.status, 0) << z;
+        EXPECT_EQ(findings(run.document), std::vector<std::string>()) << z;
+        EXPECT_EQ(run.document.at("coplanar_fraction"), 0.0) << z;
+        EXPECT_EQ(rowOf(run.document, "anchored", "d32f").at("wrong"), 0) << z;
+    }
+}
+
+TEST(InspectCommand, WhatAMaskKeepsIsFound) {
+    const TemporaryFolder folder;
+    writeSquares(folder.path() / "a.gltf", {{"wall", {0.3, 0.0, -30.1}, 20.0},
+                                            {"poster", {1.7, 1.1, -30.1}, 4.0, maskOf(1.0)},
+                                            {"board", {-3.0, 0.0, -20.0}, 3.0}});
+    const InspectRun run = inspect("a.gltf --fail-above 0.01" + std::string(kSmall), folder);
+    EXPECT_EQ(run.status, 3);
+    EXPECT_EQ(findings(run.document), (std::vector<std::string>{"coplanar wall poster"}));
+}
+
+/// A pond, leaves that are cut out of their squares, nodes that mirror.
+TEST(InspectCommand, FindsNothingWrongInAGardenOfMasks) {
+    const TemporaryFolder folder;
+    const std::string garden = "'" + std::string(CDR_SOURCE_DIR) + "/tests/assets/garden.glb'";
+    const InspectRun run = inspect(
+        garden + " --techniques reversed,anchored --technique anchored --fail-above 0.001" + kSmall, folder);
+    EXPECT_EQ(run.status, 0);
+    for (const char* technique : {"reversed", "anchored"}) {
+        const json& row = rowOf(run.document, technique, "d32f");
+        EXPECT_GT(row.at("pixels"), 20'000) << technique;
+        EXPECT_LE(row.at("wrong"), 1) << technique;
+    }
+}
+
 TEST(InspectCommand, FindsANearPairFarAwayAndWhatSuffices) {
     const TemporaryFolder folder;
     constexpr double kGap = 3e-5; // at 3000: 1e-8 of the distance, finer than reversed depth

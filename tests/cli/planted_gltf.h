@@ -17,6 +17,7 @@ struct PlantedSquare {
     std::string name;
     glm::dvec3 place{0.0};
     double side = 1.0;
+    nlohmann::json material{}; ///< null: none of its own
 };
 
 /// Writes a glTF file, with its bytes in a file beside it. It has squares, and a camera at the origin that looks along -z. All
@@ -35,18 +36,27 @@ inline void writeSquares(const std::filesystem::path& file, const std::vector<Pl
     const nlohmann::json turn{0.0, std::sin(half), 0.0, std::cos(half)};
     nlohmann::json nodes = nlohmann::json::array();
     nlohmann::json children = nlohmann::json::array();
+    const nlohmann::json primitive{{"attributes", {{"POSITION", 0}}}, {"indices", 1}};
+    const nlohmann::json plain{{"primitives", nlohmann::json::array({primitive})}};
+    nlohmann::json meshes = nlohmann::json::array({plain});
+    nlohmann::json materials = nlohmann::json::array();
     for (const PlantedSquare& square : squares) {
         children.push_back(nodes.size());
         nodes.push_back({{"name", square.name},
-                         {"mesh", 0},
+                         {"mesh", square.material.is_null() ? 0 : meshes.size()},
                          {"translation", {square.place.x, square.place.y, square.place.z}},
                          {"scale", {square.side, square.side, 1.0}}});
+        if (!square.material.is_null()) {
+            meshes.push_back(plain);
+            meshes.back()["primitives"][0]["material"] = materials.size();
+            materials.push_back(square.material);
+        }
     }
     children.push_back(nodes.size());
     nodes.push_back({{"name", "camera"}, {"camera", 0}});
     const std::size_t root = nodes.size();
     nodes.push_back({{"name", "root"}, {"rotation", turn}, {"children", children}});
-    const nlohmann::json document{
+    nlohmann::json document{
         {"asset", {{"version", "2.0"}}},
         {"scene", 0},
         {"scenes", {{{"nodes", {root}}}}},
@@ -54,7 +64,7 @@ inline void writeSquares(const std::filesystem::path& file, const std::vector<Pl
         {"cameras",
          {{{"type", "perspective"},
            {"perspective", {{"yfov", 0.6}, {"znear", 0.1}, {"zfar", 10000.0}, {"aspectRatio", 1.7777778}}}}}},
-        {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}}}}}}},
+        {"meshes", meshes},
         {"accessors",
          {{{"bufferView", 0},
            {"componentType", 5126},
@@ -67,6 +77,9 @@ inline void writeSquares(const std::filesystem::path& file, const std::vector<Pl
          {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", 48}},
           {{"buffer", 0}, {"byteOffset", 48}, {"byteLength", 12}}}},
         {"buffers", {{{"uri", bytes.filename().string()}, {"byteLength", 60}}}}};
+    if (!materials.empty()) {
+        document["materials"] = materials;
+    }
     std::ofstream(file) << document;
 }
 

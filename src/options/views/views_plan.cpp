@@ -163,11 +163,20 @@ render::Frame ViewsPlan::join(const std::vector<render::Frame>& views, const sce
 
 measure::TruthImage ViewsPlan::join(const std::vector<measure::TruthImage>& views,
                                     const scene::Camera& camera) const {
-    std::vector<const measure::TruthImage*> pictures;
+    std::vector<const image::Raster<measure::TruthPixel>*> pictures;
+    std::vector<image::Raster<std::uint8_t>> doubtful;
     for (const measure::TruthImage& view : views) {
         pictures.push_back(&view);
+        doubtful.push_back(view.doubtful.pixels.empty() ? image::Raster<std::uint8_t>(view.width, view.height)
+                                                        : view.doubtful);
     }
-    return image::beside<measure::TruthPixel>(pictures, shiftOf(camera));
+    measure::TruthImage joined(image::beside<measure::TruthPixel>(pictures, shiftOf(camera)));
+    std::vector<const image::Raster<std::uint8_t>*> masks;
+    for (const image::Raster<std::uint8_t>& mask : doubtful) {
+        masks.push_back(&mask);
+    }
+    joined.doubtful = image::beside<std::uint8_t>(masks, shiftOf(camera));
+    return joined;
 }
 
 void addViewsJson(nlohmann::ordered_json& options, const ViewsArguments& arguments) {

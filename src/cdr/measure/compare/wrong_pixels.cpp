@@ -70,6 +70,9 @@ image::Raster<std::uint8_t> innerMask(const TruthImage& truth) {
                    [](const TruthPixel& pixel) { return pixel.id; });
     image::Raster<std::uint8_t> mask(truth.width, truth.height);
     innerMask(ids, mask);
+    for (std::size_t i = 0; i < truth.doubtful.pixels.size(); ++i) {
+        mask.pixels[i] = truth.doubtful.pixels[i] != 0 ? std::uint8_t{0} : mask.pixels[i];
+    }
     return mask;
 }
 

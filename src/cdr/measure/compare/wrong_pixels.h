@@ -10,8 +10,8 @@ namespace cdr::measure {
 /// How a rendered id image compares with the truth.
 ///
 /// An inner pixel is one whose true id is an object's (not background) and is shared by its eight neighbours.
-/// Pixels at the picture's border have no eight neighbours and are not inner. Elsewhere rasterisation rules
-/// decide, not depth.
+/// Pixels at the picture's border have no eight neighbours and are not inner. Nor are those whose truth is doubtful, because
+/// the filter of a masked texture decides (TruthImage::doubtful). Elsewhere rasterisation rules decide, not depth.
 struct WrongPixels {
     std::uint64_t pixels = 0;        ///< inner pixels
     std::uint64_t wrong = 0;         ///< inner pixels whose rendered id differs from the true id
@@ -28,7 +28,7 @@ struct WrongPixels {
     WrongPixels& operator+=(const WrongPixels& other);
 };
 
-/// Per pixel: 1 where the truth is an object's and its eight neighbours share the id, else 0.
+/// Per pixel: 1 where the truth is an object's, not doubtful, and its eight neighbours share the id, else 0.
 image::Raster<std::uint8_t> innerMask(const TruthImage& truth);
 /// The same of ids (object index + 1), for answers other than the truth, into a mask that is resized as
 /// needed.

@@ -23,6 +23,9 @@ class Shape {
                            : nearestOnBox(ray, m_halfSides, sides, range);
     }
 
+    /// None where the mesh says that it is a box.
+    const TriangleBvh* triangles() const { return m_triangles ? &*m_triangles : nullptr; }
+
     /// The enclosing box in object space. A mesh without triangles has a point.
     const glm::dvec3& centre() const { return m_centre; }
     const glm::dvec3& halfSides() const { return m_halfSides; }

@@ -1,8 +1,9 @@
+#include <cdr/measure/truth/mask_cut.h>
 #include <cdr/measure/truth/surface_hit.h>
+#include <cdr/measure/truth/surface_point.h>
 #include <cdr/measure/truth/triangle_hit.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 
@@ -10,78 +11,23 @@ namespace cdr::measure {
 
 namespace {
 
-/// The weights of a triangle's corners, where a pixel's ray meets it and half a pixel to each side. What the triangle lies
-/// in goes on beyond its edges.
-struct CornerWeights {
-    glm::dvec3 here;
-    glm::dvec3 right;
-    glm::dvec3 left;
-    glm::dvec3 down;
-    glm::dvec3 up;
-};
-
-/// A point of a triangle, which its material's textures are read at.
-struct SurfacePoint {
-    const scene::Scene& scene;
-    const TruthTextures& textures;
-    const scene::Material& material;
-    const scene::Mesh& mesh;
-    std::size_t triangle;
-    CornerWeights weights;
-
-    const scene::Vertex& corner(int c) const { return mesh.vertices[index(c)]; }
-    std::uint32_t index(int c) const { return mesh.indices[triangle + static_cast<std::size_t>(c)]; }
-
-    /// A value of the vertices.
-    template <typename Value>
-    auto interpolate(Value valueOf) const {
-        return weights.here.x * valueOf(corner(0)) + weights.here.y * valueOf(corner(1)) +
-               weights.here.z * valueOf(corner(2));
+/// World axes, unit, of the triangle's front.
+/// @param normal of the vertices, world axes, unit. @param basis of the instance.
+glm::dvec3 bumpedAt(const SurfacePoint& point, const glm::dvec3& normal, const glm::dmat3& basis) {
+    glm::dvec4 tangent(0.0);
+    for (int c = 0; c < 3; ++c) {
+        tangent += point.weights.here[c] * glm::dvec4(point.mesh.details.empty()
+                                                          ? scene::VertexDetail{}.tangent
+                                                          : point.mesh.details[point.index(c)].tangent);
     }
-
-    /// What a texture of the material holds there.
-    glm::dvec4 sample(const scene::TextureUse& use) const {
-        std::array<glm::dvec2, 3> places{};
-        for (int c = 0; c < 3; ++c) {
-            if (!use.second) {
-                places[static_cast<std::size_t>(c)] = glm::dvec2(corner(c).uv);
-            } else if (!mesh.details.empty()) {
-                places[static_cast<std::size_t>(c)] = glm::dvec2(mesh.details[index(c)].uv);
-            }
-        }
-        for (glm::dvec2& place : places) {
-            place = glm::dmat3x2(use.transform) * glm::dvec3(place, 1.0);
-        }
-        const auto placeAt = [&](const glm::dvec3& shares) {
-            return shares.x * places[0] + shares.y * places[1] + shares.z * places[2];
-        };
-        return textures.sample(
-            use.texture, placeAt(weights.here),
-            {.right = placeAt(weights.right - weights.left), .down = placeAt(weights.down - weights.up)});
-    }
-
-    glm::dvec4 baseColor() const {
-        glm::dvec4 color(material.baseColorFactor);
-        color *= interpolate([](const scene::Vertex& vertex) { return glm::dvec4(vertex.color) / 255.0; });
-        return material.baseColorTexture ? color * sample({.texture = *material.baseColorTexture}) : color;
-    }
-
-    /// World axes, unit, of the triangle's front.
-    /// @param normal of the vertices, world axes, unit. @param basis of the instance.
-    glm::dvec3 bumped(const glm::dvec3& normal, const glm::dmat3& basis) const {
-        glm::dvec4 tangent(0.0);
-        for (int c = 0; c < 3; ++c) {
-            tangent += weights.here[c] * glm::dvec4(mesh.details.empty() ? scene::VertexDetail{}.tangent
-                                                                         : mesh.details[index(c)].tangent);
-        }
-        const glm::dvec3 along = glm::normalize(basis * glm::dvec3(tangent));
-        const double sense = std::copysign(1.0, tangent.w * glm::determinant(basis));
-        const glm::dvec3 texel = glm::dvec3(sample(*material.detail.normal)) * 2.0 - 1.0;
-        const double scale = material.detail.normalScale;
-        return glm::normalize(texel.x * scale * along + texel.y * scale * sense * glm::cross(normal, along) +
-                              texel.z * normal);
-    }
-};
+    const glm::dvec3 along = glm::normalize(basis * glm::dvec3(tangent));
+    const double sense = std::copysign(1.0, tangent.w * glm::determinant(basis));
+    const scene::MaterialDetail& detail = point.material.detail;
+    const glm::dvec3 texel = glm::dvec3(point.sample(*detail.normal)) * 2.0 - 1.0;
+    const double scale = detail.normalScale;
+    return glm::normalize(texel.x * scale * along + texel.y * scale * sense * glm::cross(normal, along) +
+                          texel.z * normal);
+}
 
 glm::dvec3 emissionAt(const SurfacePoint& point) {
     const scene::MaterialDetail& detail = point.material.detail;
@@ -94,7 +40,7 @@ glm::dvec3 emissionAt(const SurfacePoint& point) {
 void addLitDetail(const SurfacePoint& point, const glm::dmat3& basis, double side, SurfaceHit& hit) {
     const scene::MaterialDetail& detail = point.material.detail;
     if (detail.normal) {
-        hit.normal = side * point.bumped(side * hit.normal, basis);
+        hit.normal = side * bumpedAt(point, side * hit.normal, basis);
     }
     if (detail.metallicRoughness && hit.metallicRoughness) {
         const glm::dvec4 texel = point.sample(*detail.metallicRoughness);
@@ -112,16 +58,6 @@ bool isMetAgain(const SurfaceHit& hit, std::span<const SurfaceHit> before) {
                return other.isOnEdge &&
                       std::abs(other.distanceView - hit.distanceView) <= 1e-12 * hit.distanceView;
            });
-}
-
-/// @param shift along all of the rays, of where they start.
-CornerWeights weightsOf(const Triangle& triangle, const PlacedCamera& camera, const PixelRay& pixel,
-                        double shift) {
-    const auto weights = [&](double right, double up) {
-        const ObjectRay ray = camera.ray(pixel.slopeX + right * pixel.step, pixel.slopeY + up * pixel.step);
-        return ShearedRay({ray.origin + shift * ray.direction, ray.direction}).weights(triangle);
-    };
-    return {weights(0.0, 0.0), weights(0.5, 0.0), weights(-0.5, 0.0), weights(0.0, -0.5), weights(0.0, 0.5)};
 }
 
 } // namespace
@@ -150,8 +86,7 @@ void appendHits(const scene::Scene& scene, const TruthTextures& textures, const 
                                  mesh,  i,        weightsOf(triangle, visible.camera, pixel, shift)};
         const glm::dvec3& weights = point.weights.here;
         const glm::dvec4 baseColor = point.baseColor();
-        if (material.alphaMode == scene::AlphaMode::mask &&
-            baseColor.a < static_cast<double>(material.alphaCutoff)) {
+        if (material.alphaMode == scene::AlphaMode::mask && isCutAt(material, baseColor.a)) {
             continue;
         }
         const double side = sheared.meetsFront(triangle) ? 1.0 : -1.0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/measure/truth/object_ray.h>
+#include <cdr/measure/truth/surface_point.h>
 #include <cdr/measure/truth/truth_texture.h>
 #include <cdr/measure/truth/visible_instances.h>
 #include <cdr/scene/scene.h>
@@ -28,13 +29,6 @@ struct SurfaceHit {
     std::optional<scene::MetallicRoughness> metallicRoughness; ///< textures included
     double openness = 1.0;                                     ///< share of ambient light that arrives
     glm::dvec3 emission{0.0};                                  ///< linear
-};
-
-/// A pixel's ray, and those of its neighbours.
-struct PixelRay {
-    double slopeX = 0.0; ///< as PixelSlopes has them
-    double slopeY = 0.0;
-    double step = 0.0; ///< from a pixel to the next, either way
 };
 
 /// Appends every visible hit of a pixel's ray on one instance within `range`, in no order. Backs of single-sided

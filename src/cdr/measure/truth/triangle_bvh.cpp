@@ -115,12 +115,16 @@ TriangleBvh::TriangleBvh(const scene::Mesh& mesh) {
     Builder builder(triangles, 1e-6f * std::max({reach.x, reach.y, reach.z}));
     m_nodes = std::move(builder.nodes);
     m_triangles.reserve(triangles.size());
+    m_places.reserve(triangles.size());
     for (const std::uint32_t i : builder.order) {
         m_triangles.push_back(triangles[i]);
+        m_places.push_back(3 * i);
     }
 }
 
-double TriangleBvh::nearest(const ObjectRay& ray, Sidedness sides, const ViewRange& range) const {
+template <typename IsKept>
+double TriangleBvh::nearestOf(const ObjectRay& ray, Sidedness sides, const ViewRange& range,
+                              const IsKept& isKept) const {
     if (m_nodes.empty()) {
         return kNoHit;
     }
@@ -137,13 +141,23 @@ double TriangleBvh::nearest(const ObjectRay& ray, Sidedness sides, const ViewRan
     walk.visitLeaves(m_nodes, [&](const Node& leaf) {
         for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
             const double hit = sheared.meet(m_triangles[i], sides);
-            if (shift + hit < best && range.holds(shift + hit)) {
+            if (shift + hit < best && range.holds(shift + hit) && isKept(i, shift + hit)) {
                 best = shift + hit;
                 walk.shorten(hit);
             }
         }
     });
     return best;
+}
+
+double TriangleBvh::nearest(const ObjectRay& ray, Sidedness sides, const ViewRange& range) const {
+    return nearestOf(ray, sides, range, [](std::uint32_t, double) { return true; });
+}
+
+double TriangleBvh::nearest(const ObjectRay& ray, Sidedness sides, const ViewRange& range,
+                            const Keeps& keeps) const {
+    return nearestOf(ray, sides, range,
+                     [&](std::uint32_t i, double hitView) { return keeps(m_places[i], hitView); });
 }
 
 } // namespace cdr::measure

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -38,6 +39,12 @@ class TriangleBvh {
     /// ray through an edge or corner that triangles share hits at least one of them.
     double nearest(const ObjectRay& ray, Sidedness sides, const ViewRange& range) const;
 
+    /// Whether a hit counts.
+    /// @param triangle the first of its three indices in the mesh. @param hitView its view distance.
+    using Keeps = std::function<bool(std::uint32_t triangle, double hitView)>;
+    /// The nearest hit that counts. Asks of each that is nearer than all that counted before.
+    double nearest(const ObjectRay& ray, Sidedness sides, const ViewRange& range, const Keeps& keeps) const;
+
     /// Encloses every triangle; empty for a mesh without any.
     const Bounds& bounds() const { return m_bounds; }
 
@@ -51,10 +58,15 @@ class TriangleBvh {
     class Builder;
     class Walk;
 
+    template <typename IsKept>
+    double nearestOf(const ObjectRay& ray, Sidedness sides, const ViewRange& range,
+                     const IsKept& isKept) const;
+
     Bounds m_bounds;
     glm::dvec3 m_centre{0.0};
     std::vector<Node> m_nodes;
-    std::vector<Triangle> m_triangles; ///< in the order of the leaves
+    std::vector<Triangle> m_triangles;   ///< in the order of the leaves
+    std::vector<std::uint32_t> m_places; ///< of each, the first of its indices in the mesh
 };
 
 } // namespace cdr::measure

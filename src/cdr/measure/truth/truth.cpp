@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/host/host_memory.h>
+#include <cdr/measure/truth/mask_cut.h>
 #include <cdr/measure/truth/tile_bins.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/measure/truth/visible_instances.h>
@@ -35,6 +36,7 @@ struct Seen {
 struct Owners {
     std::uint32_t first = 0; ///< instances, any where the pixel has no such surface
     std::uint32_t second = 0;
+    double doubtRank = kNoHit; ///< of the nearest masked surface that may be cut away or stay
 };
 
 /// A pixel while its tile is cast.
@@ -116,12 +118,35 @@ struct Tile {
     }
 };
 
-void castInstance(const VisibleInstance& instance, Tile& tile, const Wanted& wanted,
-                  const PixelSlopes& slopes, const scene::Camera& camera, TruthImage& truth) {
+/// What all tiles of a picture are cast from.
+struct TileView {
+    const scene::Scene& scene;
+    const TruthTextures& textures;
+    const scene::Camera& camera;
+    PixelSlopes slopes;
+    Wanted wanted;
+    std::vector<VisibleInstance> nearestFirst;
+
+    bool isMasked(const VisibleInstance& instance) const {
+        const std::uint32_t material = scene.instances.material[instance.instance];
+        return scene.materials[material].alphaMode == scene::AlphaMode::mask;
+    }
+    /// What the ray of a pixel meets of an instance.
+    MaskedHit meet(const VisibleInstance& instance, std::uint32_t x, std::uint32_t y,
+                   const ViewRange& range) const {
+        if (isMasked(instance)) {
+            return nearestKept(scene, textures, instance, {slopes.x[x], slopes.y[y], slopes.step}, range);
+        }
+        const ObjectRay ray = instance.camera.ray(slopes.x[x], slopes.y[y]);
+        return {.distanceView = instance.shape->nearest(ray, instance.sides, range)};
+    }
+};
+
+void castInstance(const TileView& view, const VisibleInstance& instance, Tile& tile, TruthImage& truth) {
     const PixelRect pixels = intersection(tile.pixels, instance.pixels);
     for (std::uint32_t y = pixels.top; y < pixels.bottom; ++y) {
         for (std::uint32_t x = pixels.left; x < pixels.right; ++x) {
-            if (!wanted.has(x, y)) {
+            if (!view.wanted.has(x, y)) {
                 continue;
             }
             TruthPixel& pixel = truth.at(x, y);
@@ -129,12 +154,14 @@ void castInstance(const VisibleInstance& instance, Tile& tile, const Wanted& wan
             if (instance.nearestRank() > farthestRank) {
                 continue;
             }
-            const ViewRange range{camera.nearView, std::min(camera.farView, farthestRank + instance.layer)};
-            const double hit =
-                instance.shape->nearest(instance.camera.ray(slopes.x[x], slopes.y[y]), instance.sides, range);
-            if (hit < kNoHit) {
-                CastPixel{pixel, tile.at(x, y)}.enter(
-                    {hit, static_cast<float>(instance.layer), instance.id, instance.instance});
+            const ViewRange range{view.camera.nearView,
+                                  std::min(view.camera.farView, farthestRank + instance.layer)};
+            const MaskedHit hit = view.meet(instance, x, y, range);
+            Owners& owners = tile.at(x, y);
+            owners.doubtRank = std::min(owners.doubtRank, hit.doubtView - instance.layer);
+            if (hit.distanceView < kNoHit) {
+                CastPixel{pixel, owners}.enter(
+                    {hit.distanceView, static_cast<float>(instance.layer), instance.id, instance.instance});
             }
         }
     }
@@ -153,10 +180,21 @@ double farthestSecondRank(const PixelRect& pixels, const Wanted& wanted, const T
     return farthest;
 }
 
-void castTile(std::span<const VisibleInstance> nearestFirst, std::span<const std::uint32_t> members,
-              const PixelRect& rect, const Wanted& wanted, const PixelSlopes& slopes,
-              const scene::Camera& camera, TruthImage& truth) {
-    const PixelRect pixels = wanted.within(rect);
+/// Marks the pixels where what may be cut away or stay is the nearest surface, or before it.
+void markDoubtful(Tile& tile, TruthImage& truth) {
+    for (std::uint32_t y = tile.pixels.top; y < tile.pixels.bottom; ++y) {
+        for (std::uint32_t x = tile.pixels.left; x < tile.pixels.right; ++x) {
+            const TruthPixel& pixel = truth.at(x, y);
+            const double doubtRank = tile.at(x, y).doubtRank;
+            truth.doubtful.at(x, y) =
+                doubtRank < kNoHit && doubtRank <= pixel.distanceView - pixel.layer ? 1 : 0;
+        }
+    }
+}
+
+void castTile(const TileView& view, std::span<const std::uint32_t> members, const PixelRect& rect,
+              TruthImage& truth) {
+    const PixelRect pixels = view.wanted.within(rect);
     if (pixels.empty()) {
         return;
     }
@@ -164,12 +202,15 @@ void castTile(std::span<const VisibleInstance> nearestFirst, std::span<const std
     // Often enough to end early, seldom enough to cost nothing.
     constexpr std::size_t kCheckEvery = 8;
     for (std::size_t i = 0; i < members.size(); ++i) {
-        const VisibleInstance& instance = nearestFirst[members[i]];
+        const VisibleInstance& instance = view.nearestFirst[members[i]];
         if (i % kCheckEvery == kCheckEvery - 1 &&
-            instance.nearestRank() > farthestSecondRank(pixels, wanted, truth)) {
-            return;
+            instance.nearestRank() > farthestSecondRank(pixels, view.wanted, truth)) {
+            break;
         }
-        castInstance(instance, tile, wanted, slopes, camera, truth);
+        castInstance(view, instance, tile, truth);
+    }
+    if (!truth.doubtful.pixels.empty()) {
+        markDoubtful(tile, truth);
     }
 }
 
@@ -181,7 +222,9 @@ TruthImage emptyTruth(std::uint32_t width, std::uint32_t height) {
 
 } // namespace
 
-TruthCaster::TruthCaster(const scene::Scene& scene, host::WorkerPool& workers) : m_scene(&scene) {
+TruthCaster::TruthCaster(const scene::Scene& scene, host::WorkerPool& workers)
+    : m_scene(&scene),
+      m_textures(std::make_unique<const TruthTextures>(scene)) {
     std::vector<std::optional<Shape>> shapes(scene.meshes.size());
     workers.run(shapes.size(),
                 [&](std::size_t mesh, std::size_t) { shapes[mesh].emplace(scene.meshes[mesh]); });
@@ -217,21 +260,29 @@ void TruthCaster::castInto(const scene::Camera& camera, const image::Raster<std:
     if (truth.width == 0 || truth.height == 0) {
         throw base::InputError("truth: a picture needs at least one pixel");
     }
-    std::vector<VisibleInstance> nearestFirst =
-        visibleInstances(*m_scene, m_shapes, camera, truth.width, truth.height, workers);
-    std::erase_if(nearestFirst, [&](const VisibleInstance& visible) {
+    TileView view{.scene = *m_scene,
+                  .textures = *m_textures,
+                  .camera = camera,
+                  .slopes = pixelSlopes(camera, truth.width, truth.height),
+                  .wanted = Wanted(wanted),
+                  .nearestFirst =
+                      visibleInstances(*m_scene, m_shapes, camera, truth.width, truth.height, workers)};
+    std::erase_if(view.nearestFirst, [&](const VisibleInstance& visible) {
         const std::uint32_t material = m_scene->instances.material[visible.instance];
         return m_scene->materials[material].alphaMode == scene::AlphaMode::blend;
     });
+    if (std::any_of(view.nearestFirst.begin(), view.nearestFirst.end(),
+                    [&](const VisibleInstance& visible) { return view.isMasked(visible); })) {
+        truth.doubtful = image::Raster<std::uint8_t>(truth.width, truth.height);
+    }
     std::vector<PixelRect> rects;
-    rects.reserve(nearestFirst.size());
-    for (const VisibleInstance& instance : nearestFirst) {
+    rects.reserve(view.nearestFirst.size());
+    for (const VisibleInstance& instance : view.nearestFirst) {
         rects.push_back(instance.pixels);
     }
     const TileBins bins(truth.width, truth.height, rects);
-    const PixelSlopes slopes = pixelSlopes(camera, truth.width, truth.height);
     workers.run(bins.tiles(), [&](std::size_t tile, std::size_t) {
-        castTile(nearestFirst, bins.members(tile), bins.pixels(tile), Wanted(wanted), slopes, camera, truth);
+        castTile(view, bins.members(tile), bins.pixels(tile), truth);
     });
 }
 

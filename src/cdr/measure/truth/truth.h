@@ -3,12 +3,15 @@
 #include <cdr/host/worker_pool.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/truth/shape.h>
+#include <cdr/measure/truth/truth_texture.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace cdr::measure {
@@ -33,7 +36,18 @@ struct TruthPixel {
     bool operator==(const TruthPixel&) const = default;
 };
 
-using TruthImage = image::Raster<TruthPixel>;
+/// What a perfect renderer sees through all pixels.
+struct TruthImage : image::Raster<TruthPixel> {
+    /// 1 where a masked surface may be cut away or stay, as devices filter textures, and that decides what is seen.
+    /// Without pixels where nothing in view is masked.
+    image::Raster<std::uint8_t> doubtful;
+
+    using Raster::Raster;
+    TruthImage() = default;
+    explicit TruthImage(Raster truth) : Raster(std::move(truth)) {}
+
+    bool operator==(const TruthImage&) const = default;
+};
 
 /// Casts one float64 ray through every pixel centre, in each object's own space so it stays exact far away.
 /// Shares no code with the renderer's projection.
@@ -41,13 +55,13 @@ using TruthImage = image::Raster<TruthPixel>;
 /// Visible is what lies within the camera's [near, far], both ends included, and is not the back of a
 /// single-sided material. Behind an invisible surface the object's next one counts. Fronts are
 /// counter-clockwise in object space, so a mirroring basis keeps the same faces in front. Blended surfaces
-/// are seen through (castLayers() has them), masked ones count as opaque. An instance whose basis is flat (no
+/// are seen through (castLayers() has them). What a mask cuts away is not seen. An instance whose basis is flat (no
 /// inverse) is invisible.
 ///
 /// Prepares the scene's meshes once, for any number of pictures.
 class TruthCaster {
   public:
-    /// @param scene must outlive the caster; instances may change, and meshes that follow() is told of.
+    /// @param scene must outlive the caster; instances may change, and meshes that follow() is told of. Textures may not.
     /// base::InputError when a mesh is unsound.
     TruthCaster(const scene::Scene& scene, host::WorkerPool& workers);
 
@@ -72,7 +86,8 @@ class TruthCaster {
                   host::WorkerPool& workers, TruthImage& truth) const;
 
     const scene::Scene* m_scene;
-    std::vector<Shape> m_shapes; ///< per mesh
+    std::vector<Shape> m_shapes;                     ///< per mesh
+    std::unique_ptr<const TruthTextures> m_textures; ///< which masks are read from
 };
 
 /// One picture by a TruthCaster of its own.

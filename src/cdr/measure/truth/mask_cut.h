@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cdr/measure/truth/object_ray.h>
+#include <cdr/measure/truth/surface_point.h>
+#include <cdr/measure/truth/truth_texture.h>
+#include <cdr/measure/truth/visible_instances.h>
+#include <cdr/scene/scene.h>
+
+namespace cdr::measure {
+
+/// Whether a mask cuts away a point with this alpha.
+/// @param material whose alpha mode is `mask`.
+inline bool isCutAt(const scene::Material& material, double alpha) {
+    return alpha < static_cast<double>(material.alphaCutoff);
+}
+
+/// What a mask does at a pixel.
+struct MaskCut {
+    bool isCut = false;      ///< at the pixel's centre, as the truth filters textures
+    bool isDoubtful = false; ///< a device that filters them a little differently may do the other
+};
+
+/// Alpha is compared at the pixel's centre and half a pixel to each side. At the centre also with levels of the texture that
+/// are half a level larger and smaller, which drivers may read. Each may be four steps of 8 bits off.
+/// @param point of a material whose alpha mode is `mask`.
+MaskCut maskCutAt(const SurfacePoint& point);
+
+/// What a ray meets of a masked instance.
+struct MaskedHit {
+    double distanceView = kNoHit; ///< of the nearest point that the mask keeps; kNoHit where there is none
+    double doubtView =
+        kNoHit; ///< of the nearest doubtful point that is no farther; kNoHit where there is none
+};
+
+/// The nearest that a mask keeps within `range`.
+/// @param visible of `scene`, with a material whose alpha mode is `mask`. @param textures of `scene`.
+MaskedHit nearestKept(const scene::Scene& scene, const TruthTextures& textures,
+                      const VisibleInstance& visible, const PixelRay& pixel, const ViewRange& range);
+
+} // namespace cdr::measure

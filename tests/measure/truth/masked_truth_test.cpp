@@ -1,0 +1,117 @@
+#include "../test_scenes.h"
+
+#include <cdr/measure/compare/wrong_pixels.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace cdr::test {
+
+namespace {
+
+constexpr std::uint32_t kMasked = 2;
+constexpr std::uint32_t kSize = 65;
+constexpr std::uint32_t kWall = 1; // ids
+constexpr std::uint32_t kDecal = 2;
+
+/// A cube as wall behind another one, which is masked. The sides of both are 1 wide.
+scene::Scene sceneBehindMask(std::uint32_t mesh, const scene::Material& masked) {
+    scene::Scene scene = makeEmptyScene();
+    scene.materials.push_back(masked);
+    scene.materials[kMasked].alphaMode = scene::AlphaMode::mask;
+    addObject(scene, kCube, {0.0, 0.0, -20.0}, glm::mat3(20.0f));
+    addObject(scene, mesh, {0.0, 0.0, -3.0}, glm::mat3(1.0f), kMasked);
+    return scene;
+}
+
+/// The left half of the side that faces the camera is clear.
+void cutLeftHalf(scene::Scene& scene) {
+    scene::Texture texture{.name = "halves", .pixels = image::ImageRgba8(2, 1, {255, 255, 255, 255})};
+    texture.pixels.at(0, 0)[3] = 0;
+    texture.magFilter = scene::Filter::nearest;
+    scene.textures.push_back(texture);
+    scene.materials[kMasked].baseColorTexture = 0;
+    for (scene::Mesh& mesh : scene.meshes) {
+        for (scene::Vertex& vertex : mesh.vertices) {
+            vertex.uv = glm::vec2(vertex.position) + 0.5f;
+        }
+    }
+}
+
+std::size_t shown(const measure::TruthImage& truth, std::uint32_t id) {
+    return static_cast<std::size_t>(
+        std::count_if(truth.pixels.begin(), truth.pixels.end(),
+                      [&](const measure::TruthPixel& pixel) { return pixel.id == id; }));
+}
+
+} // namespace
+
+TEST(MaskedTruth, WhatIsCutAwayIsNotSeen) {
+    // The box without a tree of triangles, and the same with one.
+    for (const std::uint32_t mesh : {kCube, kTriangleCube}) {
+        scene::Scene scene = sceneBehindMask(mesh, {});
+        cutLeftHalf(scene);
+        const measure::TruthImage truth = cast(scene, makePlainCamera(), kSize, kSize);
+        const std::uint32_t middle = kSize / 2;
+        EXPECT_EQ(truth.at(middle - 4, middle).id, kWall) << mesh;
+        EXPECT_EQ(truth.at(middle - 4, middle).secondId, 0u) << "nothing lies in one plane with the wall";
+        EXPECT_EQ(truth.at(middle + 4, middle).id, kDecal) << mesh;
+        EXPECT_EQ(truth.at(middle + 4, middle).secondId, kWall) << mesh;
+        EXPECT_EQ(truth.doubtful.at(middle - 4, middle), 0) << mesh;
+        EXPECT_EQ(truth.doubtful.at(middle + 4, middle), 0) << mesh;
+    }
+}
+
+/// Other sides of the box and other triangles of the tree are behind what is cut away.
+TEST(MaskedTruth, WhatLiesBehindACutIsSeen) {
+    scene::Scene scene = sceneBehindMask(kTriangleCube, {.doubleSided = true});
+    cutLeftHalf(scene);
+    const measure::TruthImage whole =
+        cast(sceneBehindMask(kTriangleCube, {}), makePlainCamera(), kSize, kSize);
+    const measure::TruthImage truth = cast(scene, makePlainCamera(), kSize, kSize);
+    const std::size_t all = shown(whole, kDecal);
+    EXPECT_GT(all, 200u);
+    EXPECT_GT(shown(truth, kDecal), all * 4 / 10);
+    EXPECT_LT(shown(truth, kDecal), all * 6 / 10);
+}
+
+/// There the filter decides: such pixels are neither right nor wrong.
+TEST(MaskedTruth, AlphaNearTheCutoffIsDoubtful) {
+    struct Case {
+        float alpha;
+        bool isSeen;
+        bool isDoubtful;
+    };
+    for (const Case& each : {Case{0.2f, false, false}, Case{0.495f, false, true}, Case{0.5f, true, true},
+                             Case{0.8f, true, false}}) {
+        const scene::Scene scene =
+            sceneBehindMask(kCube, {.baseColorFactor = glm::vec4(1.0f, 1.0f, 1.0f, each.alpha)});
+        const measure::TruthImage truth = cast(scene, makePlainCamera(), kSize, kSize);
+        const std::uint32_t middle = kSize / 2;
+        EXPECT_EQ(truth.at(middle, middle).id, each.isSeen ? kDecal : kWall) << each.alpha;
+        EXPECT_EQ(truth.doubtful.at(middle, middle) != 0, each.isDoubtful) << each.alpha;
+        EXPECT_EQ(measure::innerMask(truth).at(middle, middle) != 0, !each.isDoubtful) << each.alpha;
+    }
+}
+
+TEST(MaskedTruth, ACutoffOfZeroCutsNothing) {
+    const scene::Scene scene =
+        sceneBehindMask(kCube, {.baseColorFactor = glm::vec4(0.0f), .alphaCutoff = 0.0f});
+    const measure::TruthImage truth = cast(scene, makePlainCamera(), kSize, kSize);
+    EXPECT_EQ(truth.at(kSize / 2, kSize / 2).id, kDecal);
+    EXPECT_EQ(truth.doubtful.at(kSize / 2, kSize / 2), 0);
+}
+
+/// Behind what is surely seen a doubtful surface changes nothing.
+TEST(MaskedTruth, DoubtBehindTheNearestDoesNotCount) {
+    scene::Scene scene = sceneBehindMask(kCube, {.baseColorFactor = glm::vec4(0.5f)});
+    addObject(scene, kCube, {0.0, 0.0, -2.0}, glm::mat3(0.25f));
+    const measure::TruthImage truth = cast(scene, makePlainCamera(), kSize, kSize);
+    EXPECT_EQ(truth.at(kSize / 2, kSize / 2).id, 3u);
+    EXPECT_EQ(truth.doubtful.at(kSize / 2, kSize / 2), 0);
+    EXPECT_EQ(cast(makeEmptyScene(), makePlainCamera(), 3, 3).doubtful.pixels.size(), 0u)
+        << "nothing is masked";
+}
+
+} // namespace cdr::test
