@@ -154,6 +154,21 @@ TEST(InspectCommand, WhatAMaskKeepsIsFound) {
     EXPECT_EQ(findings(run.document), (std::vector<std::string>{"coplanar wall poster"}));
 }
 
+/// A mesh with a primitive for each material, as modelling programs write it.
+TEST(InspectCommand, PartsOfAMeshAreComparedWithEachOther) {
+    const TemporaryFolder folder;
+    writeSquares(folder.path() / "a.gltf", {{"house", {0.3, 0.0, -30.1}, 8.0, {{"name", "wall"}}},
+                                            {"sign", {0.0, 0.0, 5.0}, 1.0, {{"name", "paint"}}},
+                                            {"board", {-3.0, 0.0, -20.0}, 3.0}});
+    json document = json::parse(readText(folder.path() / "a.gltf"));
+    json& meshes = document["meshes"];
+    meshes[1]["primitives"].push_back(meshes[2]["primitives"][0]);
+    std::ofstream(folder.path() / "a.gltf") << document;
+    const InspectRun run = inspect("a.gltf --fail-above 0.01" + std::string(kSmall), folder);
+    EXPECT_EQ(run.status, 3);
+    EXPECT_EQ(findings(run.document), (std::vector<std::string>{"coplanar house / wall house / paint"}));
+}
+
 /// A pond, leaves that are cut out of their squares, nodes that mirror.
 TEST(InspectCommand, FindsNothingWrongInAGardenOfMasks) {
     const TemporaryFolder folder;

@@ -82,8 +82,7 @@ TEST_F(Gltf, PrimitivesMayShareOneLargeVertexBuffer) {
     ASSERT_EQ(scene.instances.size(), 2u);
     EXPECT_EQ(scene.meshes[1].vertices.size(), 3u);
     expectNear(worldCorners(scene, 1)[0], {2, 0, 0});
-    EXPECT_EQ(scene.instances.object, (std::vector<std::uint32_t>{0, 0}))
-        << "primitives share their node's object";
+    EXPECT_EQ(scene.instances.object, (std::vector<std::uint32_t>{0, 1})) << "each primitive is an object";
 }
 
 TEST_F(Gltf, FarVerticesKeepTheirPrecision) {

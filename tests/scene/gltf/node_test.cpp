@@ -26,6 +26,31 @@ TEST_F(Gltf, ObjectsFollowTheNodeArray) {
     EXPECT_EQ(load(document).scene.objectNames[0], "node 0");
 }
 
+/// So what is wrong between them can be seen.
+TEST_F(Gltf, EachPrimitiveOfANodeIsAnObject) {
+    Document document = square();
+    json primitive = document.primitive();
+    document.root["materials"] = {{{"name", "glass"}}, {{"name", "brick"}}, {{"name", ""}}};
+    json& primitives = document.root["meshes"][0]["primitives"];
+    primitives.clear();
+    for (const int material : {0, 1, 1, 2}) {
+        primitive["material"] = material;
+        primitives.push_back(primitive);
+    }
+    document.root["nodes"] = {{{"mesh", 0}, {"name", "house"}}, {{"mesh", 0}, {"name", "barn"}}};
+    document.root["scenes"] = {{{"nodes", {0, 1}}}};
+    const Scene scene = load(document).scene;
+    EXPECT_EQ(scene.objectNames, (std::vector<std::string>{
+                                     "house / glass", "house / brick 1", "house / brick 2", "house / part 3",
+                                     "barn / glass", "barn / brick 1", "barn / brick 2", "barn / part 3"}));
+    EXPECT_EQ(scene.instances.object, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7}));
+    EXPECT_EQ(scene.meshes.size(), 4u);
+    // Names of parts take little memory, however long their nodes' are.
+    document.root["nodes"][0]["name"] = std::string(100'000, 'n');
+    document.root["materials"][0]["name"] = std::string(100'000, 'm');
+    EXPECT_LT(load(document).scene.objectNames[0].size(), 300u);
+}
+
 TEST_F(Gltf, TheSceneIsTheDefaultElseTheFirstElseEverything) {
     Document document = square();
     document.root["nodes"] = {

@@ -12,6 +12,7 @@
 #include "nodes/cameras.h"
 #include "nodes/lights.h"
 #include "nodes/nodes.h"
+#include "part_names.h"
 #include "solids/solids.h"
 
 #include <cdr/host/file.h>
@@ -61,6 +62,12 @@ bool isFlat(const glm::dmat3& linear, const glm::mat3& basis) {
 
 /// What a copy of a mesh takes beside its instances: a name, and where it moves its place.
 constexpr std::uint64_t kCopyBytes = sizeof(std::string) + kMaxNameLength + 3 * sizeof(CarriedInstance);
+/// What one of several parts of a mesh takes beside its instance: a name made of two.
+constexpr std::uint64_t kPartBytes = sizeof(std::string) + 3 * kMaxNameLength;
+
+[[noreturn]] void refuseObjects(std::uint64_t objects) {
+    refuse("{} objects are over the limit of {}", objects, kMaxObjects);
+}
 
 /// The longest column: by how much a transform stretches, within a factor of 1.74.
 double stretchOf(const glm::dmat4& matrix) {
@@ -104,8 +111,10 @@ class Importer {
     /// Reads a mesh and adds what its parts take; returns its triangles.
     std::uint64_t readBounded(int mesh);
     void addNode(const MeshNode& node);
-    void addObject(const MeshNode& node, std::string name);
-    /// Reads where the nodes' meshes are copied to; bounds the objects.
+    /// Each primitive is an object, so that what is wrong between them is seen.
+    void addObjects(const MeshNode& node, const std::vector<std::string>& names);
+    void addPart(const MeshNode& node, std::size_t index, std::uint32_t object);
+    /// Reads where the nodes' meshes are copied to; bounds the copies.
     void readCopies(const std::vector<MeshNode>& nodes);
     std::uint64_t countOf(const MeshNode& node) const;
     void addRigid(const MeshNode& node, std::size_t index, std::uint32_t object);
@@ -173,7 +182,7 @@ void Importer::readCopies(const std::vector<MeshNode>& nodes) {
         objects += countOf(node);
     }
     if (objects > kMaxObjects) {
-        refuse("{} objects are over the limit of {}", objects, kMaxObjects);
+        refuseObjects(objects);
     }
 }
 
@@ -192,14 +201,21 @@ void Importer::requireBounded(const std::vector<MeshNode>& nodes) {
             }
         }
         const std::uint64_t copies = countOf(node);
+        const std::uint64_t parts = m_sourceMeshes.at(node.mesh).primitives.size();
         if (found->second > 0 && copies > m_limits.maxTriangles / found->second) {
             refuse("its triangles, repeats counted, are over the limit of {}", m_limits.maxTriangles);
         }
         triangles += copies * found->second;
-        instances += copies * m_sourceMeshes.at(node.mesh).primitives.size();
+        instances += copies * parts;
+        if (parts > 1) {
+            m_memory.add({.kept = copies * parts * kPartBytes, .passing = 0}, "parts of a mesh");
+        }
         if (triangles > m_limits.maxTriangles) {
             refuse("its triangles, repeats counted, are over the limit of {}", m_limits.maxTriangles);
         }
+    }
+    if (instances > kMaxObjects) {
+        refuseObjects(instances);
     }
     m_memory.addInstances(instances);
 }
@@ -266,25 +282,30 @@ void Importer::addNode(const MeshNode& node) {
                                                  : fmt::format("node {}", node.node);
     std::size_t copies = 0;
     forEachCopy(node, [&](const MeshNode& copy) {
-        addObject(copy, copy.toNode ? fmt::format("{} {}", oneLine(name, kMaxNameLength), copies++) : name);
+        const std::string own =
+            copy.toNode ? fmt::format("{} {}", oneLine(name, kMaxNameLength), copies++) : name;
+        addObjects(copy, partNames(m_sources.document.root, m_sourceMeshes.at(node.mesh), own));
     });
 }
 
-void Importer::addObject(const MeshNode& node, std::string name) {
-    const auto object = static_cast<std::uint32_t>(m_scene.objectNames.size());
-    m_scene.objectNames.push_back(std::move(name));
-    const std::vector<Primitive>& primitives = m_sourceMeshes.at(node.mesh).primitives;
-    for (std::size_t i = 0; i < primitives.size(); ++i) {
-        if (!m_moving->deforms(node, primitives[i])) {
-            addRigid(node, i, object);
-        } else if (node.toNode && node.skin && hasJoints(primitives[i])) {
-            m_sources.notes.add(
-                "copies of a mesh with a skin are not drawn: no node places its joints, and the "
-                "extension does not say what does",
-                fmt::format("node {}", node.node));
-        } else {
-            addDeformed(node, i, object);
-        }
+void Importer::addObjects(const MeshNode& node, const std::vector<std::string>& names) {
+    const auto first = static_cast<std::uint32_t>(m_scene.objectNames.size());
+    m_scene.objectNames.insert(m_scene.objectNames.end(), names.begin(), names.end());
+    for (std::size_t i = 0; i < m_sourceMeshes.at(node.mesh).primitives.size(); ++i) {
+        addPart(node, i, first + static_cast<std::uint32_t>(i));
+    }
+}
+
+void Importer::addPart(const MeshNode& node, std::size_t index, std::uint32_t object) {
+    const Primitive& primitive = m_sourceMeshes.at(node.mesh).primitives[index];
+    if (!m_moving->deforms(node, primitive)) {
+        addRigid(node, index, object);
+    } else if (node.toNode && node.skin && hasJoints(primitive)) {
+        m_sources.notes.add("copies of a mesh with a skin are not drawn: no node places its joints, and the "
+                            "extension does not say what does",
+                            fmt::format("node {}", node.node));
+    } else {
+        addDeformed(node, index, object);
     }
 }
 

@@ -63,8 +63,8 @@ struct GltfLight {
     int node = 0;                    ///< of the file
 };
 
-/// A glTF file as a scene. Objects are the nodes that carry a mesh, in the order of the file's node array;
-/// the primitives of one node share its object. The scene has no lights.
+/// A glTF file as a scene. Objects are the primitives of the nodes that carry a mesh, in the order of the file's node array. A
+/// single one has the node's name, several have those of their materials as well. The scene has no lights.
 struct GltfImport {
     Scene scene;
     std::vector<GltfCamera>
