@@ -154,6 +154,29 @@ TEST(InspectCommand, WhatAMaskKeepsIsFound) {
     EXPECT_EQ(findings(run.document), (std::vector<std::string>{"coplanar wall poster"}));
 }
 
+/// Most decals blend. Depth does not say whether they are laid over the wall.
+TEST(InspectCommand, FindsABlendedDecalInThePlaneOfItsWall) {
+    const TemporaryFolder folder;
+    const json decal{{"alphaMode", "BLEND"},
+                     {"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.5, 0.5, 0.5}}}}};
+    const auto writeAt = [&](double z, const std::string& name) {
+        writeSquares(folder.path() / "a.gltf", {{"wall", {0.3, 0.0, -30.1}, 20.0},
+                                                {name, {1.7, 1.1, z}, 4.0, decal},
+                                                {"board", {-3.0, 0.0, -20.0}, 3.0}});
+        return inspect("a.gltf --fail-above 0.01 --technique anchored --heat-map H.png" + std::string(kSmall),
+                       folder);
+    };
+    const InspectRun run = writeAt(-30.1, "poster");
+    EXPECT_EQ(run.status, 3);
+    EXPECT_EQ(findings(run.document), (std::vector<std::string>{"coplanar wall poster"}));
+    EXPECT_EQ(rowOf(run.document, "anchored", "d32f").at("wrong"), 0);
+    const auto picture = readPicture(folder.path() / "H.png").pixels;
+    EXPECT_GT(std::count(picture.begin(), picture.end(), image::Rgba8{255, 0, 255, 255}), 100);
+    // Before the wall, and in a layer.
+    EXPECT_EQ(findings(writeAt(-30.09, "poster").document), std::vector<std::string>());
+    EXPECT_EQ(findings(writeAt(-30.1, "poster@layer=0.01").document), std::vector<std::string>());
+}
+
 /// A mesh with a primitive for each material, as modelling programs write it.
 TEST(InspectCommand, PartsOfAMeshAreComparedWithEachOther) {
     const TemporaryFolder folder;

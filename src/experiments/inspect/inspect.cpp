@@ -28,7 +28,18 @@ struct InspectedView {
     scene::Camera camera;
     measure::TruthImage truth;
     image::Raster<std::uint8_t> coplanar;
+    image::ImageU32 blended;                  ///< PairCollector::blendedInPlane()
     image::Raster<std::uint8_t> judgedPixels; ///< off edges, and not coplanar
+
+    /// Whether two surfaces of a pixel lie in one plane, blended ones too.
+    bool isInPlane(std::size_t i) const { return coplanar.pixels[i] != 0 || blended.pixels[i] != 0; }
+    std::uint64_t inPlane() const {
+        std::uint64_t count = 0;
+        for (std::size_t i = 0; i < coplanar.pixels.size(); ++i) {
+            count += isInPlane(i) ? 1 : 0;
+        }
+        return count;
+    }
 };
 
 /// Simplest first: one cascade before several, and in the order of the presets.
@@ -64,8 +75,10 @@ InspectedView viewOf(const measure::TruthCaster& caster, const PairCollector& pa
     InspectedView view{.camera = camera,
                        .truth = caster.cast(camera, options.width, options.height, workers),
                        .coplanar = {},
+                       .blended = {},
                        .judgedPixels = {}};
     view.coplanar = pairs.coplanarMask(view.camera, view.truth);
+    view.blended = pairs.blendedInPlane(view.camera, view.truth, caster.shapes(), workers);
     view.judgedPixels = measure::innerMask(view.truth);
     for (std::size_t i = 0; i < view.judgedPixels.pixels.size(); ++i) {
         view.judgedPixels.pixels[i] =
@@ -90,13 +103,9 @@ void predict(const InspectedView& view, const depth::Cascades& cascades, Inspect
 image::ImageRgba8 heatMapOf(const InspectedView& view, const render::Frame& frame) {
     image::ImageRgba8 picture = measure::heatMap(frame.ids(), view.truth, frame.color);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        picture.pixels[i] = view.coplanar.pixels[i] != 0 ? kCoplanar : picture.pixels[i];
+        picture.pixels[i] = view.isInPlane(i) ? kCoplanar : picture.pixels[i];
     }
     return picture;
-}
-
-std::uint64_t countOf(const image::Raster<std::uint8_t>& mask) {
-    return static_cast<std::uint64_t>(std::count(mask.pixels.begin(), mask.pixels.end(), std::uint8_t{1}));
 }
 
 /// Renders some views with one technique. Keeps the heat map of the worst view so far.
@@ -120,7 +129,7 @@ class TechniqueRun {
         m_result.wrong += wrong;
         predict(view, frame.cascades, m_result);
         m_result.cascades = std::max(m_result.cascades, frame.cascades.size());
-        const std::uint64_t bad = wrong.wrong + countOf(view.coplanar);
+        const std::uint64_t bad = wrong.wrong + view.inPlane();
         if (m_result.isJudged && (bad > worst || heatMap.pixels.empty())) {
             worst = bad;
             heatMap = heatMapOf(view, frame);
@@ -172,11 +181,11 @@ Inspection runInspect(const gpu::Device& device, const scene::Scene& scene,
         for (std::size_t i = first; i < std::min(first + kViewsAtOnce, cameras.size()); ++i) {
             progress(done++, all, "truth");
             views.push_back(viewOf(caster, pairs, cameras[i], options, workers));
-            pairs.add(views.back().camera, views.back().truth);
+            pairs.add(views.back().camera, views.back().truth, views.back().blended);
             inspection.objectPixels += static_cast<std::uint64_t>(
                 std::count_if(views.back().truth.pixels.begin(), views.back().truth.pixels.end(),
                               [](const measure::TruthPixel& pixel) { return pixel.id != 0; }));
-            inspection.coplanarPixels += countOf(views.back().coplanar);
+            inspection.coplanarPixels += views.back().inPlane();
         }
         for (InspectedTechnique& technique : techniques) {
             TechniqueRun run(device, scene, onDevice, options, technique);

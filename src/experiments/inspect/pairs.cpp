@@ -1,5 +1,6 @@
 #include "pairs.h"
 
+#include "among_alike.h"
 #include "thickness.h"
 
 #include <cdr/measure/truth/object_ray.h>
@@ -22,19 +23,6 @@ constexpr double kVertexRounding = 0x1p-22;
 constexpr double kClose = 0.01;
 /// A thickness that is small beside an object's own size: that of decals, signs and plates.
 constexpr double kThin = 0.1;
-
-/// Whether all neighbours of a pixel, which is not at the border, are as `isAlike` says.
-template <typename IsAlike>
-bool isAmongAlike(std::uint32_t x, std::uint32_t y, IsAlike isAlike) {
-    for (std::uint32_t j = y - 1; j <= y + 1; ++j) {
-        for (std::uint32_t i = x - 1; i <= x + 1; ++i) {
-            if (!isAlike(i, j)) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
 
 using Ids = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -78,6 +66,19 @@ bool PairCollector::isThin(std::uint32_t object) const {
     });
 }
 
+double PairCollector::roundingView(double extents, double distanceView) {
+    return kVertexRounding * extents + kTruthRounding * distanceView;
+}
+
+bool PairCollector::areInPlane(std::uint32_t first, std::uint32_t second, double gapView, double distanceView,
+                               const glm::dvec3& ray, const scene::Camera& camera) const {
+    if (!(gapView <= roundingView(m_extents[first] + m_extents[second], distanceView))) {
+        return false; // nearly all
+    }
+    const glm::dvec3 place = camera.position + distanceView * ray;
+    return gapView <= roundingView(extentAt(first, place) + extentAt(second, place), distanceView);
+}
+
 image::Raster<std::uint8_t> PairCollector::coplanarMask(const scene::Camera& camera,
                                                         const measure::TruthImage& truth) const {
     image::Raster<std::uint8_t> mask(truth.width, truth.height);
@@ -88,24 +89,19 @@ image::Raster<std::uint8_t> PairCollector::coplanarMask(const scene::Camera& cam
             if (pixel.id == 0 || pixel.secondId == 0) {
                 continue;
             }
-            const double gapView = pixel.gapView();
-            const auto isWithin = [&](double extents) {
-                return gapView <= kVertexRounding * extents + kTruthRounding * pixel.distanceView;
-            };
-            if (!isWithin(m_extents[pixel.id - 1] + m_extents[pixel.secondId - 1])) {
-                continue; // nearly all
-            }
-            const glm::dvec3 place =
-                camera.position +
-                pixel.distanceView * (camera.right * slopes.x[x] + camera.up * slopes.y[y] - camera.back);
+            const glm::dvec3 ray = camera.right * slopes.x[x] + camera.up * slopes.y[y] - camera.back;
             mask.at(x, y) =
-                isWithin(extentAt(pixel.id - 1, place) + extentAt(pixel.secondId - 1, place)) ? 1 : 0;
+                areInPlane(pixel.id - 1, pixel.secondId - 1, pixel.gapView(), pixel.distanceView, ray, camera)
+                    ? 1
+                    : 0;
         }
     }
     return mask;
 }
 
-void PairCollector::add(const scene::Camera& camera, const measure::TruthImage& truth) {
+void PairCollector::add(const scene::Camera& camera, const measure::TruthImage& truth,
+                        const image::ImageU32& blended) {
+    addBlended(truth, blended);
     const image::Raster<std::uint8_t> coplanar = coplanarMask(camera, truth);
     for (const measure::TruthPixel& pixel : truth.pixels) {
         if (pixel.id != 0) {

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <cdr/host/worker_pool.h>
 #include <cdr/image/image.h>
+#include <cdr/measure/truth/shape.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/scene/scene.h>
 
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,7 +42,8 @@ class PairCollector {
     /// @param scene must outlive the collector.
     explicit PairCollector(const scene::Scene& scene);
 
-    void add(const scene::Camera& camera, const measure::TruthImage& truth);
+    /// @param blended of the same view, by blendedInPlane().
+    void add(const scene::Camera& camera, const measure::TruthImage& truth, const image::ImageU32& blended);
 
     /// Those that are nearest to each other first, for their distance: coplanar ones by their pixels, then the others by
     /// gap over distance.
@@ -49,7 +53,19 @@ class PairCollector {
     image::Raster<std::uint8_t> coplanarMask(const scene::Camera& camera,
                                              const measure::TruthImage& truth) const;
 
+    /// Per pixel: the blended object (index + 1) that lies in one plane with the opaque surface of another one, 0 where none
+    /// does. No depth buffer says whether it is laid over that surface. Object ids are of opaque surfaces, so none is wrong.
+    /// @param shapes of the scene's meshes.
+    image::ImageU32 blendedInPlane(const scene::Camera& camera, const measure::TruthImage& truth,
+                                   std::span<const measure::Shape> shapes, host::WorkerPool& workers) const;
+
   private:
+    /// By how much surfaces of two objects may differ that lie in one plane.
+    /// @param extents the sum of both. @param distanceView of the nearer surface.
+    static double roundingView(double extents, double distanceView);
+    bool areInPlane(std::uint32_t first, std::uint32_t second, double gapView, double distanceView,
+                    const glm::dvec3& ray, const scene::Camera& camera) const;
+    void addBlended(const measure::TruthImage& truth, const image::ImageU32& blended);
     double extentAt(std::uint32_t object, const glm::dvec3& place) const;
     bool isThin(std::uint32_t object) const;
 
