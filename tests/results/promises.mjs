@@ -9,7 +9,7 @@ export const promises = JSON.parse(readFileSync(new URL("promises.json", import.
 /** The programs of tests that promises name. */
 export const programs = [...new Set(promises.flatMap(({ tests }) => Object.keys(tests)))];
 
-const kTitles = { system: "", mesa: "lavapipe: ", swiftshader: "SwiftShader: " }; // in the order of columns
+const kTitles = { system: "", mesa: "lavapipe: ", swiftshader: "SwiftShader: ", card: "" }; // in the order of columns
 
 /** Whether a filter with * takes a test, by its whole name. */
 export function takes(filter, name) {
