@@ -48,7 +48,7 @@ glm::dvec3 arriving(const PointLight& light, const glm::dvec3& at) {
 TEST_F(GltfLights, AreShownWhenAskedFor) {
     const std::filesystem::path path = write("a.glb", lit().glb());
     const OpenedScene without = openGltf(path);
-    EXPECT_TRUE(anySays(without.notes, "its 2 lights, which --light file shows"));
+    EXPECT_TRUE(anySays(without.notes, "its 2 lights, which render --light file shows"));
     const OpenedScene opened = openGltf(path, byFile());
     EXPECT_TRUE(opened.notes.empty());
     const std::vector<PointLight>& lights = opened.setup.scene.lights;

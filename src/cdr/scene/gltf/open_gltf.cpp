@@ -169,10 +169,10 @@ std::optional<std::size_t> chosenAnimation(const std::filesystem::path& path, co
 }
 
 std::string animationsNote(const std::vector<Animation>& animations) {
-    return animations.size() == 1
-               ? fmt::format("its animation of {:.4g} s, which --time shows", animations.front().seconds)
-               : fmt::format("its {} animations, which --animation 0 to {} plays", animations.size(),
-                             animations.size() - 1);
+    return animations.size() == 1 ? fmt::format("its animation of {:.4g} s, which render --time shows",
+                                                animations.front().seconds)
+                                  : fmt::format("its {} animations, which render --animation 0 to {} plays",
+                                                animations.size(), animations.size() - 1);
 }
 
 /// Says what of a file's lights is not shown. Without any, ModelLight::file would show next to nothing.
@@ -184,8 +184,8 @@ void noteLights(const std::filesystem::path& path, GltfImport& import, std::opti
     if (light != ModelLight::file && !import.lights.empty()) {
         import.ignored.push_back(
             import.lights.size() == 1
-                ? "its light, which --light file shows"
-                : fmt::format("its {} lights, which --light file shows", import.lights.size()));
+                ? "its light, which render --light file shows"
+                : fmt::format("its {} lights, which render --light file shows", import.lights.size()));
     }
 }
 
@@ -283,10 +283,11 @@ OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice
     GltfImport import = loadGltf(path, limits, choice.scene);
     const std::optional<GltfCamera> camera = chosenCamera(path, import, choice.camera);
     if (!camera && !import.cameras.empty()) {
-        import.ignored.push_back(import.cameras.size() == 1
-                                     ? "its camera, which --camera 0 looks through"
-                                     : fmt::format("its {} cameras, which --camera 0 to {} looks through",
-                                                   import.cameras.size(), import.cameras.size() - 1));
+        import.ignored.push_back(
+            import.cameras.size() == 1
+                ? "its camera, which render --camera 0 looks through"
+                : fmt::format("its {} cameras, which render --camera 0 to {} looks through",
+                              import.cameras.size(), import.cameras.size() - 1));
     }
     noteLights(path, import, choice.light);
     OpenedScene opened;
