@@ -23,6 +23,9 @@ struct Box {
         low = glm::min(low, box.low);
         high = glm::max(high, box.high);
     }
+    bool isEmpty() const { return low.x > high.x; }
+    /// The origin where it is empty.
+    glm::dvec3 centre() const { return isEmpty() ? glm::dvec3(0.0) : (low + high) * 0.5; }
     double diagonal() const { return glm::distance(low, high); }
     /// 0, 1 or 2: the axis of the longest side, the first of equals.
     int longestAxis() const;

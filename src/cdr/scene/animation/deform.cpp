@@ -1,8 +1,8 @@
 #include <cdr/scene/animation/deform.h>
+#include <cdr/scene/box_tree.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace cdr::scene {
 
@@ -64,19 +64,6 @@ glm::dmat4 blended(const Deformer& deformer, std::span<const glm::dmat4> joints,
     }
     return matrix;
 }
-
-/// A box about points.
-struct Box {
-    glm::dvec3 low{std::numeric_limits<double>::infinity()};
-    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-
-    void add(const glm::dvec3& point) {
-        low = glm::min(low, point);
-        high = glm::max(high, point);
-    }
-    bool isEmpty() const { return low.x > high.x; }
-    glm::dvec3 centre() const { return isEmpty() ? glm::dvec3(0.0) : (low + high) * 0.5; }
-};
 
 /// Calls `visit` with each vertex and what joints do to it.
 template <typename Visit>
