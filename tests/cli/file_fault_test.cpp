@@ -195,14 +195,14 @@ INSTANTIATE_TEST_SUITE_P(Commands, FileFaults, testing::ValuesIn(kWriters),
 
 /// Options that take a text or a file and write none. One that is new must stand here or in a Writer's command.
 const std::set<std::string> kWriteNothing{
-    "--against",     "--animation",    "--antialias", "--aov",       "--batching",       "--colours",
-    "--data",        "--depth",        "--detail",    "--device",    "--direction",      "--eye",
-    "--focus",       "--fog",          "--format",    "--formats",   "--layer",          "--light",
-    "--methods",     "--model",        "--modes",     "--occlusion", "--lens-shift",     "--path",
-    "--ranks",       "--rivals",       "--scene",     "--scenes",    "--sections",       "--shadows",
-    "--size",        "--snapping",     "--split",     "--stereo",    "--stereo-picture", "--submission",
-    "--submissions", "--surface",      "--target",    "--targets",   "--technique",      "--techniques",
-    "--tone-map",    "--translucency", "--unit",      "--up",        "--views"};
+    "--against",    "--animation",   "--antialias",    "--aov",    "--batching",  "--colours",
+    "--data",       "--deform",      "--depth",        "--detail", "--device",    "--direction",
+    "--eye",        "--focus",       "--fog",          "--format", "--formats",   "--layer",
+    "--light",      "--methods",     "--model",        "--modes",  "--occlusion", "--lens-shift",
+    "--path",       "--ranks",       "--rivals",       "--scene",  "--scenes",    "--sections",
+    "--shadows",    "--size",        "--snapping",     "--split",  "--stereo",    "--stereo-picture",
+    "--submission", "--submissions", "--surface",      "--target", "--targets",   "--technique",
+    "--techniques", "--tone-map",    "--translucency", "--unit",   "--up",        "--views"};
 
 /// "-o,--output" of each option of a command that takes a text or a file, as its help has them.
 std::vector<std::string> textOptionsOf(const std::string& command) {
