@@ -51,7 +51,8 @@ TEST_F(GltfMemory, PrimitivesAddUpButNotWhatPasses) {
     GltfLimits limits;
     limits.maxBytes = 472 + 168 - 1;
     expectSays(refusal(document, limits), "mesh 0 '' primitive 1: the import would take 640 bytes");
-    limits.maxBytes = 2 * (168 + 228 + 332); // with their instances and names, which are more than what passes
+    limits.maxBytes =
+        2 * (168 + 228 + 332); // with their instances and names, which are more than what passes
     EXPECT_EQ(refusal(document, limits), "loaded");
 }
 
