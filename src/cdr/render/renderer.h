@@ -1,35 +1,20 @@
 #pragma once
 
 #include <cdr/base/export.h>
-#include <cdr/host/worker_pool.h>
 #include <cdr/render/drawn_scene.h>
 #include <cdr/render/frame.h>
 #include <cdr/render/host_frame.h>
 #include <cdr/render/render_options.h>
 #include <cdr/render/surfaces.h>
 
-#include <glm/glm.hpp>
-
-#include <cstddef>
 #include <cstdint>
 #include <memory>
-
-namespace cdr::host {
-class StageWatch;
-} // namespace cdr::host
-
-namespace cdr::visibility {
-struct VisibleCells;
-}
 
 /// The frame. Renderers, and what they draw, belong to one thread at a time; those of one device take turns.
 /// @threads Functions keep nothing: many threads may call them at once.
 namespace cdr::render {
 
-class DrawPathFactory;
-class MotionHistory;
-class Targets;
-struct FrameView;
+class FrameRunner;
 
 /// Renders a scene with one technique into one kind of targets, frame by frame.
 ///
@@ -124,110 +109,10 @@ class CDR_EXPORT Renderer {
 
     /// What it was made with; resize() changes the size.
     /// @lifetime As long as the renderer.
-    const RenderOptions& options() const { return m_options; }
+    const RenderOptions& options() const;
 
   private:
-    friend class ViewsRenderer; // culls and cuts for several at once
-    struct Slot;
-    struct SlotInputs;
-    struct Passes;
-    struct Delivery;
-    /// What of the scene decides which passes and pipelines there are.
-    struct Needs {
-        bool metallicRoughness = false;
-        bool blended = false;
-        bool emission = false;
-        bool sky = false;
-        bool air = false;
-        glm::vec3 focusBackground{0.0f}; ///< that layers of a lens with a focus are cleared to; 0 of others
-
-        SceneTraits traits() const { return {.blended = blended}; }
-        bool operator==(const Needs&) const = default;
-    };
-    enum class Destination { device, hostColor, host };
-    Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene, GpuScene* live,
-             const RenderOptions& options);
-    /// What facets were made from.
-    struct FacetsMadeFrom {
-        std::uint64_t meshesRevision = 0;
-        std::size_t kinds = 0;
-
-        bool operator==(const FacetsMadeFrom&) const = default;
-    };
-    Needs needs() const;
-    void makePasses();
-    /// For what the scene needs, or for a picture of another size. Nothing may be in flight.
-    void remake(const Needs& needs, const RenderOptions& options);
-    /// Those of one slot.
-    std::unique_ptr<SlotInputs> makeInputs(std::size_t lightRoom) const;
-    /// Takes over what changed in the scene.
-    void followScene();
-    /// base::InputError unless record() can record into a frame.
-    void requireRecordable(const HostFrame& frame);
-    /// Makes the facets anew if meshes, materials or kinds changed.
-    void followFacets();
-    /// @param frame counted from 0, since the passes were made
-    Slot& slotOf(std::size_t frame) const;
-    /// Lists what is drawn into the G-buffer: all that is seen but blended instances.
-    void cull(const FrameView& view);
-    /// Whether a frame of the slot reads that list.
-    bool readsVisible(const Slot& slot) const;
-    void shade(Slot& slot);
-    /// Whether somebody reads the frame's G-buffer, beside shading.
-    static bool isRead(const Slot& slot, const Delivery& delivery);
-    /// Where surfaces are lit while they are drawn: draws a visibility buffer for whoever reads the frame's surfaces.
-    void recordReadSurfaces(Slot& slot, const HostFrame* host);
-    /// Resolves the G-buffer of a visibility buffer where somebody reads it, and works out motion.
-    void recordSurfaces(Slot& slot, const Delivery& delivery);
-    bool hasRoomSufficed(Slot& slot);
-    /// Records a frame and submits it.
-    void launch(Slot& slot, const Delivery& delivery);
-    /// What the frame draws into.
-    Targets& drawnTargets() const;
-    /// Makes them attachments, once a host that knows the frame's images has read the last one's.
-    void beginTargets(VkCommandBuffer primary);
-    /// Lists a frame's draws and begins its commands. @param watch that times the frame up to its submission.
-    void beginFrame(Slot& slot, const Delivery& delivery, host::StageWatch& watch);
-    /// Records the cascades into drawnTargets(), which somebody began.
-    void recordDraws(Slot& slot);
-    /// Submits what was recorded so far ahead of the rest, and without a fence.
-    void submitDraws(Slot& slot, std::span<const VkSemaphoreSubmitInfo> waits, host::StageWatch& watch);
-    /// Records all that follows the draws, and submits it.
-    void finishFrame(Slot& slot, const Delivery& delivery, host::StageWatch& watch);
-    void recordOutputs(Slot& slot, const HostFrame& host);
-    void settle(Slot& slot);
-    void waitFor(Slot& slot);
-    /// Decides what a frame shows and draws, up to beginFrame(). commit() or abandon() ends the frame; where this throws, it
-    /// was abandoned.
-    Slot& prepare(const scene::Camera& camera, const Delivery& delivery);
-    void decide(Slot& slot, const scene::Camera& camera, const Delivery& delivery);
-    /// It was launched and is the last frame now.
-    void commit(Slot& slot);
-    /// An error ended it: the frame before stays the last one.
-    void abandon(Slot& slot);
-    Slot& run(const scene::Camera& camera, const Delivery& delivery);
-    static FrameCopy copyOf(Destination destination) {
-        return destination == Destination::host ? FrameCopy::everything : FrameCopy::color;
-    }
-    void recordReadback(VkCommandBuffer commands, Destination destination) const;
-    Frame fetch(const Slot& slot) const;
-
-    const gpu::Device& m_device;
-    GpuScene* m_live; ///< null for a scene that stays as it is
-    DrawnScene m_drawn;
-    RenderOptions m_options;
-    host::WorkerPool m_workers;
-    Needs m_needs;
-    std::uint64_t m_revision = 0;            ///< of the scene, as the passes know it
-    mutable bool m_areSurfacesNamed = false; ///< by surfaces(), so a host may read them in any stage
-    FacetsMadeFrom m_facetsMadeFrom;
-    std::unique_ptr<DrawPathFactory> m_paths;
-    std::unique_ptr<Passes> m_passes;
-    std::unique_ptr<MotionHistory> m_motion; ///< where motion is worked out
-    std::unique_ptr<visibility::VisibleCells>
-        m_visible;            ///< kept from frame to frame so that a warm one allocates nothing
-    bool m_mayDrop = false;   ///< the last frame was recorded for a host
-    std::size_t m_frames = 0; ///< launched so far with these passes
+    std::unique_ptr<FrameRunner> m_frames;
 };
 
 } // namespace cdr::render

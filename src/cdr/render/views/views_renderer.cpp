@@ -1,9 +1,9 @@
-#include "../frame_slot.h"
-
 #include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
 #include <cdr/host/stage_watch.h>
 #include <cdr/host/stopwatch.h>
+#include <cdr/render/frame/frame_output.h>
+#include <cdr/render/frame/frame_runner.h>
 #include <cdr/render/frame_split.h>
 #include <cdr/render/views/views_renderer.h>
 #include <cdr/visibility/cull_cells.h>
@@ -67,6 +67,14 @@ void waitQuietly(const gpu::Device& device) {
 
 } // namespace
 
+/// What becomes of a frame of each camera.
+struct ViewsRenderer::Launch {
+    Destination destination = Destination::device;
+    FrameSync sync{};                   ///< of all views together
+    std::span<const HostFrame> hosts{}; ///< by view, that they are recorded into; empty: they are submitted
+    Awaited awaited = Awaited::no;
+};
+
 template <typename Make>
 ViewsRenderer::ViewsRenderer(std::size_t views, const RenderOptions& options, const Make& make)
     : m_split(std::make_unique<FrameSplit>(options.technique)) {
@@ -74,41 +82,47 @@ ViewsRenderer::ViewsRenderer(std::size_t views, const RenderOptions& options, co
         throw base::InputError(fmt::format("views must be 1 to {}, not {}", kMaxViews, views));
     }
     for (std::size_t view = 0; view < views; ++view) {
-        m_renderers.push_back(make());
+        m_views.push_back(make());
     }
 }
 
 ViewsRenderer::ViewsRenderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
                              const RenderOptions& options, std::size_t views)
-    : ViewsRenderer(views, options,
-                    [&] { return std::make_unique<Renderer>(device, scene, gpuScene, options); }) {}
+    : ViewsRenderer(views, options, [&] {
+          return std::make_unique<FrameRunner>(device, SceneFollower(scene, gpuScene), options);
+      }) {}
 
 ViewsRenderer::ViewsRenderer(const gpu::Device& device, GpuScene& live, const RenderOptions& options,
                              std::size_t views)
-    : ViewsRenderer(views, options, [&] { return std::make_unique<Renderer>(device, live, options); }) {}
+    : ViewsRenderer(views, options,
+                    [&] { return std::make_unique<FrameRunner>(device, SceneFollower(live), options); }) {}
 
 ViewsRenderer::~ViewsRenderer() = default;
+
+const RenderOptions& ViewsRenderer::options() const {
+    return m_views.front()->options();
+}
 
 depth::Cascades ViewsRenderer::look(Cameras cameras, std::span<const depth::Interval> occupied) {
     bool isRead = m_split->needsVisible();
     std::vector<FrameView> views;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
-        Renderer& renderer = *m_renderers[i];
-        renderer.followScene();
-        views.push_back(renderer.m_passes->cutter.look(cameras[i]));
-        isRead = isRead || renderer.readsVisible(renderer.m_passes->slots.front());
+        FrameRunner& view = *m_views[i];
+        view.followScene();
+        views.push_back(view.passes().cutter.look(cameras[i]));
+        isRead = isRead || view.decider().readsVisible();
     }
     std::vector<visibility::VisibleCells*> visible;
-    for (const auto& renderer : m_renderers) {
-        visible.push_back(renderer->m_visible.get());
+    for (const auto& view : m_views) {
+        visible.push_back(&view->decider().visible());
     }
     if (isRead) {
         std::vector<visibility::SphereTest> tests;
         for (const FrameView& view : views) {
             tests.emplace_back(view.camera, view.frustum);
         }
-        Renderer& first = *m_renderers.front();
-        visibility::cullCells(first.m_drawn.uploaded.cells(first.m_workers), tests, first.m_workers, visible);
+        FrameRunner& first = *m_views.front();
+        visibility::cullCells(first.drawn().uploaded.cells(first.workers()), tests, first.workers(), visible);
     }
     const std::vector<const visibility::VisibleCells*> seen(visible.begin(), visible.end());
     return m_split->cut(views.front().camera, views.front().frustum, seen, occupied);
@@ -117,17 +131,17 @@ depth::Cascades ViewsRenderer::look(Cameras cameras, std::span<const depth::Inte
 void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
     requireCameras(cameras, views());
     // What settling draws again lists what it shows, and must not come between the begin of a view's targets and its draws.
-    for (const auto& renderer : m_renderers) {
-        renderer->settle(renderer->slotOf(renderer->m_frames));
+    for (const auto& view : m_views) {
+        view->settle(view->slots().next());
     }
     const host::Stopwatch watch;
     depth::Cascades before = m_split->previous();
     const depth::Cascades cascades = look(cameras, occupiedBy(how.hosts));
     const double lookMs = watch.milliseconds();
-    std::vector<Renderer::Delivery> deliveries;
+    std::vector<Delivery> deliveries;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         deliveries.push_back({.destination = how.destination, .shared = &cascades});
-        deliveries.back().isAwaited = how.isAwaited;
+        deliveries.back().awaited = how.awaited;
         deliveries.back().host = how.hosts.empty() ? nullptr : &how.hosts[i];
     }
     deliveries.front().sync.waits = how.sync.waits;
@@ -142,7 +156,7 @@ void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
         m_split->takeBack(std::move(before));
         throw;
     }
-    lastSlot(0).stats.times.cullMs += lookMs;
+    m_views.front()->slots().last()->stats.times.cullMs += lookMs;
 }
 
 bool ViewsRenderer::mayBeTogether(const Launch& how) const {
@@ -153,75 +167,70 @@ bool ViewsRenderer::mayBeTogether(const Launch& how) const {
                        [&](const HostFrame& host) { return host.commands == how.hosts.front().commands; });
 }
 
-void ViewsRenderer::launchInTurn(Cameras cameras, std::span<const Renderer::Delivery> deliveries) {
+void ViewsRenderer::launchInTurn(Cameras cameras, std::span<const Delivery> deliveries) {
     for (std::size_t i = 0; i < cameras.size(); ++i) {
-        m_renderers[i]->run(cameras[i], deliveries[i]);
+        m_views[i]->run(cameras[i], deliveries[i]);
     }
 }
 
-void ViewsRenderer::launchTogether(Cameras cameras, std::span<Renderer::Delivery> deliveries) {
-    std::vector<Renderer::Slot*> begun;
+void ViewsRenderer::launchTogether(Cameras cameras, std::span<Delivery> deliveries) {
+    std::vector<FrameSlot*> begun;
     std::size_t committed = 0;
     try {
         for (std::size_t i = 0; i < cameras.size(); ++i) {
-            Renderer& renderer = *m_renderers[i];
-            Renderer::Slot& slot = renderer.prepare(cameras[i], deliveries[i]);
+            FrameRunner& view = *m_views[i];
+            FrameSlot& slot = view.prepare(cameras[i], deliveries[i]);
             begun.push_back(&slot);
             host::StageWatch watch(options().trace);
-            renderer.beginFrame(slot, deliveries[i], watch);
+            view.begin(slot, deliveries[i], watch);
             if (i == 0) {
-                for (const auto& each : m_renderers) {
+                for (const auto& each : m_views) {
                     each->beginTargets(slot.path->primary());
                 }
             }
-            renderer.recordDraws(slot);
+            view.recordDraws(slot);
             if (deliveries[i].host == nullptr) {
-                renderer.submitDraws(slot, std::exchange(deliveries[i].sync.waits, {}), watch);
-                deliveries[i].areDrawsSubmitted = true;
+                view.submitDraws(slot, std::exchange(deliveries[i].sync.waits, {}), watch);
+                deliveries[i].draws = DrawsSubmitted::ahead;
             } else {
                 slot.stats.times.recordMs += watch.lap("record");
             }
         }
         for (std::size_t i = 0; i < cameras.size(); ++i) {
             host::StageWatch watch(options().trace);
-            m_renderers[i]->finishFrame(*begun[i], deliveries[i], watch);
-            m_renderers[i]->commit(*begun[i]);
+            m_views[i]->finishFrame(*begun[i], deliveries[i], watch);
+            m_views[i]->commit(*begun[i]);
             ++committed;
         }
     } catch (...) {
-        if (deliveries.front().areDrawsSubmitted) {
-            waitQuietly(m_renderers.front()->m_device);
+        if (deliveries.front().draws == DrawsSubmitted::ahead) {
+            waitQuietly(m_views.front()->device());
         }
         for (std::size_t i = committed; i < begun.size(); ++i) {
-            m_renderers[i]->abandon(*begun[i]);
+            m_views[i]->abandon(*begun[i]);
         }
         throw;
     }
 }
 
-Renderer::Slot& ViewsRenderer::lastSlot(std::size_t view) const {
-    const Renderer& renderer = *m_renderers[view];
-    return renderer.slotOf(renderer.m_frames - 1);
-}
-
 std::vector<Frame> ViewsRenderer::render(Cameras cameras, FrameCopy copy) {
-    launch(cameras, {.destination = copy == FrameCopy::color ? Renderer::Destination::hostColor
-                                                             : Renderer::Destination::host,
-                     .isAwaited = true});
+    launch(cameras, {.destination = destinationOf(copy), .awaited = Awaited::yes});
     std::vector<Frame> frames;
-    for (std::size_t view = 0; view < views(); ++view) {
-        m_renderers[view]->waitFor(lastSlot(view));
-        frames.push_back(m_renderers[view]->fetch(lastSlot(view)));
+    for (const auto& view : m_views) {
+        FrameSlot& slot = *view->slots().last();
+        view->waitFor(slot);
+        frames.push_back(fetch(view->passes(), slot));
     }
     return frames;
 }
 
 std::vector<FrameStats> ViewsRenderer::draw(Cameras cameras) {
-    launch(cameras, {.isAwaited = true});
+    launch(cameras, {.awaited = Awaited::yes});
     std::vector<FrameStats> stats;
-    for (std::size_t view = 0; view < views(); ++view) {
-        m_renderers[view]->waitFor(lastSlot(view));
-        stats.push_back(lastSlot(view).stats);
+    for (const auto& view : m_views) {
+        FrameSlot& slot = *view->slots().last();
+        view->waitFor(slot);
+        stats.push_back(slot.stats);
     }
     return stats;
 }
@@ -234,10 +243,10 @@ void ViewsRenderer::record(Cameras cameras, std::span<const HostFrame> frames) {
     requireCameras(cameras, views());
     requireFrames(frames, views());
     for (std::size_t i = 0; i < frames.size(); ++i) {
-        m_renderers[i]->requireRecordable(frames[i]);
+        m_views[i]->requireRecordable(frames[i]);
     }
-    for (const auto& renderer : m_renderers) {
-        renderer->m_mayDrop = false; // the frames before were submitted
+    for (const auto& view : m_views) {
+        view->slots().keepRecorded(); // the frames before were submitted
     }
     try {
         launch(cameras, {.hosts = frames});
@@ -248,25 +257,22 @@ void ViewsRenderer::record(Cameras cameras, std::span<const HostFrame> frames) {
 }
 
 void ViewsRenderer::dropRecorded() {
-    for (const auto& renderer : m_renderers) {
-        renderer->dropRecorded();
+    for (const auto& view : m_views) {
+        view->dropRecorded();
     }
 }
 
 void ViewsRenderer::finish() {
-    for (const auto& renderer : m_renderers) {
-        renderer->finish();
+    for (const auto& view : m_views) {
+        view->finish();
     }
 }
 
 void ViewsRenderer::skip(Cameras cameras) {
     requireCameras(cameras, views());
     for (std::size_t i = 0; i < cameras.size(); ++i) {
-        Renderer& renderer = *m_renderers[i];
-        renderer.followScene();
-        if (renderer.m_motion != nullptr) {
-            renderer.m_motion->follow(renderer.m_drawn, cameras[i]);
-        }
+        m_views[i]->followScene();
+        m_views[i]->decider().followMotion(cameras[i]);
     }
     if (m_split->needsVisible()) {
         look(cameras, {});
@@ -275,13 +281,15 @@ void ViewsRenderer::skip(Cameras cameras) {
 
 void ViewsRenderer::forgetFrames() {
     m_split->forget();
-    for (const auto& renderer : m_renderers) {
-        renderer->forgetFrames();
+    for (const auto& view : m_views) {
+        view->decider().forgetFrames();
     }
 }
 
 Surfaces ViewsRenderer::surfaces(std::size_t view) const {
-    return m_renderers[view]->surfaces();
+    FrameRunner& frames = *m_views[view];
+    frames.nameSurfaces();
+    return surfacesOf(frames.passes(), frames.slots().last());
 }
 
 void ViewsRenderer::resize(std::uint32_t width, std::uint32_t height) {
@@ -290,13 +298,13 @@ void ViewsRenderer::resize(std::uint32_t width, std::uint32_t height) {
     const std::uint32_t heightBefore = options().height;
     std::size_t resized = 0;
     try {
-        for (const auto& renderer : m_renderers) {
-            renderer->resize(width, height);
+        for (const auto& view : m_views) {
+            view->resize(width, height);
             ++resized;
         }
     } catch (...) {
         for (std::size_t view = 0; view < resized; ++view) {
-            m_renderers[view]->resize(widthBefore, heightBefore);
+            m_views[view]->resize(widthBefore, heightBefore);
         }
         throw;
     }

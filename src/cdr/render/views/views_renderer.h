@@ -11,7 +11,10 @@
 
 namespace cdr::render {
 
+class FrameRunner;
 class FrameSplit;
+struct FrameSlot;
+struct Delivery;
 
 /// Renders one scene from several cameras at a time: the two eyes of a scene::StereoRig, the six scene::cubeSides().
 ///
@@ -81,37 +84,28 @@ class CDR_EXPORT ViewsRenderer {
     void resize(std::uint32_t width, std::uint32_t height);
 
     /// How many cameras look.
-    std::size_t views() const { return m_renderers.size(); }
+    std::size_t views() const { return m_views.size(); }
     /// What it was made with; resize() changes the size.
     /// @lifetime As long as the renderer.
-    const RenderOptions& options() const { return m_renderers.front()->options(); }
+    const RenderOptions& options() const;
 
   private:
     using Cameras = std::span<const scene::Camera>;
     template <typename Make>
     ViewsRenderer(std::size_t views, const RenderOptions& options, const Make& make);
-    /// What becomes of a frame of each camera.
-    struct Launch {
-        Renderer::Destination destination = Renderer::Destination::device;
-        FrameSync sync{}; ///< of all views together
-        std::span<const HostFrame>
-            hosts{};            ///< by view, that they are recorded into; empty: they are submitted
-        bool isAwaited = false; ///< as of a Renderer::Delivery
-    };
+    struct Launch;
     /// Culls and cuts for all cameras.
     /// @param occupied view distances of what the scene does not hold
     depth::Cascades look(Cameras cameras, std::span<const depth::Interval> occupied);
     void launch(Cameras cameras, const Launch& how);
     /// The draws of all views first, then the rest of all, so that no view's draws wait for another's to be done.
-    void launchTogether(Cameras cameras, std::span<Renderer::Delivery> deliveries);
+    void launchTogether(Cameras cameras, std::span<Delivery> deliveries);
     /// One view after the other.
-    void launchInTurn(Cameras cameras, std::span<const Renderer::Delivery> deliveries);
+    void launchInTurn(Cameras cameras, std::span<const Delivery> deliveries);
     /// Not where each view is timed alone, or has a host's command buffer of its own.
     bool mayBeTogether(const Launch& how) const;
-    /// Of the frame that was launched last.
-    Renderer::Slot& lastSlot(std::size_t view) const;
 
-    std::vector<std::unique_ptr<Renderer>> m_renderers; ///< by view
+    std::vector<std::unique_ptr<FrameRunner>> m_views;
     std::unique_ptr<FrameSplit> m_split;
 };
 

@@ -1,32 +1,28 @@
 #pragma once
 
 #include <cdr/gpu/device_clock.h>
-#include <cdr/render/frame_cutter.h>
+#include <cdr/gpu/vulkan_hpp.h>
+#include <cdr/host/trace.h>
+#include <cdr/render/frame/delivery.h>
 #include <cdr/render/frame_view.h>
-#include <cdr/render/occluders/device_occlusion.h>
-#include <cdr/render/occluders/occlusion_culling.h>
 #include <cdr/render/output/depth_output.h>
-#include <cdr/render/output/frame_readback.h>
 #include <cdr/render/output/motion_pass.h>
-#include <cdr/render/renderer.h>
-#include <cdr/render/shading/picture.h>
 #include <cdr/render/shading/resolve_pass.h>
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/render/shadows/shadow_pass.h>
-#include <cdr/render/submit/draw_path_factory.h>
-#include <cdr/render/submit/one_of.h>
+#include <cdr/render/submit/draw_path.h>
 #include <cdr/render/targets/focus_layers.h>
 #include <cdr/render/translucency/translucent_pass.h>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
-#include <variant>
 #include <vector>
 
 namespace cdr::render {
 
 /// What the passes of one frame in flight read. Made anew as a whole, where a scene has more lights than there is room for.
-struct Renderer::SlotInputs {
+struct SlotInputs {
     ShadingInputs shading;
     PassInputs resolve;                               ///< where a visibility buffer is drawn
     std::optional<TranslucentPass::Slot> translucent; ///< where the scene has blended materials
@@ -37,7 +33,7 @@ struct Renderer::SlotInputs {
 };
 
 /// What one frame in flight owns, and what it was drawn from.
-struct Renderer::Slot {
+struct FrameSlot {
     std::unique_ptr<DrawPath> path;
     /// Where surfaces are lit while they are drawn: draws them once more, into a visibility buffer, for whoever reads that.
     std::unique_ptr<DrawPath> readPath;
@@ -52,7 +48,7 @@ struct Renderer::Slot {
         std::uint64_t value = 0;
     };
     std::optional<Recorded> recorded;
-    bool isPending = false;
+    bool isPending = false; ///< launched, and not waited for yet
     host::Trace::Clock::time_point submitted;
 
     FrameView view;
@@ -60,7 +56,7 @@ struct Renderer::Slot {
     std::uint64_t revision = 0; ///< of the scene
     Destination destination = Destination::device;
 
-    /// While a frame is on its way: what abandon() gives back.
+    /// While a frame is on its way: what is given back if it is abandoned.
     struct Before {
         FrameView view;
         FrameStats stats;
@@ -71,45 +67,10 @@ struct Renderer::Slot {
     Before before;
 };
 
-/// Where a frame goes.
-struct Renderer::Delivery {
-    Destination destination = Destination::device;
-    FrameSync sync{};
-    const HostFrame* host = nullptr; ///< into which it is recorded; null: it is submitted
-    /// Of a view among others, for which `m_visible` is filled already; null: the frame is culled and cut alone.
-    const depth::Cascades* shared = nullptr;
-    bool isAwaited = false;         ///< before anybody sees it, so that it can be drawn again
-    bool areDrawsSubmitted = false; ///< by submitDraws(), ahead of the rest
-};
-
-/// What a renderer draws with, for a picture of one size and for what its scene needs.
-struct Renderer::Passes {
-    /// Focus layers where the lens has a focus.
-    using OwnedTargets = std::variant<std::unique_ptr<Targets>, std::unique_ptr<FocusLayers>>;
-
-    Passes(const gpu::Device& device, const DrawnScene& drawn, const RenderOptions& options,
-           const Needs& needs);
-    /// The G-buffer; of a visibility buffer the one that frames for the host resolve.
-    const gpu::Image& gbuffer() const { return resolve != nullptr ? resolve->gbuffer() : targets.gbuffer(); }
-
-    vk::Extent2D extent;
-    std::unique_ptr<Targets>
-        litTargets; ///< whose G-buffer is the picture; null unless surfaces are lit while drawn
-    Picture picture;
-    OwnedTargets ownTargets;
-    Targets& targets; ///< those
-    FrameCutter cutter;
-    std::unique_ptr<ShadowPass> shadows; ///< where lights cast them
-    ShadingPass shading;
-    std::unique_ptr<ResolvePass> resolve;         ///< of a visibility buffer
-    std::unique_ptr<TranslucentPass> translucent; ///< where the scene has blended materials
-    std::unique_ptr<MotionPass> motion;           ///< where it is worked out
-    /// Where the CPU, or the device, leaves out what is hidden.
-    OneOf<OcclusionCulling, DeviceOcclusion> occlusion{};
-    std::unique_ptr<DepthOutput> depthOutput{}; ///< once a host asked for depth
-    FrameReadback readback;
-    std::size_t lightRoom = 0; ///< of each slot's inputs
-    std::vector<Slot> slots{}; ///< taken in turn
-};
+/// Whether somebody reads the frame's G-buffer, beside shading.
+inline bool isRead(const FrameSlot& slot, const Delivery& delivery) {
+    const bool wantsDepth = delivery.host != nullptr && delivery.host->depth.has_value();
+    return delivery.destination == Destination::host || wantsDepth || slot.inputs->motion;
+}
 
 } // namespace cdr::render

@@ -1,0 +1,77 @@
+#include <cdr/render/choose_facets.h>
+#include <cdr/render/frame/frame_equipment.h>
+#include <cdr/render/renderer_setup.h>
+
+#include <algorithm>
+
+namespace cdr::render {
+
+namespace {
+
+/// Whether pipelines are for one size, since they snap vertices.
+bool snapsVertices(const RenderOptions& options) {
+    return options.snapBits > 0 || options.snapping == Snapping::inPlane;
+}
+
+} // namespace
+
+FrameEquipment::FrameEquipment(const gpu::Device& device, const DrawnScene& drawn, host::WorkerPool& workers,
+                               const RenderOptions& options)
+    : m_device(device),
+      m_drawn(drawn),
+      m_workers(workers),
+      m_options(options),
+      m_needs(needsOf(drawn, options)) {
+    checkedExtent(device, options, m_needs.traits());
+    m_paths = makePaths(m_needs, options);
+    m_passes = std::make_unique<FramePasses>(device, drawn, options, m_needs, *m_paths, workers);
+    m_slots = makeSlots(options, *m_paths, *m_passes);
+}
+
+void FrameEquipment::resize(std::uint32_t width, std::uint32_t height) {
+    RenderOptions resized = m_options;
+    resized.width = width;
+    resized.height = height;
+    remake(m_needs, resized);
+}
+
+void FrameEquipment::giveLightRoom(std::size_t lights) {
+    m_slots->giveLightRoom(*m_passes, lights + lights / 2);
+}
+
+void FrameEquipment::remake(const SceneNeeds& needs, const RenderOptions& options) {
+    const bool snapsAnew = snapsVertices(options) && options != m_options;
+    const bool keepsOther =
+        needs.metallicRoughness != m_needs.metallicRoughness || needs.emission != m_needs.emission;
+    std::unique_ptr<DrawPathFactory> paths;
+    if (keepsOther || snapsAnew) {
+        paths = makePaths(needs, options);
+    }
+    const DrawPathFactory& used = paths != nullptr ? *paths : *m_paths;
+    auto passes = std::make_unique<FramePasses>(m_device, m_drawn, options, needs, used, m_workers);
+    auto slots = makeSlots(options, used, *passes);
+    // Nothing below throws. What was there before ends with this function: slots first, since they refer to the rest.
+    m_needs = needs;
+    m_options = options;
+    m_slots.swap(slots);
+    m_passes.swap(passes);
+    if (paths != nullptr) {
+        m_paths.swap(paths);
+    }
+}
+
+std::unique_ptr<DrawPathFactory> FrameEquipment::makePaths(const SceneNeeds& needs,
+                                                           const RenderOptions& options) const {
+    return std::make_unique<DrawPathFactory>(m_device, m_drawn, chooseFacets(m_drawn, options), options,
+                                             needs.kept());
+}
+
+std::unique_ptr<SlotRing> FrameEquipment::makeSlots(const RenderOptions& options,
+                                                    const DrawPathFactory& paths,
+                                                    const FramePasses& passes) const {
+    const std::size_t lightRoom =
+        std::max<std::size_t>(m_drawn.scene.lights.size(), options.prepareFor.lights);
+    return std::make_unique<SlotRing>(m_device, options, paths, passes, m_workers, lightRoom);
+}
+
+} // namespace cdr::render

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cdr/host/worker_pool.h>
+#include <cdr/render/frame/frame_decider.h>
+#include <cdr/render/frame/frame_equipment.h>
+#include <cdr/render/frame/frame_recorder.h>
+#include <cdr/render/frame/scene_follower.h>
+
+#include <cstdint>
+
+namespace cdr::render {
+
+/// Takes frames through their states: decided, recorded, submitted, and committed or abandoned; then settled. README.md of
+/// this folder draws them. run() does all but the last; whoever draws several views at a time goes through the steps.
+class FrameRunner {
+  public:
+    /// The device and the scene must outlive it. base::InputError, base::RunError and std::system_error as Renderer.
+    FrameRunner(const gpu::Device& device, const SceneFollower& scene, const RenderOptions& options);
+    /// Waits for what is in flight.
+    ~FrameRunner();
+    FrameRunner(const FrameRunner&) = delete;
+    FrameRunner& operator=(const FrameRunner&) = delete;
+
+    /// Decides, records, submits and commits a frame. Where it throws, the frame was abandoned.
+    FrameSlot& run(const scene::Camera& camera, const Delivery& delivery);
+    /// Goes past a frame without drawing it.
+    void skip(const scene::Camera& camera);
+    /// base::InputError unless a frame can be recorded into what a host hands in.
+    void requireRecordable(const HostFrame& frame);
+    void dropRecorded();
+    void resize(std::uint32_t width, std::uint32_t height);
+    /// From now on frames wait for the host's reads of the images.
+    void nameSurfaces() { m_reads = HostReads::anyStage; }
+
+    // The steps of a frame, in this order.
+
+    /// Takes over what changed in the scene.
+    void followScene();
+    /// The first step: decides what a frame shows and draws, once its slot is free. commit() or abandon() ends the frame;
+    /// where this throws, it was abandoned.
+    FrameSlot& prepare(const scene::Camera& camera, const Delivery& delivery);
+    /// Lists a frame's draws and begins its commands. @param watch that times the frame up to its submission.
+    void begin(FrameSlot& slot, const Delivery& delivery, host::StageWatch& watch);
+    /// @param primary of this frame, or of another that is submitted before.
+    void beginTargets(VkCommandBuffer primary) { recorder().beginTargets(primary, m_reads); }
+    void recordDraws(FrameSlot& slot) { recorder().recordDraws(slot); }
+    /// Submits what was recorded so far ahead of the rest, and without a fence.
+    void submitDraws(FrameSlot& slot, std::span<const VkSemaphoreSubmitInfo> waits, host::StageWatch& watch);
+    /// Records all that follows the draws, and submits it.
+    void finishFrame(FrameSlot& slot, const Delivery& delivery, host::StageWatch& watch);
+    /// It was submitted and is the last frame now.
+    void commit(FrameSlot& slot) { m_equipment.slots().commit(slot); }
+    /// An error ended it: the frame before stays the last one.
+    void abandon(FrameSlot& slot) { m_decider.takeBack(slot); }
+
+    /// Waits for the frame of a slot. Draws it again where its lists had no room and nothing came after it.
+    void settle(FrameSlot& slot);
+    /// The same, and notes when it was done.
+    void waitFor(FrameSlot& slot);
+    /// Settles all frames, in the order in which they were submitted.
+    void finish();
+
+    // What it is made of.
+
+    const gpu::Device& device() const { return m_device; }
+    const DrawnScene& drawn() const { return m_scene.drawn(); }
+    host::WorkerPool& workers() { return m_workers; }
+    const RenderOptions& options() const { return m_equipment.options(); }
+    FramePasses& passes() const { return m_equipment.passes(); }
+    SlotRing& slots() const { return m_equipment.slots(); }
+    FrameDecider& decider() { return m_decider; }
+
+  private:
+    FrameRecorder recorder() const { return {m_device, drawn(), options(), passes()}; }
+    /// Records a frame and submits it.
+    void launch(FrameSlot& slot, const Delivery& delivery);
+    bool hasRoomSufficed(FrameSlot& slot) const;
+
+    const gpu::Device& m_device;
+    SceneFollower m_scene;
+    host::WorkerPool m_workers;
+    FrameEquipment m_equipment;
+    FrameDecider m_decider;
+    HostReads m_reads = HostReads::none;
+};
+
+} // namespace cdr::render
