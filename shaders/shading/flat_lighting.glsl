@@ -48,9 +48,11 @@ LightRecord lightAt(uint i) {
     }
     return LightRecord(flatLights[3u * i], flatLights[3u * i + 1u], flatLights[3u * i + 2u], vec4(0.0));
 }
-// Of a cascade below kFlatLights: a float and its rest.
+// A float and its rest.
+vec2 flatAnchorOfFirst() { return vec2(flatLights[1].w, flatLights[2].w); }
+// Of a cascade below kFlatLights.
 vec2 flatAnchor(uint cascade) {
-    vec2 anchor = vec2(flatLights[1].w, flatLights[2].w);
+    vec2 anchor = flatAnchorOfFirst();
     for (uint i = 1u; i < kFlatLights; ++i) {
         anchor = cascade == i ? vec2(flatLights[3u * i + 1u].w, flatLights[3u * i + 2u].w) : anchor;
     }

@@ -66,6 +66,11 @@ vec4 covering(vec3 color, float ahead) { return vec4(color, 1.0); }
 layout(location = 0) out vec4 outColor;
 
 vec2 anchorOf(uvec4 texel) {
+#ifdef FLAT_LIGHTING
+    if (kAnchored == 3u) {
+        return flatAnchorOfFirst();
+    }
+#endif
     uint cascade = (texel.w >> kIdBits) & kCascadeMask;
 #ifdef FLAT_LIGHTING
     if (kAnchored == 2u) {

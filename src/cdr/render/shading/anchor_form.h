@@ -12,6 +12,7 @@ enum class AnchorForm : std::uint32_t {
     none,   ///< the mapping has none
     buffer, ///< of any number of cascades
     flat,   ///< from flat varyings, which have room for those of few; software devices are quicker with these
+    single, ///< from a flat varying, of a frame's only cascade
 };
 
 /// @param anchored whether the mapping has anchor planes. @param cascades of the frame.
@@ -19,7 +20,10 @@ constexpr AnchorForm anchorFormOf(bool anchored, std::size_t cascades) {
     if (!anchored) {
         return AnchorForm::none;
     }
-    return cascades <= shaders::kFlatLights ? AnchorForm::flat : AnchorForm::buffer;
+    if (cascades > shaders::kFlatLights) {
+        return AnchorForm::buffer;
+    }
+    return cascades > 1 ? AnchorForm::flat : AnchorForm::single;
 }
 
 } // namespace cdr::render

@@ -31,7 +31,7 @@ OcclusionPass::OcclusionPass(const gpu::Device& device, const gpu::Image& gbuffe
                .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled},
               "occlusion"),
       m_options(options),
-      m_fewCascades(device, occlusionPassOptions(anchorFormOf(options.anchored, 1))),
+      m_fewCascades(device, occlusionPassOptions(anchorFormOf(options.anchored, shaders::kFlatLights))),
       m_manyCascades(device, occlusionPassOptions(anchorFormOf(options.anchored, shaders::kFlatLights + 1))) {
 }
 

@@ -121,7 +121,9 @@ ShadingPass::ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, c
                       ? std::make_unique<OcclusionPass>(device, gbuffer, OcclusionOptions{options.anchored})
                       : nullptr),
       m_options(options) {
+    // Frames of a fitted split have now one cascade and now a few, so both forms are made.
     passFor({.lights = options.lightForm, .anchors = anchorFormOf(options.anchored, 1)});
+    passFor({.lights = options.lightForm, .anchors = anchorFormOf(options.anchored, shaders::kFlatLights)});
     if (options.preparedLights > 0) {
         for (std::uint32_t lights = 0; lights <= std::min(options.preparedLights, shaders::kManyLights);
              ++lights) {
@@ -134,8 +136,9 @@ ShadingPass::ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, c
 }
 
 void ShadingPass::prepare(std::uint32_t lightForm) {
-    passFor({.lights = lightForm, .anchors = anchorFormOf(m_options.anchored, 1)});
-    passFor({.lights = lightForm, .anchors = anchorFormOf(m_options.anchored, shaders::kFlatLights + 1)});
+    for (const std::size_t cascades : {1u, shaders::kFlatLights, shaders::kFlatLights + 1u}) {
+        passFor({.lights = lightForm, .anchors = anchorFormOf(m_options.anchored, cascades)});
+    }
 }
 
 FullscreenPass& ShadingPass::passFor(const Form& form) {
