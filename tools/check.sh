@@ -144,8 +144,8 @@ check_changed() {
     test_under 70 asan "AddressSanitizer" "${targets[@]}"
     # What works on several threads and needs no driver.
     targets=()
-    if printf '%s\n' "${rooms[@]}" | grep --quiet --line-regexp --extended-regexp 'base|host|visibility'; then
-        targets=(test_host test_visibility)
+    if printf '%s\n' "${rooms[@]}" | grep --quiet --line-regexp --extended-regexp 'base|platform|visibility'; then
+        targets=(test_platform test_visibility)
     fi
     test_under 80 tsan "ThreadSanitizer" "${targets[@]}"
     fuzz_rooms "${rooms[@]}"
@@ -178,7 +178,7 @@ fuzz_rooms() { # ROOM...
     local parsers=() room status=0
     for room; do
         case $room in
-            host) parsers+=(gltf) ;;
+            platform) parsers+=(gltf) ;;
             scene) parsers+=(gltf camera_path words) ;;
             image) parsers+=(image) ;;
             runs) parsers+=(unit_state kept_frame) ;;

@@ -3,8 +3,8 @@
 #include "rank_machine.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/json_text.h>
-#include <cdr/host/thread_placement.h>
+#include <cdr/platform/json_text.h>
+#include <cdr/platform/thread_placement.h>
 #include <cdr/scene/gltf/gltf.h>
 #include <scenes/open_scene.h>
 #include <scenes/orbit/data.h>
@@ -112,7 +112,7 @@ std::string Command::digestOfRun(const std::string& more) {
                                        {"points", m_global.pointRadius.value_or(0.0)},
                                        {"files", std::move(files)},
                                        {"more", more}};
-    return program::sha256Of(host::textOf(parts, -1));
+    return program::sha256Of(platform::textOf(parts, -1));
 }
 
 void Command::keepUnits(const std::filesystem::path& state, const std::string& more) {
@@ -193,7 +193,7 @@ nlohmann::ordered_json Command::makeDocument(nlohmann::ordered_json options) con
         m_name, m_opened ? m_opened->documentDevice() : output::DocumentDevice{}, std::move(options));
     document["given"] = givenOptions(m_app);
     if (m_global.hostCpus != 0) {
-        document["host"]["cpus"] = m_measuresTime ? host::allowedCpus().size() : m_global.hostCpus;
+        document["host"]["cpus"] = m_measuresTime ? platform::allowedCpus().size() : m_global.hostCpus;
     }
     return document;
 }

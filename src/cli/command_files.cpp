@@ -1,7 +1,7 @@
 #include "command_files.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <fmt/format.h>
 
@@ -41,7 +41,7 @@ void CommandFiles::reads(const fs::path& path) {
 }
 
 void CommandFiles::writes(const std::string& option, const fs::path& path) {
-    host::requireWritable(path);
+    platform::requireWritable(path);
     if (isSpecial(path)) {
         return;
     }

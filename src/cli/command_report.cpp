@@ -122,7 +122,7 @@ nlohmann::ordered_json fillFolder(Command& command, const report::PlanOptions& o
             command.console().line("No videos: ffmpeg is not installed (Debian, Ubuntu: ffmpeg)");
         }
     }
-    const host::Bytes shared = command.ranks().share({root.begin(), root.end()});
+    const platform::Bytes shared = command.ranks().share({root.begin(), root.end()});
     root.assign(shared.begin(), shared.end());
     const std::vector<report::Section> plan = report::makePlan(options);
     const double pace = folder != nullptr ? measuredPace(command.device(), options.threads) : 1.0;
@@ -179,7 +179,7 @@ nlohmann::ordered_json makeReport(Command& command, const ReportArguments& argum
 void runReport(Command& command, ReportArguments& arguments) {
     report::requirePage();
     report::makePlan(arguments.plan); // refuses an unknown section before all else
-    const host::Bytes hasVideos =
+    const platform::Bytes hasVideos =
         command.ranks().share({program::isInstalled("ffmpeg") ? std::uint8_t{1} : std::uint8_t{0}});
     arguments.plan.videos = hasVideos.front() != 0;
     requireOutside(arguments.folder, command.output().json.value_or(""));

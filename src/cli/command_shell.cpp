@@ -2,7 +2,7 @@
 #include "completions.h"
 #include "manual.h"
 
-#include <cdr/host/standard_streams.h>
+#include <cdr/platform/standard_streams.h>
 
 #include <program/build_info.h>
 
@@ -17,9 +17,9 @@ void addShellCommands(CLI::App& program) {
     auto shell = std::make_shared<std::string>();
     completions->add_option("shell", *shell, "bash, zsh or fish")->required();
     completions->callback(
-        [&program, shell] { host::printOutput(completionsOf(program, parseShell(*shell))); });
+        [&program, shell] { platform::printOutput(completionsOf(program, parseShell(*shell))); });
     CLI::App* manual = program.add_subcommand("manual", "Print the manual page, which man shows");
-    manual->callback([&program] { host::printOutput(manualOf(program, program::buildInfo().version)); });
+    manual->callback([&program] { platform::printOutput(manualOf(program, program::buildInfo().version)); });
 }
 
 } // namespace cdr::cli

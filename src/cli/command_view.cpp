@@ -1,7 +1,7 @@
 #include "commands.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/process.h>
+#include <cdr/platform/process.h>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 /// cdr-viewer beside this program; else the one that PATH finds.
 std::string viewerProgram() {
-    if (const std::optional<fs::path> own = host::ownProgram()) {
+    if (const std::optional<fs::path> own = platform::ownProgram()) {
         std::error_code error;
         const fs::path beside = own->parent_path() / "cdr-viewer";
         if (fs::exists(beside, error)) {

@@ -1,6 +1,6 @@
 #include "console.h"
 
-#include <cdr/host/standard_streams.h>
+#include <cdr/platform/standard_streams.h>
 
 #include <unistd.h>
 
@@ -17,9 +17,9 @@ enum class Stream : std::uint8_t { output, error };
 
 void print(const std::string& text, Stream stream) {
     if (stream == Stream::error) {
-        host::printError(text);
+        platform::printError(text);
     } else {
-        host::printOutput(text + "\n");
+        platform::printOutput(text + "\n");
     }
 }
 

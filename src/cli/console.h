@@ -2,7 +2,7 @@
 
 #include "shared_options.h"
 
-#include <cdr/host/stopwatch.h>
+#include <cdr/platform/stopwatch.h>
 
 #include <fmt/format.h>
 #include <output/columns.h>
@@ -38,7 +38,7 @@ class Console {
     bool m_quiet;    ///< no lines and tables
     bool m_showsProgress;
     std::string m_section; ///< of a report, in front of the progress; else empty
-    host::Stopwatch m_watch;
+    platform::Stopwatch m_watch;
 };
 
 } // namespace cdr::cli

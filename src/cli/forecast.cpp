@@ -1,8 +1,8 @@
 #include "forecast.h"
 
-#include <cdr/host/stopwatch.h>
-#include <cdr/host/worker_pool.h>
 #include <cdr/measure/truth/truth.h>
+#include <cdr/platform/stopwatch.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/renderer.h>
 #include <scenes/cubes.h>
@@ -30,10 +30,10 @@ double measuredPace(const gpu::Device& device, std::size_t threads) {
     render::Renderer renderer(
         device, setup.scene, onDevice,
         {.width = 640, .height = 360, .technique = depth::parseTechnique("anchored"), .threads = threads});
-    host::WorkerPool workers(threads);
+    platform::WorkerPool workers(threads);
     double quickest = std::numeric_limits<double>::infinity();
     for (int round = 0; round < kRounds; ++round) {
-        const host::Stopwatch watch;
+        const platform::Stopwatch watch;
         for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
             renderer.draw(setup.path.at(frame));
         }

@@ -4,9 +4,9 @@
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
 #include <cdr/gpu/failure.h>
-#include <cdr/host/process_cpus.h>
-#include <cdr/host/standard_streams.h>
-#include <cdr/host/unfinished_file.h>
+#include <cdr/platform/process_cpus.h>
+#include <cdr/platform/standard_streams.h>
+#include <cdr/platform/unfinished_file.h>
 
 #include <fmt/format.h>
 #include <options/camera_options.h>
@@ -54,7 +54,7 @@ void addCommands(CLI::App& program, const cdr::cli::GlobalOptions& global) {
 
 void printOnce(const cdr::ranks::Ranks& ranks, const std::string& text) {
     if (ranks.isFirst()) {
-        cdr::host::printOutput(text);
+        cdr::platform::printOutput(text);
     }
 }
 
@@ -80,7 +80,7 @@ int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
     cdr::cli::GlobalOptions global;
     global.ranks = &ranks;
     if (ranks.place().node) {
-        global.hostCpus = cdr::host::cpusOfParent().size();
+        global.hostCpus = cdr::platform::cpusOfParent().size();
     }
     program.add_option_function<std::string>(
         "--device", [&global](const std::string& text) { global.device = cdr::cli::parseDevice(text); },
@@ -139,7 +139,7 @@ cdr::ranks::Ending endingOf(const std::exception_ptr& error) {
 cdr::ranks::Ending outcomeOf(const std::function<int()>& program) {
     try {
         const int status = program();
-        cdr::host::flushStandardOutput();
+        cdr::platform::flushStandardOutput();
         return {.status = status};
     } catch (...) {
         return endingOf(std::current_exception());
@@ -148,7 +148,7 @@ cdr::ranks::Ending outcomeOf(const std::function<int()>& program) {
 
 void printLine(const std::string& line) {
     if (!line.empty()) {
-        cdr::host::printError("cdr: " + line);
+        cdr::platform::printError("cdr: " + line);
     }
 }
 
@@ -156,7 +156,7 @@ void printLine(const std::string& line) {
 
 int main(int argc, char** argv) {
     cdr::program::keepFreedMemory();
-    cdr::host::removeUnfinishedFilesOnSignals();
+    cdr::platform::removeUnfinishedFilesOnSignals();
     std::unique_ptr<cdr::ranks::Ranks> ranks;
     const cdr::ranks::Ending joining = outcomeOf([&] {
         ranks = cdr::ranks::join(endingOf, printLine);

@@ -1,8 +1,8 @@
 #include "picture_folder.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/file.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -52,7 +52,7 @@ PictureFolder::PictureFolder(fs::path path, CommandFiles& files, const std::stri
 
 void PictureFolder::write(const std::string& name, const image::ImageRgba8& picture) const {
     if (isWanted()) {
-        host::makeFolder(m_path);
+        platform::makeFolder(m_path);
         image::writeImage(m_path / nameInFolder(name), picture);
     }
 }

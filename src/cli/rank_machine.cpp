@@ -2,8 +2,8 @@
 
 #include <cdr/base/error.h>
 #include <cdr/gpu/device.h>
-#include <cdr/host/process_cpus.h>
-#include <cdr/host/thread_placement.h>
+#include <cdr/platform/process_cpus.h>
+#include <cdr/platform/thread_placement.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -69,8 +69,8 @@ std::string choiceText(const ranks::Place& place, ProcessorUse use) {
 
 /// base::RunError where the system does not do it.
 void keepTo(const ranks::Cpus& part) {
-    host::allowCpus(part);
-    if (host::allowedCpus() != part) {
+    platform::allowCpus(part);
+    if (platform::allowedCpus() != part) {
         throw base::RunError(fmt::format("--bind: the system does not let this rank keep to processor{} {}",
                                          part.size() == 1 ? "" : "s", fmt::join(part, ", ")));
     }

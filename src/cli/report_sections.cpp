@@ -4,9 +4,9 @@
 #include "rank_machine.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
-#include <cdr/host/standard_streams.h>
-#include <cdr/host/stopwatch.h>
+#include <cdr/platform/file.h>
+#include <cdr/platform/standard_streams.h>
+#include <cdr/platform/stopwatch.h>
 #include <report/folder.h>
 
 #include <fmt/format.h>
@@ -43,7 +43,7 @@ void runCommand(const GlobalOptions& global, std::vector<std::string> command) {
 /// A section that fails (a format the device lacks, a disk that is full) leaves the others their page.
 SectionOutcome runSection(const GlobalOptions& global, const report::Section& section, const fs::path& root) {
     SectionOutcome outcome;
-    const host::Stopwatch watch;
+    const platform::Stopwatch watch;
     try {
         runCommand(global, section.commandIn(root));
     } catch (const std::exception& error) {
@@ -51,7 +51,7 @@ SectionOutcome runSection(const GlobalOptions& global, const report::Section& se
     }
     outcome.seconds = watch.seconds();
     if (const fs::path json = root / section.jsonFile(); fs::exists(json)) {
-        outcome.document = nlohmann::ordered_json::parse(host::readFile(json, kMaxJsonBytes));
+        outcome.document = nlohmann::ordered_json::parse(platform::readFile(json, kMaxJsonBytes));
     }
     return outcome;
 }
@@ -104,7 +104,7 @@ SectionOutcome unpackedOutcome(Json made) {
 /// At once, into files and pipes too.
 void sayNow(const Console& console, const std::string& line) {
     console.line(line);
-    host::flushStandardOutput();
+    platform::flushStandardOutput();
 }
 
 } // namespace
@@ -165,7 +165,7 @@ void SectionRunner::add(std::size_t section, SectionOutcome outcome) {
 
 void takeUpSections(runs::KeptRanks& kept, const fs::path& root) {
     std::set<std::string> own;
-    kept.keepOnly([&](const host::Bytes& made) {
+    kept.keepOnly([&](const platform::Bytes& made) {
         const Json outcome = Json::from_cbor(made);
         const auto& files = outcome.at("files").get_ref<const Json::object_t&>();
         const bool stands =

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cdr/base/enum_names.h>
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 
 namespace cdr::options {
 
@@ -61,7 +61,7 @@ void addSnapping(CLI::App& command, render::Snapping& snapping) {
 
 void addThreads(CLI::App& command, std::size_t& threads, const std::string& help) {
     command.add_option("--threads", threads, help)
-        ->check(CLI::Range(std::size_t{1}, host::WorkerPool::kMaxThreads))
+        ->check(CLI::Range(std::size_t{1}, platform::WorkerPool::kMaxThreads))
         ->capture_default_str();
 }
 

@@ -1,6 +1,6 @@
-#include <cdr/host/file.h>
-#include <cdr/host/json_text.h>
-#include <cdr/host/standard_streams.h>
+#include <cdr/platform/file.h>
+#include <cdr/platform/json_text.h>
+#include <cdr/platform/standard_streams.h>
 
 #include <output/document.h>
 #include <program/build_info.h>
@@ -23,13 +23,13 @@ nlohmann::ordered_json makeDocument(const std::string& command, const DocumentDe
 }
 
 void writeDocument(const std::filesystem::path& path, const nlohmann::ordered_json& document) {
-    const std::string text = host::textOf(document, 2);
+    const std::string text = platform::textOf(document, 2);
     if (path == "-") {
-        host::printOutput(text);
-        host::flushStandardOutput();
+        platform::printOutput(text);
+        platform::flushStandardOutput();
         return;
     }
-    host::writeText(path, text);
+    platform::writeText(path, text);
 }
 
 } // namespace cdr::output

@@ -4,7 +4,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <program/child_process.h>
 
@@ -17,18 +17,18 @@ namespace cdr::output {
 namespace {
 
 bool isPng(const std::filesystem::path& path) {
-    return host::lowerExtension(path) == ".png";
+    return platform::lowerExtension(path) == ".png";
 }
 
 } // namespace
 
 void requirePlottable(const std::filesystem::path& path) {
     constexpr std::array<std::string_view, 2> kExtensions{".png", ".svg"};
-    const std::string extension = host::lowerExtension(path);
+    const std::string extension = platform::lowerExtension(path);
     if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
         throw base::InputError(base::unknownName("plot format", extension, kExtensions));
     }
-    host::requireWritable(path);
+    platform::requireWritable(path);
     if (!program::isInstalled("gnuplot")) {
         throw base::InputError("plots need gnuplot, which is not installed (Debian, Ubuntu: gnuplot-nox)");
     }
@@ -39,7 +39,7 @@ void writePlot(const std::filesystem::path& path, const std::string& script) {
                                        : "set terminal svg noenhanced size 1200,700 font 'sans,14' "
                                          "background 'white'\n";
     const std::string input = terminal + script;
-    host::writeBesideThenRename(path, [&](const std::filesystem::path& temporary) {
+    platform::writeBesideThenRename(path, [&](const std::filesystem::path& temporary) {
         // -d: start-up files of the user are not read.
         program::ChildProcess gnuplot({"gnuplot", "-d", "-"}, {.file = temporary});
         gnuplot.write({reinterpret_cast<const std::uint8_t*>(input.data()), input.size()});

@@ -43,7 +43,7 @@ std::vector<std::string> encoderArguments(const std::filesystem::path& output, s
 const std::filesystem::path& checked(const std::filesystem::path& path, std::uint32_t width,
                                      std::uint32_t height) {
     requireEncodable(width, height);
-    host::requireWritable(path);
+    platform::requireWritable(path);
     return path;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/host/file.h>
 #include <cdr/image/image.h>
+#include <cdr/platform/file.h>
 
 #include <program/child_process.h>
 
@@ -40,7 +40,7 @@ class VideoWriter {
     std::uint32_t m_width;
     std::uint32_t m_height;
     std::filesystem::path m_path;
-    host::PendingFile m_file;
+    platform::PendingFile m_file;
     program::ChildProcess m_encoder;
 };
 

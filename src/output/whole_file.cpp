@@ -1,7 +1,7 @@
 #include "whole_file.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <fmt/format.h>
 
@@ -70,7 +70,7 @@ bool isWhole(const fs::path& path) {
     if (error || !file) {
         return false;
     }
-    const std::string extension = host::lowerExtension(path);
+    const std::string extension = platform::lowerExtension(path);
     if (extension == ".png") {
         return isWholePng(file, size);
     }

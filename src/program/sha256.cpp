@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/host/input_file.h>
+#include <cdr/platform/input_file.h>
 
 #include <openssl/evp.h>
 #include <program/sha256.h>
@@ -59,7 +59,7 @@ std::string sha256(std::span<const std::uint8_t> bytes) {
 }
 
 FileDigest digestOfFile(const std::filesystem::path& path, std::uintmax_t maxBytes) {
-    const host::InputFile file(path, maxBytes);
+    const platform::InputFile file(path, maxBytes);
     Sha256 sha;
     std::vector<std::uint8_t> part(static_cast<std::size_t>(std::min(file.size(), kPartBytes)));
     for (std::uintmax_t offset = 0; offset < file.size(); offset += part.size()) {

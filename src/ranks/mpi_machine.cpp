@@ -1,4 +1,4 @@
-#include <cdr/host/thread_placement.h>
+#include <cdr/platform/thread_placement.h>
 
 #include <ranks/mpi_machine.h>
 
@@ -97,7 +97,7 @@ MpiMachine::~MpiMachine() {
 
 std::vector<Cpus> MpiMachine::cpusOfRanks() const {
     std::bitset<kMaxCpus> mine;
-    for (const std::size_t cpu : host::allowedCpus()) {
+    for (const std::size_t cpu : platform::allowedCpus()) {
         mine.set(cpu);
     }
     const auto all = gathered(m_ranks, m_count, mine);

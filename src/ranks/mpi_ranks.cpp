@@ -79,8 +79,8 @@ class MpiRanks final : public Ranks {
           m_say(std::move(say)) {}
 
     void requireSame(const std::string& text, const std::string& otherwise) override {
-        const host::Bytes own(text.begin(), text.end());
-        const host::Bytes first = share(own);
+        const platform::Bytes own(text.begin(), text.end());
+        const platform::Bytes first = share(own);
         meet(first == own ? Ending{} : Ending{.status = 2, .line = otherwise});
     }
 
@@ -124,24 +124,24 @@ class MpiRanks final : public Ranks {
         requireWell(verdict);
     }
 
-    host::Bytes share(host::Bytes ofFirst) override {
+    platform::Bytes share(platform::Bytes ofFirst) override {
         meet({});
         return broadcast(std::move(ofFirst));
     }
 
-    void merge(const std::function<host::Bytes()>& pack,
-               const std::function<void(const host::Bytes& later)>& take) override {
+    void merge(const std::function<platform::Bytes()>& pack,
+               const std::function<void(const platform::Bytes& later)>& take) override {
         meet({});
         std::exception_ptr failed;
         std::size_t step = 1;
         for (; place().index % (2 * step) == 0 && step < place().count; step *= 2) {
             if (place().index + step < place().count) {
-                const host::Bytes later = receiveMerged(static_cast<int>(place().index + step));
+                const platform::Bytes later = receiveMerged(static_cast<int>(place().index + step));
                 attempt(failed, [&] { take(later); });
             }
         }
         if (!isFirst()) {
-            host::Bytes mine; // none, where packing failed: nobody will use it
+            platform::Bytes mine; // none, where packing failed: nobody will use it
             attempt(failed, [&] {
                 mine = pack();
                 countOf(mine);
@@ -173,7 +173,7 @@ class MpiRanks final : public Ranks {
     /// Results of other ranks on their way to the first.
     struct Inbox {
         std::mutex mutex;
-        std::vector<std::pair<std::size_t, host::Bytes>> made{};
+        std::vector<std::pair<std::size_t, platform::Bytes>> made{};
         std::vector<Word> endings{}; ///< of the ranks that will send no more
     };
 
@@ -238,7 +238,7 @@ class MpiRanks final : public Ranks {
                                 fmt::format("rank {} on {}: {}", place().index, *place().node, ending.line)};
     }
 
-    static host::Bytes broadcast(host::Bytes bytes) {
+    static platform::Bytes broadcast(platform::Bytes bytes) {
         std::uint64_t size = bytes.size();
         MPI_Bcast(&size, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
         bytes.resize(size);
@@ -260,7 +260,7 @@ class MpiRanks final : public Ranks {
     }
 
     /// Like MPI itself it does not go on without memory: the rank that sends would wait forever.
-    static host::Bytes receiveMerged(int from) noexcept {
+    static platform::Bytes receiveMerged(int from) noexcept {
         MPI_Message message = MPI_MESSAGE_NULL;
         MPI_Status status;
         int isThere = 0;
@@ -269,14 +269,14 @@ class MpiRanks final : public Ranks {
         }
         int size = 0;
         MPI_Get_count(&status, MPI_BYTE, &size);
-        host::Bytes bytes(static_cast<std::size_t>(size));
+        platform::Bytes bytes(static_cast<std::size_t>(size));
         MPI_Request request = MPI_REQUEST_NULL;
         MPI_Imrecv(bytes.data(), size, MPI_BYTE, &message, &request);
         sleepUntilDone(request);
         return bytes;
     }
 
-    static int countOf(const host::Bytes& bytes) {
+    static int countOf(const platform::Bytes& bytes) {
         if (bytes.size() > INT_MAX) {
             throw base::RunError(fmt::format("{} bytes are too many for one message of MPI", bytes.size()));
         }
@@ -316,7 +316,7 @@ class MpiRanks final : public Ranks {
         Word word;
         try {
             for (std::uint64_t unit = claim(); unit < count && waitUntilNear(unit, [] {}); unit = claim()) {
-                host::Bytes made = make(unit);
+                platform::Bytes made = make(unit);
                 const auto* number = reinterpret_cast<const std::uint8_t*>(&unit);
                 made.insert(made.end(), number, number + sizeof unit);
                 MPI_Send(made.data(), countOf(made), MPI_BYTE, 0, kMadeTag, MPI_COMM_WORLD);
@@ -394,7 +394,7 @@ class MpiRanks final : public Ranks {
         }
         int size = 0;
         MPI_Get_count(&status, MPI_BYTE, &size);
-        host::Bytes bytes(static_cast<std::size_t>(size));
+        platform::Bytes bytes(static_cast<std::size_t>(size));
         MPI_Recv(bytes.data(), size, MPI_BYTE, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD,
                  MPI_STATUS_IGNORE);
         const std::lock_guard inboxLock(inbox.mutex);

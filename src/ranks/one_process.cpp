@@ -10,11 +10,12 @@ void OneProcess::forEachUnit(std::size_t count, const Make& make, const Take& ta
     }
 }
 
-host::Bytes OneProcess::share(host::Bytes ofFirst) {
+platform::Bytes OneProcess::share(platform::Bytes ofFirst) {
     return ofFirst;
 }
 
-void OneProcess::merge(const std::function<host::Bytes()>&, const std::function<void(const host::Bytes&)>&) {}
+void OneProcess::merge(const std::function<platform::Bytes()>&,
+                       const std::function<void(const platform::Bytes&)>&) {}
 
 Ending OneProcess::end(const Ending& mine) {
     return mine;

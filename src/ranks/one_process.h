@@ -13,9 +13,9 @@ class OneProcess final : public Ranks {
     void learnMachine() override {}
     void sayWhenKilled(const std::string&) override {}
     void forEachUnit(std::size_t count, const Make& make, const Take& take) override;
-    host::Bytes share(host::Bytes ofFirst) override;
-    void merge(const std::function<host::Bytes()>& pack,
-               const std::function<void(const host::Bytes& later)>& take) override;
+    platform::Bytes share(platform::Bytes ofFirst) override;
+    void merge(const std::function<platform::Bytes()>& pack,
+               const std::function<void(const platform::Bytes& later)>& take) override;
     Ending end(const Ending& mine) override;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <ranks/cpu_division.h>
 
@@ -50,8 +50,8 @@ struct Place {
 class Ranks {
   public:
     /// The result of a unit.
-    using Make = std::function<host::Bytes(std::size_t unit)>;
-    using Take = std::function<void(std::size_t unit, const host::Bytes& made)>;
+    using Make = std::function<platform::Bytes(std::size_t unit)>;
+    using Take = std::function<void(std::size_t unit, const platform::Bytes& made)>;
 
     explicit Ranks(const Place& place) : m_place(place) {}
     virtual ~Ranks() = default;
@@ -86,13 +86,13 @@ class Ranks {
     }
 
     /// The bytes of the first rank, on every rank.
-    virtual host::Bytes share(host::Bytes ofFirst) = 0;
+    virtual platform::Bytes share(platform::Bytes ofFirst) = 0;
 
     /// Brings what all ranks hold to the first one, in a tree. A rank takes what ranks after it hold, in their order. Then it
     /// hands on all that it holds.
     /// @param pack what this rank holds. @param take adds what later ranks packed.
-    virtual void merge(const std::function<host::Bytes()>& pack,
-                       const std::function<void(const host::Bytes& later)>& take) = 0;
+    virtual void merge(const std::function<platform::Bytes()>& pack,
+                       const std::function<void(const platform::Bytes& later)>& take) = 0;
 
     /// The last call of a run: waits for all ranks. If one of them failed, all end as it does.
     /// @param mine how this rank ends, or would end alone.

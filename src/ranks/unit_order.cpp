@@ -4,7 +4,7 @@
 
 namespace cdr::ranks {
 
-void UnitOrder::put(std::size_t unit, host::Bytes made) {
+void UnitOrder::put(std::size_t unit, platform::Bytes made) {
     m_waiting.emplace(unit, std::move(made));
 }
 

@@ -4,8 +4,8 @@
 #include "mount_point.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
-#include <cdr/host/process.h>
+#include <cdr/platform/file.h>
+#include <cdr/platform/process.h>
 
 #include <fmt/format.h>
 #include <program/sha256.h>
@@ -28,7 +28,7 @@ constexpr std::uintmax_t kMaxManifestBytes = 10'000'000;
 std::set<std::string> ownFiles(const fs::path& folder) {
     const fs::path manifest = folder / kManifest;
     if (fs::is_regular_file(manifest)) {
-        const host::Bytes bytes = host::readFile(manifest, kMaxManifestBytes);
+        const platform::Bytes bytes = platform::readFile(manifest, kMaxManifestBytes);
         if (auto files = filesOfManifest({reinterpret_cast<const char*>(bytes.data()), bytes.size()})) {
             return *std::move(files);
         }
@@ -93,7 +93,7 @@ fs::path hiddenIn(const fs::path& folder, const fs::path& path, std::string_view
 
 /// A hidden name in `folder` that no other process uses.
 fs::path hiddenIn(const fs::path& folder, const fs::path& path, std::string_view what) {
-    return hiddenIn(folder, path, std::to_string(host::processId()), what);
+    return hiddenIn(folder, path, std::to_string(platform::processId()), what);
 }
 
 /// Copies the files of a report, which has none but its own.

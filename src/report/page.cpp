@@ -1,8 +1,8 @@
 #include "page.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
 #include <cdr/page/page_files.h>
+#include <cdr/platform/file.h>
 
 #include <nlohmann/json.hpp>
 
@@ -21,14 +21,14 @@ void requirePage() {
 void writePage(const std::filesystem::path& folder) {
     requirePage();
     for (const page::File& file : page::kFiles) {
-        host::writeFile(folder / file.name, file.bytes);
+        platform::writeFile(folder / file.name, file.bytes);
     }
 }
 
 void writeData(const std::filesystem::path& folder, const nlohmann::ordered_json& data) {
     // Bytes that are not UTF-8 (a driver's name may hold any) are replaced, so that the script always reads.
     const std::string json = data.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace);
-    host::writeText(folder / "data.js", "window.cdrReport = " + json + ";\n");
+    platform::writeText(folder / "data.js", "window.cdrReport = " + json + ";\n");
 }
 
 } // namespace cdr::report

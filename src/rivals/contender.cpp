@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/host/stopwatch.h>
+#include <cdr/platform/stopwatch.h>
 #include <cdr/render/draw_source.h>
 #include <cdr/render/output/readback.h>
 
@@ -38,7 +38,7 @@ std::unique_ptr<VisibilityPass> makePass(const gpu::Device& device, const Compet
 } // namespace
 
 Contender::Contender(const gpu::Device& device, const render::DrawnScene& scene, const Competing& competing,
-                     vk::Extent2D extent, host::WorkerPool& workers)
+                     vk::Extent2D extent, platform::WorkerPool& workers)
     : m_device(device),
       m_draws(device, requireComparable(scene), cutOf(competing), extent, workers),
       m_pass(makePass(device, competing, extent)),
@@ -57,7 +57,7 @@ FramePixels Contender::render(const scene::Camera& camera) {
 render::FrameStats Contender::run(const scene::Camera& camera, Copy copy) {
     render::FrameStats stats;
     m_draws.prepare(camera, stats);
-    host::Stopwatch watch;
+    platform::Stopwatch watch;
     m_pool.reset();
     const vk::CommandBuffer commands = m_pool.next();
     commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});

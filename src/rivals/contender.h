@@ -23,7 +23,7 @@ class Contender {
     /// base::InputError for a scene that lies in layers or hides parts behind masks, which no contender knows; and for what
     /// the device cannot do.
     Contender(const gpu::Device& device, const render::DrawnScene& scene, const Competing& competing,
-              vk::Extent2D extent, host::WorkerPool& workers);
+              vk::Extent2D extent, platform::WorkerPool& workers);
 
     /// Draws a frame, waits for it and leaves it on the device: what is timed.
     /// @throws base::InputError for an unusable camera or split.

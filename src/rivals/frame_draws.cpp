@@ -1,5 +1,5 @@
 #include <cdr/depth/view_constants.h>
-#include <cdr/host/stopwatch.h>
+#include <cdr/platform/stopwatch.h>
 #include <cdr/render/draw_source.h>
 #include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/render/view_transform.h>
@@ -26,7 +26,7 @@ bool drawAlike(const render::DrawKind& one, const render::DrawKind& other) {
 } // namespace
 
 FrameDraws::FrameDraws(const gpu::Device& device, const render::DrawnScene& scene,
-                       const depth::Technique& technique, vk::Extent2D extent, host::WorkerPool& workers)
+                       const depth::Technique& technique, vk::Extent2D extent, platform::WorkerPool& workers)
     : m_device(device),
       m_scene(scene),
       m_mapping(technique.mapping),
@@ -36,7 +36,7 @@ FrameDraws::FrameDraws(const gpu::Device& device, const render::DrawnScene& scen
 
 void FrameDraws::prepare(const scene::Camera& camera, render::FrameStats& stats) {
     scene::requireUsable(camera);
-    host::Stopwatch watch;
+    platform::Stopwatch watch;
     m_view.camera = camera;
     m_view.frustum = scene::frustumOf(camera, m_extent.width, m_extent.height);
     visibility::cullCells(m_scene.uploaded.cells(m_workers), camera, m_view.frustum, m_workers, m_visible);
@@ -76,7 +76,7 @@ void FrameDraws::writeRecords() {
     for (std::size_t cascade = 0; cascade < m_view.cascades.size(); ++cascade) {
         const double anchorView = m_view.cascades[cascade].terms.anchorView;
         render::DrawRecordMaker maker(m_view.camera, anchorView);
-        const host::IndexRange draws = m_lists.range(cascade);
+        const platform::IndexRange draws = m_lists.range(cascade);
         for (std::size_t i = draws.begin; i < draws.end; ++i) {
             const render::DrawSource& source = scene.sources()[m_lists.instance[i]];
             const shaders::DrawRecord record = maker.make(source, scene.materials()[source.material]);
@@ -108,7 +108,7 @@ void FrameDraws::record(vk::CommandBuffer commands, std::size_t cascade, const D
     commands.pushConstants<shaders::CascadePush>(pipelines.layout, kStages, 0,
                                                  render::makeCascadePush(m_view, cascade));
     commands.pushConstants<shaders::RivalPush>(pipelines.layout, kStages, sizeof(shaders::CascadePush), push);
-    const host::IndexRange draws = m_lists.range(cascade);
+    const platform::IndexRange draws = m_lists.range(cascade);
     const std::size_t wideBegin = m_lists.wideBegin(cascade);
     vk::Pipeline bound;
     for (std::size_t first = draws.begin; first < draws.end;) {

@@ -29,7 +29,7 @@ class FrameDraws {
     /// What the scene refers to, and the workers, must outlive this.
     /// @param technique by which the view is cut into cascades; rivals have one.
     FrameDraws(const gpu::Device& device, const render::DrawnScene& scene, const depth::Technique& technique,
-               vk::Extent2D extent, host::WorkerPool& workers);
+               vk::Extent2D extent, platform::WorkerPool& workers);
 
     /// Overwrites lists and records; the last frame that drew them must have finished. base::InputError for an unusable
     /// camera, base::RunError where the records do not fit.
@@ -61,7 +61,7 @@ class FrameDraws {
     render::DrawnScene m_scene;
     depth::Mapping m_mapping;
     vk::Extent2D m_extent;
-    host::WorkerPool& m_workers;
+    platform::WorkerPool& m_workers;
     render::FrameSplit m_split;
     visibility::VisibleCells
         m_visible; ///< this and what follows is kept, so that a warm frame allocates nothing

@@ -1,7 +1,7 @@
 #include "interleaved_frames.h"
 
-#include <cdr/host/stopwatch.h>
 #include <cdr/measure/statistics/statistics.h>
+#include <cdr/platform/stopwatch.h>
 
 #include <runs/units.h>
 
@@ -11,7 +11,7 @@
 namespace cdr::runs {
 
 FrameSample timed(const std::function<render::FrameStats()>& draw) {
-    const host::Stopwatch watch;
+    const platform::Stopwatch watch;
     const render::FrameStats stats = draw();
     return {.frameMs = watch.milliseconds(),
             .cullAndBinMs = stats.times.cullMs + stats.times.binMs,

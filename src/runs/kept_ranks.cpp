@@ -3,7 +3,7 @@
 #include "units.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/base64.h>
+#include <cdr/platform/base64.h>
 
 #include <fmt/format.h>
 
@@ -41,12 +41,12 @@ KeptRanks::KeptRanks(ranks::Ranks& ranks, const std::filesystem::path& path, std
     m_file.emplace(path, UnitRun{.digest = std::move(digest), .units = kAnyCount});
     for (auto& [unit, made] : std::exchange(m_file->made(), {})) {
         m_kept[unit] = reading([&made = made] {
-            return host::fromBase64(made.get_ref<const std::string&>()).value_or(host::Bytes());
+            return platform::fromBase64(made.get_ref<const std::string&>()).value_or(platform::Bytes());
         });
     }
 }
 
-void KeptRanks::keepOnly(const std::function<bool(const host::Bytes& made)>& stands) {
+void KeptRanks::keepOnly(const std::function<bool(const platform::Bytes& made)>& stands) {
     std::erase_if(m_kept, [&](const auto& kept) { return !reading([&] { return stands(kept.second); }); });
 }
 
@@ -68,7 +68,7 @@ void KeptRanks::forEachUnit(std::size_t count, const Make& make, const Take& tak
         const Units missing = sharedOf(m_ranks, ofFirst);
         m_ranks.forEachUnit(
             missing.size(), [&](std::size_t i) { return make(missing[i]); },
-            [&](std::size_t i, const host::Bytes& made) { taken(missing[i], made); });
+            [&](std::size_t i, const platform::Bytes& made) { taken(missing[i], made); });
     });
 }
 
@@ -76,7 +76,7 @@ void KeptRanks::forEachUnitOnFirst(std::size_t count, const Make& make, const Ta
     handOver(count, take, [&](const Units& missing, const Take& taken) {
         m_ranks.forEachUnitOnFirst(
             missing.size(), [&](std::size_t i) { return make(missing[i]); },
-            [&](std::size_t i, const host::Bytes& made) { taken(missing[i], made); });
+            [&](std::size_t i, const platform::Bytes& made) { taken(missing[i], made); });
     });
 }
 
@@ -89,10 +89,10 @@ void KeptRanks::handOver(std::size_t count, const Take& take,
             takeKept(next, begin, take);
         }
     };
-    makeMissing(missingOf(begin, count), [&](std::size_t unit, const host::Bytes& made) {
+    makeMissing(missingOf(begin, count), [&](std::size_t unit, const platform::Bytes& made) {
         takeKeptBefore(unit);
         take(unit, made);
-        m_file->keep(begin + unit, host::toBase64(made));
+        m_file->keep(begin + unit, platform::toBase64(made));
         ++next;
     });
     if (isFirst()) {
@@ -115,12 +115,12 @@ void KeptRanks::takeKept(std::size_t unit, std::size_t begin, const Take& take) 
     reading([&] { take(unit, kept.mapped()); });
 }
 
-host::Bytes KeptRanks::share(host::Bytes ofFirst) {
+platform::Bytes KeptRanks::share(platform::Bytes ofFirst) {
     return m_ranks.share(std::move(ofFirst));
 }
 
-void KeptRanks::merge(const std::function<host::Bytes()>& pack,
-                      const std::function<void(const host::Bytes& later)>& take) {
+void KeptRanks::merge(const std::function<platform::Bytes()>& pack,
+                      const std::function<void(const platform::Bytes& later)>& take) {
     m_ranks.merge(pack, take);
 }
 

@@ -25,16 +25,16 @@ class KeptRanks final : public ranks::Ranks {
     /// Of the results of earlier runs.
     std::size_t keptCount() const { return m_kept.size(); }
     /// Before the first unit: forgets the results of earlier runs that do not stand any more, such as those whose files are gone.
-    void keepOnly(const std::function<bool(const host::Bytes& made)>& stands);
+    void keepOnly(const std::function<bool(const platform::Bytes& made)>& stands);
 
     void requireSame(const std::string& text, const std::string& otherwise) override;
     void learnMachine() override;
     void sayWhenKilled(const std::string& text) override;
     void forEachUnit(std::size_t count, const Make& make, const Take& take) override;
     void forEachUnitOnFirst(std::size_t count, const Make& make, const Take& take) override;
-    host::Bytes share(host::Bytes ofFirst) override;
-    void merge(const std::function<host::Bytes()>& pack,
-               const std::function<void(const host::Bytes& later)>& take) override;
+    platform::Bytes share(platform::Bytes ofFirst) override;
+    void merge(const std::function<platform::Bytes()>& pack,
+               const std::function<void(const platform::Bytes& later)>& take) override;
     ranks::Ending end(const ranks::Ending& mine) override;
 
   private:
@@ -49,9 +49,9 @@ class KeptRanks final : public ranks::Ranks {
 
     ranks::Ranks& m_ranks;
     std::filesystem::path m_path;
-    std::optional<UnitStateFile> m_file;         ///< on the first rank
-    std::map<std::size_t, host::Bytes> m_kept{}; ///< by unit of the run; a result goes as it is taken
-    std::size_t m_begin = 0;                     ///< unit of the run that the next call begins with
+    std::optional<UnitStateFile> m_file;             ///< on the first rank
+    std::map<std::size_t, platform::Bytes> m_kept{}; ///< by unit of the run; a result goes as it is taken
+    std::size_t m_begin = 0;                         ///< unit of the run that the next call begins with
 };
 
 } // namespace cdr::runs

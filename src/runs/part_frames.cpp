@@ -19,7 +19,7 @@ struct RunOfPixels {
 };
 
 template <typename Value>
-void append(host::Bytes& bytes, const Value* values, std::size_t count) {
+void append(platform::Bytes& bytes, const Value* values, std::size_t count) {
     static_assert(std::is_trivially_copyable_v<Value>);
     const auto* begin = reinterpret_cast<const std::uint8_t*>(values);
     bytes.insert(bytes.end(), begin, begin + count * sizeof(Value));
@@ -28,7 +28,7 @@ void append(host::Bytes& bytes, const Value* values, std::size_t count) {
 /// Reads values off the front of bytes.
 class Reader {
   public:
-    explicit Reader(const host::Bytes& bytes) : m_bytes(bytes) {}
+    explicit Reader(const platform::Bytes& bytes) : m_bytes(bytes) {}
 
     bool isAtEnd() const { return m_at == m_bytes.size(); }
 
@@ -47,16 +47,16 @@ class Reader {
     }
 
   private:
-    const host::Bytes& m_bytes;
+    const platform::Bytes& m_bytes;
     std::size_t m_at = 0;
 };
 
 } // namespace
 
-host::Bytes packedSurfaces(const render::Frame& frame) {
+platform::Bytes packedSurfaces(const render::Frame& frame) {
     const auto& pixels = frame.gbuffer.pixels;
     const auto shows = [&](std::size_t pixel) { return pixels[pixel].id() != 0; };
-    host::Bytes bytes;
+    platform::Bytes bytes;
     for (std::size_t begin = 0, end = 0; begin < pixels.size(); begin = end) {
         std::size_t surface = begin;
         while (surface < pixels.size() && !shows(surface)) {
@@ -74,7 +74,7 @@ host::Bytes packedSurfaces(const render::Frame& frame) {
     return bytes;
 }
 
-void layUnder(render::Frame& frame, const host::Bytes& farther) {
+void layUnder(render::Frame& frame, const platform::Bytes& farther) {
     Reader reader(farther);
     std::size_t pixel = 0;
     while (!reader.isAtEnd()) {
@@ -97,11 +97,11 @@ void layUnder(render::Frame& frame, const host::Bytes& farther) {
 void mergeParts(ranks::Ranks& ranks, render::Frame& frame, std::size_t& bytesSent) {
     ranks.merge(
         [&] {
-            host::Bytes packed = packedSurfaces(frame);
+            platform::Bytes packed = packedSurfaces(frame);
             bytesSent += packed.size();
             return packed;
         },
-        [&](const host::Bytes& later) { layUnder(frame, later); });
+        [&](const platform::Bytes& later) { layUnder(frame, later); });
 }
 
 } // namespace cdr::runs

@@ -1,7 +1,7 @@
 #include "same_files.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 #include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/gltf/open_gltf.h>
 #include <scenes/orbit/data.h>
@@ -69,7 +69,7 @@ void requireAlike(ranks::Ranks& ranks, const std::string& what,
     }
     const std::string text =
         nlohmann::json(mine).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    const host::Bytes shared = ranks.share({text.begin(), text.end()});
+    const platform::Bytes shared = ranks.share({text.begin(), text.end()});
     const auto first = nlohmann::json::parse(shared).get<std::map<std::string, std::string>>();
     ranks.requireSame(text, fmt::format("{}: its file {} is another one than the first rank's", what,
                                         differing(mine, first)));

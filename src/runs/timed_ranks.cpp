@@ -1,6 +1,6 @@
 #include "timed_ranks.h"
 
-#include <cdr/host/thread_placement.h>
+#include <cdr/platform/thread_placement.h>
 
 #include <runs/units.h>
 
@@ -16,7 +16,7 @@ void TimedRanks::forEachUnit(std::size_t count, const std::function<output::Json
             return output::Json{{"rank", place.index},
                                 {"node", place.node.value_or("")},
                                 {"ranks_on_node", place.countOnNode},
-                                {"cpus", host::allowedCpus()},
+                                {"cpus", platform::allowedCpus()},
                                 {"timed", time(unit)}};
         },
         [&](std::size_t unit, const output::Json& made) {

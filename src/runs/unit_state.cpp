@@ -1,7 +1,7 @@
 #include "unit_state.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <fmt/format.h>
 #include <program/sha256.h>
@@ -103,10 +103,10 @@ UnitStateFile::UnitStateFile(std::filesystem::path path, UnitRun run)
     : m_path(std::move(path)),
       m_run(std::move(run)) {
     if (!isThere(m_path)) {
-        host::requireWritable(m_path);
+        platform::requireWritable(m_path);
         return;
     }
-    const host::Bytes bytes = host::readFile(m_path, kMaxStateBytes);
+    const platform::Bytes bytes = platform::readFile(m_path, kMaxStateBytes);
     m_state =
         readUnitState({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, m_run, m_path.string());
     if (!std::ofstream(m_path, std::ios::binary | std::ios::app)) {
@@ -118,12 +118,12 @@ void UnitStateFile::keep(std::size_t unit, const output::Json& result) {
     if (!std::exchange(m_hasBegun, true)) {
         begin();
     }
-    host::appendText(m_path, stateLineOf(unit, result));
+    platform::appendText(m_path, stateLineOf(unit, result));
 }
 
 void UnitStateFile::begin() {
     if (m_state.bytes == 0) {
-        host::writeText(m_path, stateHeadOf(m_run)); // whole, so that a head is never cut off
+        platform::writeText(m_path, stateHeadOf(m_run)); // whole, so that a head is never cut off
         return;
     }
     std::error_code error;

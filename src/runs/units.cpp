@@ -11,7 +11,8 @@ ranks::Ranks::Make makeBytes(const std::function<output::Json(std::size_t unit)>
 }
 
 ranks::Ranks::Take takeBytes(const std::function<void(std::size_t unit, output::Json made)>& take) {
-    return [&take](std::size_t unit, const host::Bytes& made) { take(unit, output::Json::from_cbor(made)); };
+    return
+        [&take](std::size_t unit, const platform::Bytes& made) { take(unit, output::Json::from_cbor(made)); };
 }
 
 } // namespace

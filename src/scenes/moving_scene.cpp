@@ -31,7 +31,7 @@ MovingScene::MovingScene(scene::Scene scene, scene::SceneMotion motion, Deform d
     }
 }
 
-void MovingScene::deform(std::uint32_t frame, host::WorkerPool& workers) {
+void MovingScene::deform(std::uint32_t frame, platform::WorkerPool& workers) {
     std::vector<scene::MeshPose> poses =
         m_motion.poses ? m_motion.poses(frame) : std::vector<scene::MeshPose>();
     std::vector<scene::MeshVertices> vertices;
@@ -51,7 +51,7 @@ void MovingScene::deform(std::uint32_t frame, host::WorkerPool& workers) {
     }
 }
 
-bool MovingScene::show(std::uint32_t frame, host::WorkerPool& workers) {
+bool MovingScene::show(std::uint32_t frame, platform::WorkerPool& workers) {
     if (frame == m_frame) {
         return false;
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/scene_setup.h>
 #include <cdr/scene/world/world.h>
 #include <scenes/deform.h>
@@ -21,7 +21,7 @@ class MovingScene {
 
     /// Brings all to where they are at a frame. Whether that was another one than is shown.
     /// base::InputError where a frame puts something where nothing can be drawn.
-    bool show(std::uint32_t frame, host::WorkerPool& workers);
+    bool show(std::uint32_t frame, platform::WorkerPool& workers);
     /// Gives all materials other layers (scene::Material::layer), by index. base::InputError for one that is not finite.
     void setLayers(std::span<const float> layers);
 
@@ -30,7 +30,7 @@ class MovingScene {
     const std::vector<std::uint32_t>& deformedMeshes() const { return m_motion.meshes; }
 
   private:
-    void deform(std::uint32_t frame, host::WorkerPool& workers);
+    void deform(std::uint32_t frame, platform::WorkerPool& workers);
 
     scene::World m_world;
     scene::SceneMotion m_motion;

@@ -35,7 +35,7 @@ struct Fixture {
     scene::Camera camera;
     scene::Frustum frustum;
     depth::Cascades cascades;
-    host::WorkerPool workers;
+    platform::WorkerPool workers;
 
     Fixture(Field field, std::uint32_t objects, std::size_t threads)
         : setup(field == Field::crowd ? scenes::makeCrowd(kSeed, objects)

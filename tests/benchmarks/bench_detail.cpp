@@ -60,7 +60,7 @@ void detail(benchmark::State& state) {
     state.SetLabel(std::string(kind == terrainByCluster ? "terrain by " : "boulders by ") +
                    std::string(nameOf(mode)));
     scene::SceneSetup setup = sceneOf(kind, state.range(1));
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const benchmarks::Cost making =
         benchmarks::costOf([&] { visibility::prepareDetail(setup.scene, mode, workers); });
     const render::GpuScene onDevice(gpu.device, setup.scene);

@@ -31,12 +31,12 @@ void record(benchmark::State& state) {
                                .height = 180,
                                .technique = technique,
                                .threads = static_cast<std::size_t>(state.range(1)),
-                               .placement = host::Placement::pinned,
+                               .placement = platform::Placement::pinned,
                                .batching = render::kBatchings[static_cast<std::size_t>(state.range(3))]});
     const scene::Camera camera = setup.path.at(0);
     renderer.draw(camera); // the first frame allocates
     // The kernel may leave two threads on one CPU for milliseconds, which would disturb the measurement.
-    const host::PinnedThread pin(0, host::allowedCpus());
+    const platform::PinnedThread pin(0, platform::allowedCpus());
     double leastMs = std::numeric_limits<double>::infinity();
     std::size_t draws = 0;
     for (auto iteration : state) {

@@ -1,7 +1,7 @@
 #include "rank_test.h"
 
-#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -23,11 +23,12 @@ constexpr int kSquares = 8;
 /// Squares of growing size and distance, each with a texture of 36 MiB and alone in its cascade.
 void writeTexturedSquares(const std::filesystem::path& folder) {
     const std::filesystem::path picture = folder / "texture.png";
-    host::writeFile(picture, image::encodeImage(picture, image::ImageRgba8(4096, 2304, {90, 160, 40, 255})));
+    platform::writeFile(picture,
+                        image::encodeImage(picture, image::ImageRgba8(4096, 2304, {90, 160, 40, 255})));
     const std::vector<float> corners{-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
     const std::vector<float> uv{0, 1, 1, 1, 1, 0, 0, 0};
     const std::vector<std::uint32_t> indices{0, 1, 2, 0, 2, 3};
-    host::Bytes bytes;
+    platform::Bytes bytes;
     const auto append = [&](const auto& values) {
         const auto* begin = reinterpret_cast<const std::uint8_t*>(values.data());
         bytes.insert(bytes.end(), begin, begin + values.size() * 4);
@@ -35,7 +36,7 @@ void writeTexturedSquares(const std::filesystem::path& folder) {
     append(corners);
     append(uv);
     append(indices);
-    host::writeFile(folder / "squares.bin", bytes);
+    platform::writeFile(folder / "squares.bin", bytes);
     Json gltf{{"asset", {{"version", "2.0"}}},
               {"buffers", {{{"uri", "squares.bin"}, {"byteLength", bytes.size()}}}},
               {"bufferViews",
@@ -64,7 +65,7 @@ void writeTexturedSquares(const std::filesystem::path& folder) {
                                  {"scale", {size, size, size}}});
         gltf["scenes"][0]["nodes"].push_back(i);
     }
-    host::writeText(folder / "squares.gltf", gltf.dump());
+    platform::writeText(folder / "squares.gltf", gltf.dump());
 }
 
 using CascadeMemory = RankTest;

@@ -1,8 +1,8 @@
 #include "program.h"
 
 #include <cdr/base/quantity_text.h>
-#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/file.h>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "../support/picture_comparison.h"
 #include "program.h"
 
-#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -2,7 +2,7 @@
 #include "program.h"
 
 #include <cdr/base/quantity_text.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 

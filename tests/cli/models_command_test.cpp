@@ -1,7 +1,7 @@
 #include "program.h"
 
-#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -38,7 +38,7 @@ TEST(ModelsCommand, HoldsModelsAgainstTheReference) {
         const auto name = row["model"].get<std::string>();
         const auto read = [&](const std::string& suffix) {
             return image::decodeImage(
-                host::readFile(folder.path() / "m" / (name + suffix + ".png"), 1u << 30u), "m");
+                platform::readFile(folder.path() / "m" / (name + suffix + ".png"), 1u << 30u), "m");
         };
         EXPECT_EQ(read("").width, 240u);
         EXPECT_NE(read(""), read("_plain"));
@@ -60,9 +60,9 @@ TEST(ModelsCommand, HoldsModelsAgainstTheReference) {
         EXPECT_NE(read(""), read("_reference"));
         EXPECT_EQ(read("_flip").height, 135u);
     }
-    EXPECT_GT(
-        image::decodeImage(host::readFile(folder.path() / "m" / "models_sheet.png", 1u << 30u), "m").width,
-        900u);
+    EXPECT_GT(image::decodeImage(platform::readFile(folder.path() / "m" / "models_sheet.png", 1u << 30u), "m")
+                  .width,
+              900u);
 }
 
 /// A lawn at a low angle, leaves whose normals face away, smooth and rough balls: under a sky, where most is mirrored.

@@ -2,8 +2,8 @@
 
 #include "../support/launched.h"
 
-#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -40,7 +40,7 @@ void writeLines(const fs::path& path, const std::vector<std::string>& lines, con
     for (const std::string& line : lines) {
         text += line + "\n";
     }
-    host::writeText(path, text + cutOff);
+    platform::writeText(path, text + cutOff);
 }
 
 const gpu::DeviceInfo& deviceInfo() {
@@ -113,7 +113,7 @@ std::map<std::string, std::string> filesIn(const fs::path& folder) {
 }
 
 image::ImageRgba8 readPicture(const std::filesystem::path& path) {
-    return image::decodeImage(host::readFile(path, 1 << 26), path.string());
+    return image::decodeImage(platform::readFile(path, 1 << 26), path.string());
 }
 
 } // namespace cdr::cli_test

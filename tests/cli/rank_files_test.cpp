@@ -1,6 +1,6 @@
 #include "rank_test.h"
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 
@@ -60,13 +60,13 @@ TEST_F(RankFiles, BuffersAndPicturesOfAModelAreAlikeOnAllRanks) {
     fs::remove(at("0") / "all.json");
     std::string buffer = readText(kModelFolder / "well.bin");
     buffer.back() = static_cast<char>(buffer.back() ^ 1);
-    host::writeText(at("1") / "well.bin", buffer);
+    platform::writeText(at("1") / "well.bin", buffer);
     expectRefused("rank 1 on .+: well.gltf: its file well.bin is another one than the first rank's");
     fs::copy_file(at("0") / "well.bin", at("1") / "well.bin", fs::copy_options::overwrite_existing);
 
     std::string picture = readText(at("0") / "stone.jpg");
     picture[picture.size() / 2] = static_cast<char>(picture[picture.size() / 2] ^ 1);
-    host::writeText(at("2") / "stone.jpg", picture);
+    platform::writeText(at("2") / "stone.jpg", picture);
     expectRefused("rank 2 on .+: well.gltf: its file stone.jpg is another one than the first rank's");
 }
 

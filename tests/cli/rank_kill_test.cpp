@@ -1,6 +1,6 @@
 #include "rank_test.h"
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ class RankKills : public RankTest {
                        signalling + test::launched(CDR_MPIEXEC, static_cast<int>(ranks)) +
                            " sh -c 'echo $$ >pid.$OMPI_COMM_WORLD_RANK$PMI_RANK; exec \"$@\"' sh");
         if (!signalling.empty()) { // the process that signals must end before the next run
-            host::writeText(at("over"), "");
+            platform::writeText(at("over"), "");
             while (!fs::exists(at("signalled"))) {
                 std::this_thread::sleep_for(std::chrono::milliseconds(5));
             }

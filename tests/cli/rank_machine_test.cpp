@@ -1,7 +1,7 @@
 #include "rank_test.h"
 
-#include <cdr/host/file.h>
-#include <cdr/host/thread_placement.h>
+#include <cdr/platform/file.h>
+#include <cdr/platform/thread_placement.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -22,7 +22,7 @@ using CpuList = std::vector<std::size_t>;
 class RankMachine : public RankTest {
   protected:
     /// For tests that bind ranks apart.
-    static bool hasOneCpu() { return host::allowedCpus().size() < 2; }
+    static bool hasOneCpu() { return platform::allowedCpus().size() < 2; }
 };
 
 /// For a shell: two ranks, of which each may use those CPUs alone, as if MPI had bound it.
@@ -64,7 +64,7 @@ TimedRun timeAs(const std::string& launcher, const std::string& option = "") {
 }
 
 TEST_F(RankMachine, RanksThatAreNotBoundShareItsProcessors) {
-    const CpuList all = host::allowedCpus();
+    const CpuList all = platform::allowedCpus();
     const TimedRun free = timeAs(test::launched(CDR_MPIEXEC, 3));
     EXPECT_EQ(free.choice, "shared");
     for (const auto& [rank, cpus] : free.cpus) {
@@ -88,7 +88,7 @@ TEST_F(RankMachine, RanksThatAreNotBoundShareItsProcessors) {
 
 /// A machine has more CPUs than a job may use.
 TEST_F(RankMachine, WhatTheRanksMayNotUseIsNotDivided) {
-    const std::string last = std::to_string(host::allowedCpus().back());
+    const std::string last = std::to_string(platform::allowedCpus().back());
     const TemporaryFolder folder;
     const ProgramResult result =
         runProgram("--bind render cubes --size 32x18 --json a.json", folder.path(),
@@ -105,7 +105,7 @@ TEST_F(RankMachine, WhatMpiBoundIsFollowed) {
     if (hasOneCpu()) {
         GTEST_SKIP() << "needs two CPUs";
     }
-    const CpuList all = host::allowedCpus();
+    const CpuList all = platform::allowedCpus();
     const std::string first = std::to_string(all.front());
     const std::string second = std::to_string(all.back());
     for (const char* option : {"", "--bind"}) {
@@ -136,7 +136,7 @@ TEST_F(RankMachine, JsonOfTimesCountsTheProcessorsOfTheRankThatTimed) {
     if (hasOneCpu()) {
         GTEST_SKIP() << "needs two CPUs";
     }
-    const std::string first = std::to_string(host::allowedCpus().front());
+    const std::string first = std::to_string(platform::allowedCpus().front());
     for (const char* command : {"detail cubes --frames 1", "translucency --cascades 1 --repeats 1"}) {
         const TemporaryFolder folder;
         const ProgramResult result = runProgram(std::string(command) + " --size 64x36 --json a.json",
@@ -196,7 +196,7 @@ TEST_F(RankMachine, BoundRanksLeaveTheBytesOfOneProcess) {
     expectAlike(test::launched(CDR_MPIEXEC, 2) + " --bind-to core", "");
     expectAlike(test::launched(CDR_MPIEXEC, 1) + " --bind-to core", "--bind");
     expectAlike(test::launched(CDR_MPIEXEC, 2), "--bind");
-    const std::string all = listText(host::allowedCpus());
+    const std::string all = listText(platform::allowedCpus());
     expectAlike(boundTo(all.substr(0, all.find(',')), all), "--bind");
 }
 

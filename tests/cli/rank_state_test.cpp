@@ -1,7 +1,7 @@
 #include "rank_test.h"
 
-#include <cdr/host/base64.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/base64.h>
+#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -186,7 +186,7 @@ TEST_P(RankState, RefusesWhatIsNoStateOfItsOwn) {
         writeState(damaged);
         expectRefused(ranks, "s: is damaged" + elsewhere);
         damaged = lines;
-        damaged[2] = lineOf(recordIn(damaged[2]).at("unit"), host::toBase64(nlohmann::json::to_cbor(7)));
+        damaged[2] = lineOf(recordIn(damaged[2]).at("unit"), platform::toBase64(nlohmann::json::to_cbor(7)));
         writeState(damaged);
         expectRefused(ranks, "s: holds other results than the run has" + elsewhere);
         if (!triesAll()) {
@@ -273,7 +273,7 @@ TEST_F(RankReportState, MakesOnlyTheSectionsThatAreMissing) {
 
     // As a run that was killed leaves it: the first lines, and in the folder more than they say.
     fs::rename(at("r"), unfinished());
-    host::writeText(unfinished() / "pictures/half.png", "half a picture");
+    platform::writeText(unfinished() / "pictures/half.png", "half a picture");
     writeLines(at("s"), Lines(lines.begin(), lines.end() - 2));
     const ProgramResult second = report(2);
     EXPECT_EQ(second.status, first.status) << second.err;
@@ -296,7 +296,7 @@ TEST_F(RankReportState, MakesOnlyTheSectionsThatAreMissing) {
 
     // A picture is another one, a file is gone, and the report stands where it was put.
     const auto secondsThen = secondsOfSections();
-    host::writeText(at("r/effects/plain.png"), "another picture");
+    platform::writeText(at("r/effects/plain.png"), "another picture");
     fs::remove(at("r/data/probe.json"));
     again = {"effects", "probe"};
     for (const auto& row : manifest.at("results")) {
@@ -317,7 +317,7 @@ TEST_F(RankReportState, RefusesAStateInItsFolderOrOfAnother) {
     }
     EXPECT_EQ(runProgram("report --smallest -o r --state r/s", at(".")).err,
               "cdr: r/s: lies in the report, which holds its own files alone\n");
-    host::writeText(at("s"), "{}\n");
+    platform::writeText(at("s"), "{}\n");
     const ProgramResult result = report(0);
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.err, "cdr: s: is no state; remove it or name another file\n");

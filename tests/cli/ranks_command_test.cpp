@@ -1,7 +1,7 @@
 #include "../support/fault.h"
 #include "rank_test.h"
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -354,13 +354,13 @@ TEST_F(RanksCommand, FilesThatDifferAmongRanksAreRefusedInOneLine) {
     const std::string model = readText(CDR_SOURCE_DIR "/tests/golden/shapes.gltf");
     for (const char* rank : {"0", "1", "2"}) {
         fs::create_directory(folder.path() / rank);
-        host::writeText(folder.path() / rank / "a.gltf", model);
+        platform::writeText(folder.path() / rank / "a.gltf", model);
     }
     const std::string render = "timeout 1200 env " + apart(3);
     const std::string arguments = "render a.gltf --size 32x18 --frames 2 --json all.json";
     EXPECT_EQ(runProgram(arguments, folder.path(), render).status, 0);
     fs::remove(folder.path() / "0/all.json");
-    host::writeText(folder.path() / "2/a.gltf", model + " ");
+    platform::writeText(folder.path() / "2/a.gltf", model + " ");
     const ProgramResult differs = runProgram(arguments, folder.path(), render);
     EXPECT_EQ(differs.status, 2);
     EXPECT_TRUE(std::regex_match(
@@ -387,8 +387,8 @@ TEST_F(RanksCommand, ADeviceLostAmongCascadesEndsAllInOneLine) {
                 continue;
             }
             const test::Fault fault{.call = "vkQueueSubmit2", .after = after};
-            host::writeText(script, "[ \"$OMPI_COMM_WORLD_RANK$PMI_RANK\" != " + std::to_string(rank) +
-                                        " ] || export " + fault.environment() + "\nexec \"$@\"\n");
+            platform::writeText(script, "[ \"$OMPI_COMM_WORLD_RANK$PMI_RANK\" != " + std::to_string(rank) +
+                                            " ] || export " + fault.environment() + "\nexec \"$@\"\n");
             const ProgramResult result = runProgram(
                 "render afc-near --depth standard --split count:4 --ranks cascades --frames 4 --size 64x36 "
                 "-o f%d.png --json a.json",

@@ -1,7 +1,7 @@
 #include "../support/fault.h"
 #include "program.h"
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -87,7 +87,7 @@ TEST_F(RenderState, MakesOnlyWhatIsMissing) {
     fs::remove(at("f3.png"));
     std::string picture = readText(at("f5.png"));
     picture[picture.size() / 2] = static_cast<char>(picture[picture.size() / 2] ^ 1);
-    host::writeText(at("f5.png"), picture);
+    platform::writeText(at("f5.png"), picture);
     std::vector<std::string> lines = linesIn(at("s"));
     lines.erase(lines.begin() + 2);
     writeLines(at("s"), lines);
@@ -131,7 +131,7 @@ TEST_F(RenderState, IsOfTheFilesThatWereRead) {
     EXPECT_EQ(run(render).out.substr(0, 11), "2 of 2 fram");
     std::string buffer = readText(at("well.bin"));
     buffer.back() = static_cast<char>(buffer.back() ^ 1);
-    host::writeText(at("well.bin"), buffer);
+    platform::writeText(at("well.bin"), buffer);
     expectRefused(
         render,
         std::string("s: is the state of a run with other options or files, another version or device") +
@@ -234,7 +234,7 @@ TEST_F(RenderState, RefusesWhatIsNoStateOfItsOwn) {
     damaged[3].back() = ' ';
     writeLines(at("s"), damaged);
     expectRefused(kRender, std::string("s: is damaged") + kElsewhere);
-    host::writeText(at("s"), "{}\n");
+    platform::writeText(at("s"), "{}\n");
     expectRefused(kRender, std::string("s: is no state") + kElsewhere);
 }
 

@@ -1,6 +1,6 @@
 #include "program.h"
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "program.h"
 
-#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -105,7 +105,7 @@ TEST(TranslucencyCommand, CoverageIsAnOutput) {
         runProgram("--validate render sheets --size 160x90 --aov coverage -o c.png", folder.path());
     ASSERT_EQ(result.status, 0) << result.err;
     const image::ImageRgba8 picture =
-        image::decodeImage(host::readFile(folder.path() / "c.png", 1 << 20), "c.png");
+        image::decodeImage(platform::readFile(folder.path() / "c.png", 1 << 20), "c.png");
     std::set<int> greys;
     for (const image::Rgba8& pixel : picture.pixels) {
         greys.insert(pixel[0]);

@@ -1,6 +1,6 @@
 #include "program.h"
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/camera_recording.h>
 #include <scenes/cubes.h>
@@ -95,7 +95,7 @@ TEST_F(ViewCommand, DrawsTheViewersPictureToTheBit) {
 TEST_F(ViewCommand, DrawsTheFrameOfASceneThatMoves) {
     const scene::SceneSetup setup = scenes::makeTraffic(scenes::kDefaultSeed);
     scenes::MovingScene moving(setup.scene, setup.motion);
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     moving.show(5, workers);
     viewer::ReproducedView view{.settings = {.scene = "traffic"},
                                 .side = 0,

@@ -2,7 +2,7 @@
 #include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 #include <experiments/flicker/flicker.h>
 #include <experiments/flicker/pairs.h>
 
@@ -172,11 +172,11 @@ TEST_F(FlickerTest, ADamagedStateIsRefused) {
     options.frames = 1;
     options.state = state();
     runFlicker(device(), options);
-    const host::Bytes whole = host::readFile(state(), 1 << 20);
+    const platform::Bytes whole = platform::readFile(state(), 1 << 20);
     const std::string text(whole.begin(), whole.end());
     for (const std::string& damaged : {text.substr(0, text.size() / 2), std::string("[]"), std::string(),
                                        std::string(2 << 20, ' '), std::string("{\"digest\": 3}")}) {
-        host::writeText(state(), damaged);
+        platform::writeText(state(), damaged);
         EXPECT_THROW(runFlicker(device(), options), base::InputError) << damaged.substr(0, 40);
     }
 }
@@ -187,7 +187,7 @@ TEST_F(FlickerTest, AlteredCountsAreRefused) {
     options.frames = 2;
     options.state = state();
     runFlicker(device(), options);
-    const host::Bytes whole = host::readFile(state(), 1 << 20);
+    const platform::Bytes whole = platform::readFile(state(), 1 << 20);
     const auto json = nlohmann::json::parse(whole);
     for (const auto& [name, value] : json.at("results").at(0).items()) {
         if (value.is_string()) {
@@ -196,7 +196,7 @@ TEST_F(FlickerTest, AlteredCountsAreRefused) {
         for (const char* wrong : {"-1", "1e300", "18446744073709551615", "\"1\"", "-0.5"}) {
             nlohmann::json altered = json;
             altered["results"][0][name] = nlohmann::json::parse(wrong);
-            host::writeText(state(), altered.dump());
+            platform::writeText(state(), altered.dump());
             const bool isSum =
                 name == "duplication_sum"; // bounded by the scene, which the state does not know
             if (!isSum || std::string(wrong).front() != '1') {
@@ -204,7 +204,7 @@ TEST_F(FlickerTest, AlteredCountsAreRefused) {
             }
         }
     }
-    host::writeText(state(), std::string(whole.begin(), whole.end()));
+    platform::writeText(state(), std::string(whole.begin(), whole.end()));
     EXPECT_NO_THROW(runFlicker(device(), options));
 }
 

@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/gltf/import.h>
 #include <cdr/scene/gltf/nodes/lights.h>
 #include <cdr/scene/gltf/nodes/moving_lights.h>
@@ -33,7 +33,7 @@ void play(cdr::scene::GltfImport import) {
     if (import.animation == nullptr) {
         return;
     }
-    cdr::host::WorkerPool workers(1);
+    cdr::platform::WorkerPool workers(1);
     const std::size_t count = std::min(import.animation->animations.size(), kMaxAnimations);
     for (std::size_t i = 0; i < count; ++i) {
         const double seconds = import.animation->animations[i].seconds;

@@ -6,9 +6,9 @@
 #include "../support/picture_comparison.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 #include <cdr/image/compose.h>
+#include <cdr/platform/file.h>
 
 #include <cstdio>
 #include <exception>
@@ -21,7 +21,7 @@ using namespace cdr;
 
 image::ImageRgba8 readPicture(const std::string& path) {
     constexpr std::uintmax_t kMaxBytes = 64 << 20;
-    return image::decodeImage(host::readFile(path, kMaxBytes), path);
+    return image::decodeImage(platform::readFile(path, kMaxBytes), path);
 }
 
 void writeSheet(const std::string& path, const image::ImageRgba8& golden, const image::ImageRgba8& render) {

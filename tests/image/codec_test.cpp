@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 
@@ -139,7 +139,7 @@ TEST(Image, OfAnotherFormatIsRefused) {
 class Jpeg : public testing::Test {
   protected:
     void SetUp() override {
-        m_bytes = host::readFile(fs::path(CDR_SOURCE_DIR) / "tests" / "assets" / "stone.jpg", 1u << 24);
+        m_bytes = platform::readFile(fs::path(CDR_SOURCE_DIR) / "tests" / "assets" / "stone.jpg", 1u << 24);
     }
     std::vector<std::uint8_t> m_bytes;
 };
@@ -199,8 +199,8 @@ TEST_F(Folder, WriteImageGoesByTheExtension) {
     const ImageRgba8 image = noise(8, 4);
     writeImage(file("a.png"), image);
     writeImage(file("a.TGA"), image);
-    EXPECT_EQ(host::readFile(file("a.png"), 1u << 20), encodePng(image));
-    EXPECT_EQ(host::readFile(file("a.TGA"), 1u << 20), encodeTga(image));
+    EXPECT_EQ(platform::readFile(file("a.png"), 1u << 20), encodePng(image));
+    EXPECT_EQ(platform::readFile(file("a.TGA"), 1u << 20), encodeTga(image));
     EXPECT_THROW(writeImage(file("a.jpg"), image), base::InputError);
     EXPECT_THROW(writeImage(file("a"), image), base::InputError);
     EXPECT_THROW(writeImage(file("missing/a.png"), image), base::InputError);
@@ -230,7 +230,7 @@ TEST(Codec, TheSizeIsReadFromTheHeaderAlone) {
 
 TEST(Codec, TheSizeOfAJpegIsReadFromItsHeader) {
     const std::vector<std::uint8_t> jpeg =
-        host::readFile(CDR_SOURCE_DIR "/tests/assets/stone.jpg", 1u << 20u);
+        platform::readFile(CDR_SOURCE_DIR "/tests/assets/stone.jpg", 1u << 20u);
     const ImageRgba8 picture = decodeImage(jpeg, "stone");
     EXPECT_EQ(sizeOfEncoded(jpeg, "stone"), (PictureSize{picture.width, picture.height}));
 }

@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/file.h>
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
@@ -53,7 +53,7 @@ ImageFloat readChannel(const fs::path& path, const std::string& name) {
 }
 
 void writeExr(const fs::path& path, const std::vector<ExrChannel>& channels) {
-    host::writeFile(path, encodeExr(path, channels));
+    platform::writeFile(path, encodeExr(path, channels));
 }
 
 TEST_F(Exr, ChannelsComeBackBitForBit) {
@@ -87,7 +87,8 @@ TEST_F(Exr, IsZipCompressedFloat32) {
 TEST_F(Exr, IsTheSameBytesEachTime) {
     writeExr(m_folder / "a.exr", std::vector{ramp("Z", 64, 64, 0.7f)});
     writeExr(m_folder / "b.exr", std::vector{ramp("Z", 64, 64, 0.7f)});
-    EXPECT_EQ(host::readFile(m_folder / "a.exr", 1u << 20), host::readFile(m_folder / "b.exr", 1u << 20));
+    EXPECT_EQ(platform::readFile(m_folder / "a.exr", 1u << 20),
+              platform::readFile(m_folder / "b.exr", 1u << 20));
 }
 
 TEST_F(Exr, RefusesWhatItCannotWriteAndLeavesNothing) {

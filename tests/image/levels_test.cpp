@@ -1,6 +1,6 @@
-#include <cdr/host/worker_pool.h>
 #include <cdr/image/levels.h>
 #include <cdr/image/srgb.h>
+#include <cdr/platform/worker_pool.h>
 
 #include <gtest/gtest.h>
 
@@ -126,7 +126,7 @@ TEST(Levels, AreTheSameForAnyNumberOfWorkers) {
          {LevelRules{}, LevelRules{.encoding = Encoding::linear, .alphaWeighs = true, .cutoff = 0.7f}}) {
         const std::vector<ImageRgba8> alone = smallerLevels(picture, rules, 99);
         for (const std::size_t threads : {1u, 2u, 3u, 7u}) {
-            host::WorkerPool workers(threads);
+            platform::WorkerPool workers(threads);
             EXPECT_EQ(smallerLevels(picture, rules, 99, &workers), alone) << threads;
             workers.setSchedule(12345); // another order of the bands
             EXPECT_EQ(smallerLevels(picture, rules, 99, &workers), alone) << threads;

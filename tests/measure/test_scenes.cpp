@@ -151,7 +151,7 @@ scene::Camera makePlainCamera() {
 
 measure::TruthImage cast(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
                          std::uint32_t height) {
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     return measure::castTruth(scene, camera, width, height, workers);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
 #include <cdr/measure/truth/truth.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 

@@ -1,6 +1,6 @@
 #include "parsing.h"
 
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 
 #include <gtest/gtest.h>
 #include <options/drawing_options.h>
@@ -82,7 +82,7 @@ TEST(DrawingOptions, RefuseWhatIsUnknown) {
     EXPECT_NE(drawingRefusalOf({"--targets=singel"}).find("did you mean 'single'"), std::string::npos);
     EXPECT_NE(drawingRefusalOf({"--snapping=in-plan"}).find("did you mean 'in-plane'"), std::string::npos);
     EXPECT_NE(drawingRefusalOf({"--split=ratio:1"}).find("above 1"), std::string::npos);
-    const std::string tooMany = std::to_string(host::WorkerPool::kMaxThreads + 1);
+    const std::string tooMany = std::to_string(platform::WorkerPool::kMaxThreads + 1);
     for (const std::string& threads : {std::string("0"), std::string("-1"), std::string("x"), tooMany}) {
         EXPECT_NE(drawingRefusalOf({"--threads=" + threads}).find("--threads"), std::string::npos) << threads;
     }

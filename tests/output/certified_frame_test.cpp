@@ -56,7 +56,7 @@ class ReadyScene {
     }
 
   private:
-    host::WorkerPool m_workers{2};
+    platform::WorkerPool m_workers{2};
     const gpu::Device* m_device;
     const scene::SceneSetup* m_setup;
     render::GpuScene m_onDevice;
@@ -74,7 +74,7 @@ class CertifiedFrameTest : public test::DeviceTest {
 
     measure::Certificate certify(const scene::Scene& scene, const render::Frame& frame,
                                  const render::RenderOptions& options) {
-        host::WorkerPool workers(options.threads);
+        platform::WorkerPool workers(options.threads);
         const measure::DrawnFrame drawn = drawnFrame(frame, options, device().info().subPixelBits);
         return measure::Certifier(scene, workers).certify(drawn, workers);
     }

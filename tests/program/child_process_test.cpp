@@ -1,7 +1,7 @@
 #include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 #include <program/child_process.h>
@@ -35,7 +35,7 @@ std::string whatOf(const std::function<void()>& action) {
 }
 
 TEST_F(ChildProcessTest, StreamsItsInputToItsOutput) {
-    host::Bytes sent(3'000'000);
+    platform::Bytes sent(3'000'000);
     for (std::size_t i = 0; i < sent.size(); ++i) {
         sent[i] = static_cast<std::uint8_t>(i * 7 + i / 251);
     }
@@ -43,13 +43,13 @@ TEST_F(ChildProcessTest, StreamsItsInputToItsOutput) {
     cat.write(std::span(sent).first(1'000'001));
     cat.write(std::span(sent).subspan(1'000'001));
     cat.finish();
-    EXPECT_EQ(host::readFile(file("out"), 1 << 24), sent);
+    EXPECT_EQ(platform::readFile(file("out"), 1 << 24), sent);
 }
 
 /// No shell reads the arguments.
 TEST_F(ChildProcessTest, ArgumentsArriveAsTheyAre) {
     ChildProcess({"printf", "%s", "a b'\"$HOME;`id`"}, {.file = file("out")}).finish();
-    const host::Bytes out = host::readFile(file("out"), 1000);
+    const platform::Bytes out = platform::readFile(file("out"), 1000);
     EXPECT_EQ(std::string(out.begin(), out.end()), "a b'\"$HOME;`id`");
 }
 
@@ -69,13 +69,13 @@ TEST_F(ChildProcessTest, ASignalEndsAChildOfAParentThatHoldsItBack) {
 TEST_F(ChildProcessTest, ChildrenDoNotHoldEachOthersInput) {
     ChildProcess first({"cat"}, {.file = file("1")});
     ChildProcess second({"cat"}, {.file = file("2")});
-    const host::Bytes text{'x'};
+    const platform::Bytes text{'x'};
     first.write(text);
     first.finish();
     second.write(text);
     second.finish();
-    EXPECT_EQ(host::readFile(file("1"), 10), text);
-    EXPECT_EQ(host::readFile(file("2"), 10), text);
+    EXPECT_EQ(platform::readFile(file("1"), 10), text);
+    EXPECT_EQ(platform::readFile(file("2"), 10), text);
 }
 
 TEST_F(ChildProcessTest, FailureIsReportedInItsOwnWords) {
@@ -85,7 +85,7 @@ TEST_F(ChildProcessTest, FailureIsReportedInItsOwnWords) {
 
 TEST_F(ChildProcessTest, WritingToOneThatHasEndedIsAnError) {
     ChildProcess ended({"true"}, {});
-    const host::Bytes block(1 << 16);
+    const platform::Bytes block(1 << 16);
     EXPECT_THROW(
         {
             for (int i = 0; i < 1000; ++i) {

@@ -1,7 +1,7 @@
 #include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 #include <program/sha256.h>
@@ -28,7 +28,7 @@ TEST(Sha256, HasOneDigestWhetherReadInPartsOrWhole) {
         for (std::size_t i = 0; i < bytes; ++i) {
             text[i] = static_cast<char>(i % 251); // no two parts are alike
         }
-        cdr::host::writeText(path("digest"), text);
+        cdr::platform::writeText(path("digest"), text);
         const cdr::program::FileDigest digest = cdr::program::digestOfFile(path("digest"), bytes);
         EXPECT_EQ(digest.sha256, cdr::program::sha256Of(text)) << bytes;
         EXPECT_EQ(digest.bytes, bytes);

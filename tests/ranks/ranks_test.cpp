@@ -276,8 +276,8 @@ TEST(WhatRanksSay, IsAllButTheWarningsOfEvents) {
 TEST(UnitOrder, WaitsForTheUnitThatIsMissing) {
     UnitOrder order;
     std::vector<std::size_t> taken;
-    const auto take = [&](std::size_t unit, const host::Bytes& made) {
-        EXPECT_EQ(made, host::Bytes{static_cast<std::uint8_t>(unit)});
+    const auto take = [&](std::size_t unit, const platform::Bytes& made) {
+        EXPECT_EQ(made, platform::Bytes{static_cast<std::uint8_t>(unit)});
         taken.push_back(unit);
     };
     order.put(2, {2});
@@ -296,7 +296,7 @@ TEST(OneProcess, IsFirstAndAloneWithoutALauncher) {
         join([](const std::exception_ptr&) { return Ending{}; }, [](const std::string&) {});
     EXPECT_TRUE(ranks->isFirst());
     EXPECT_TRUE(ranks->isAlone());
-    EXPECT_EQ(ranks->share({7}), host::Bytes{7});
+    EXPECT_EQ(ranks->share({7}), platform::Bytes{7});
     EXPECT_EQ(ranks->end({.status = 3}).status, 3);
 }
 

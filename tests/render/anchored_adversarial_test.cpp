@@ -41,7 +41,7 @@ class AdversarialTest : public RenderTest {
                     const depth::Technique& technique = depth::parseTechnique("anchored")) {
         render::Renderer renderer(device(), scene, gpuScene, smallOptions(technique));
         const Frame frame = renderer.render(camera);
-        host::WorkerPool workers(2);
+        platform::WorkerPool workers(2);
         const auto truth = measure::castTruth(scene, camera, frame.width(), frame.height(), workers);
         const auto inner = measure::innerMask(truth);
         Outcome result{.wrong = measure::countWrong(frame.ids(), truth), .cascades = frame.cascades.size()};
@@ -262,7 +262,7 @@ TEST_F(AdversarialTest, OfMixedDistancesOnlyAnchoredGetsAllRight) {
     const scene::SceneSetup setup = scenes::makeMixed();
     const scene::Camera camera = setup.path.at(0);
     const render::GpuScene gpuScene(device(), setup.scene);
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
     const auto inner = measure::innerMask(truth);
     const auto excused = swappable(truth, snapReach(device()));

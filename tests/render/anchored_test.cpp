@@ -66,7 +66,7 @@ TEST_F(AnchoredTest, FittedSplitsDrawRightUnderEveryMapping) {
     scene::SceneSetup setup = scenes::makeRotation(5, 64'000);
     const scene::Camera camera = setup.path.at(0);
     const render::GpuScene gpuScene(device(), setup.scene);
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"fitted", "fitted:1e-5px", "fitted:0.5px", "fitted:0.001", "minimax:5"}) {
@@ -112,7 +112,7 @@ TEST_F(AnchoredTest, ObjectsScatteredOverTenDecadesAreRightUnderAnchoredAlone) {
             const auto wrong = wrongIn(frame, scene, camera);
             EXPECT_GT(wrong.pixels, 10'000u);
             if (preset.name == "anchored") {
-                host::WorkerPool workers(2);
+                platform::WorkerPool workers(2);
                 const auto truth = measure::castTruth(scene, camera, frame.width(), frame.height(), workers);
                 EXPECT_EQ(wrongBeyond(frame.ids(), truth, snapReach(device())), 0u) << share;
                 EXPECT_EQ(frame.cascades.size(), 5u);

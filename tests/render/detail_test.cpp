@@ -25,7 +25,7 @@ constexpr Detail kByObject{.mode = DetailMode::perObject, .pixels = 0.5};
 constexpr Detail kByCascade{.mode = DetailMode::perCascade, .pixels = 0.5};
 
 void addLevels(scene::Scene& scene) {
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     scene::makeLevels(scene, workers);
 }
 
@@ -244,7 +244,7 @@ TEST_F(DetailRenderTest, AnUnusableErrorIsRefused) {
 const scene::SceneSetup& clusteredHills() {
     static const scene::SceneSetup setup = [] {
         scene::SceneSetup made = scenes::makeTerrain(2013, 256);
-        host::WorkerPool workers(2);
+        platform::WorkerPool workers(2);
         scene::makeClusters(made.scene, workers);
         return made;
     }();
@@ -329,7 +329,7 @@ TEST_F(DetailRenderTest, ClustersOpenNoCracks) {
                     {.mode = DetailMode::perCluster, .pixels = 12.0}}),
               0u);
     scene::Scene boulder = largeBoulder();
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     scene::makeClusters(boulder, workers);
     EXPECT_EQ(hunt(boulder, camerasAround(8), {{.mode = DetailMode::perCluster, .pixels = 1.0}}), 0u);
 }

@@ -16,7 +16,7 @@ TEST_F(Earth, AnchoredIsRightOnTheWholeWayDown) {
     options.width = 320;
     options.height = 180;
     options.shadows.method = render::ShadowMethod::anchored;
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     for (const std::uint32_t frame : {0u, 60u, 120u, 180u, 239u}) {
         const scene::Camera camera = setup.path.at(frame);
         const image::ImageU32 ids = draw(setup.scene, camera, options).ids();

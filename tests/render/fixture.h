@@ -52,7 +52,7 @@ class RenderTest : public test::DeviceTest {
 
     measure::WrongPixels wrongIn(const render::Frame& frame, const scene::Scene& scene,
                                  const scene::Camera& camera) {
-        host::WorkerPool workers(2);
+        platform::WorkerPool workers(2);
         return measure::countWrong(frame.ids(),
                                    measure::castTruth(scene, camera, frame.width(), frame.height(), workers));
     }

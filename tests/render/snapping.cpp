@@ -66,7 +66,7 @@ double measureReach(const gpu::Device& device, std::uint32_t snapBits, render::S
     const render::GpuScene gpuScene(device, scene);
     render::Renderer renderer(device, scene, gpuScene, options);
     const render::Frame frame = renderer.render(camera);
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const TruthImage truth = measure::castTruth(scene, camera, options.width, options.height, workers);
     const auto inner = measure::innerMask(truth);
     double farthest = 0.0;
@@ -96,7 +96,7 @@ bool drawsToTheHorizon(const gpu::Device& device) {
     const render::GpuScene gpuScene(device, scene);
     render::Renderer renderer(device, scene, gpuScene, options);
     const render::Frame frame = renderer.render(camera);
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const TruthImage truth = measure::castTruth(scene, camera, options.width, options.height, workers);
     const auto inner = measure::innerMask(truth);
     for (std::uint32_t y = 0; y < truth.height; ++y) {

@@ -68,7 +68,7 @@ TEST_F(SurfacePathTest, VisibilityShowsWhatTheGBufferShows) {
             continue;
         }
         const render::GpuScene gpuScene(device(), setup.scene);
-        host::WorkerPool workers(2);
+        platform::WorkerPool workers(2);
         const measure::TruthImage truth =
             measure::castTruth(setup.scene, setup.path.at(0), 480, 270, workers);
         for (const auto& [preset, technique] : depth::presets()) {

@@ -23,7 +23,7 @@ TEST_F(TechniqueTest, AfcWrongPixelsComeInTheThesisOrder) {
     std::map<std::string, measure::WrongPixels> wrong;
     for (const std::uint32_t number : {0u, 120u, 240u}) {
         const scene::Camera camera = setup.path.at(number);
-        host::WorkerPool workers(2);
+        platform::WorkerPool workers(2);
         const auto truth = measure::castTruth(setup.scene, camera, 1280, 720, workers);
         for (const auto& [name, technique] : depth::presets()) {
             render::Renderer renderer(device(), setup.scene, gpuScene, {.technique = technique});
@@ -63,7 +63,7 @@ TEST_F(TechniqueTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
     camera.nearView = 1.0;
     camera.farView = 500.0;
     const render::GpuScene gpuScene(device(), setup.scene);
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"none", "count:3", "count:7", "at:50,120"}) {
@@ -113,7 +113,7 @@ TEST_F(TechniqueTest, CascadesLeaveNoCracks) {
     const glm::mat3 slope(3000.0f, 0.0f, 0.0f, 0.0f, 0.5f, 0.0f, 0.0f, 300.0f, 5000.0f);
     addBox(scene, glm::dvec3(0.0, -100.0, -2400.0), slope);
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 1e5};
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const auto truth = measure::castTruth(scene, camera, 480, 270, workers);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"count:5", "count:16", "ratio:3"}) {

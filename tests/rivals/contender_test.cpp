@@ -22,7 +22,7 @@ constexpr vk::Extent2D kExtent{480, 270};
 struct Arena {
     scene::SceneSetup setup;
     render::GpuScene uploaded;
-    host::WorkerPool workers{2};
+    platform::WorkerPool workers{2};
 
     Arena(const gpu::Device& device, const std::string& name)
         : setup(scenes::openScene(name, scenes::kDefaultSeed).setup),
@@ -57,7 +57,7 @@ class Contenders : public test::DeviceTest {
     }
 
   private:
-    host::WorkerPool m_workers{2};
+    platform::WorkerPool m_workers{2};
 };
 
 /// So what is said of them here holds of the frames of the library.
@@ -175,7 +175,7 @@ TEST_F(Contenders, ADistanceAndAnIdComeTogether) {
 TEST_F(Contenders, DistancesAreThoseOfTheTruth) {
     Arena arena(device(), "afc");
     const scene::Camera camera = arena.setup.path.at(0);
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const measure::TruthImage truth =
         measure::castTruth(arena.setup.scene, camera, kExtent.width, kExtent.height, workers);
     const image::Raster<std::uint8_t> inner = measure::innerMask(truth);

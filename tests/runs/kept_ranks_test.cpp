@@ -1,8 +1,8 @@
 #include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/base64.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/base64.h>
+#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 #include <ranks/one_process.h>
@@ -30,7 +30,7 @@ class KeptRun : public testing::Test {
     /// @param most that it makes. @param stands of the results of earlier runs.
     Start start(
         std::size_t most = 100,
-        const std::function<bool(const host::Bytes&)>& stands = [](const auto&) { return true; },
+        const std::function<bool(const platform::Bytes&)>& stands = [](const auto&) { return true; },
         const std::string& digest = std::string(64, 'a')) const {
         Start start;
         try {
@@ -77,7 +77,7 @@ TEST_F(KeptRun, MakesOnlyWhatIsMissingAndTakesAllInOrder) {
 
 TEST_F(KeptRun, MakesAgainWhatDoesNotStand) {
     EXPECT_EQ(start().made, kAll);
-    const Start again = start(100, [](const host::Bytes& made) {
+    const Start again = start(100, [](const platform::Bytes& made) {
         const output::Json name = output::Json::from_cbor(made).at("name");
         return name != "a1" && name != "b0";
     });
@@ -91,16 +91,16 @@ TEST_F(KeptRun, RefusesResultsOfAnotherShapeInOneLine) {
     const std::string line =
         state().string() + ": holds other results than the run has; remove it or name another file";
     const auto encoded = [](const output::Json& json) {
-        return output::Json(host::toBase64(output::Json::to_cbor(json)));
+        return output::Json(platform::toBase64(output::Json::to_cbor(json)));
     };
-    for (const output::Json& made : {output::Json(7), output::Json("?"), output::Json(host::toBase64({})),
+    for (const output::Json& made : {output::Json(7), output::Json("?"), output::Json(platform::toBase64({})),
                                      encoded(7), encoded({{"other", 1}})}) {
-        host::writeText(state(), stateHeadOf(run) + stateLineOf(1, made));
+        platform::writeText(state(), stateHeadOf(run) + stateLineOf(1, made));
         EXPECT_EQ(start().error, line) << made;
     }
-    host::writeText(state(), stateHeadOf(run) + stateLineOf(1, encoded(output::Json::object())));
+    platform::writeText(state(), stateHeadOf(run) + stateLineOf(1, encoded(output::Json::object())));
     EXPECT_EQ(
-        start(100, [](const host::Bytes& made) { return output::Json::from_cbor(made).at("name") == ""; })
+        start(100, [](const platform::Bytes& made) { return output::Json::from_cbor(made).at("name") == ""; })
             .error,
         line);
 }

@@ -27,7 +27,7 @@ class PartFrames : public test::DeviceTest {
     }
 
     static void expectOwnCascades(const render::Frame& frame, const render::CascadePart& part) {
-        const host::IndexRange own = part.of(frame.cascades.size());
+        const platform::IndexRange own = part.of(frame.cascades.size());
         EXPECT_TRUE(std::all_of(
             frame.gbuffer.pixels.begin(), frame.gbuffer.pixels.end(), [&](const render::GBufferPixel& pixel) {
                 return pixel.id() == 0 || (pixel.cascade() >= own.begin && pixel.cascade() < own.end);
@@ -37,8 +37,8 @@ class PartFrames : public test::DeviceTest {
     /// Draws all parts, from the farthest on, each with its own share of the scene.
     render::Frame drawInParts(const scene::Scene& scene, const scene::Camera& camera,
                               render::RenderOptions options, std::size_t parts) {
-        host::WorkerPool workers(1);
-        host::Bytes farther;
+        platform::WorkerPool workers(1);
+        platform::Bytes farther;
         render::Frame frame;
         for (std::size_t part = parts; part-- > 0;) {
             options.part = {.index = part, .count = parts};
@@ -111,7 +111,7 @@ TEST_F(PartFrames, OfDifferentMeshesHoldFewerTriangles) {
     }
     const scene::Camera camera =
         scene::lookAt({.fovY = 0.8, .nearView = 1.0, .farView = 1e4}, {0.0, 0.0, 0.0}, {0.0, 0.0, -1.0});
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     render::RenderOptions options = optionsFor("count:4", depth::Mapping::anchored);
     for (std::size_t part = 0; part < 2; ++part) {
         options.part = {.index = part, .count = 2};
@@ -171,7 +171,7 @@ TEST_F(PartFrames, RefuseBytesOfAnotherSize) {
     const scene::SceneSetup setup = scenes::makeMixed();
     const render::RenderOptions options = optionsFor("none", depth::Mapping::standard);
     const render::Frame frame = draw(setup.scene, setup.path.at(0), options);
-    const host::Bytes packed = packedSurfaces(frame);
+    const platform::Bytes packed = packedSurfaces(frame);
     const auto shown = static_cast<std::size_t>(
         std::count_if(frame.gbuffer.pixels.begin(), frame.gbuffer.pixels.end(),
                       [](const render::GBufferPixel& pixel) { return pixel.id() != 0; }));

@@ -1,7 +1,7 @@
 #include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 #include <runs/unit_state.h>
@@ -100,7 +100,7 @@ TEST(UnitStateFile, GoesOnBehindWhatIsWhole) {
         file.keep(0, "zero");
         EXPECT_EQ(stateTextIn(path), wholeText());
     }
-    host::writeText(path, "");
+    platform::writeText(path, "");
     UnitStateFile(path, kRun).keep(1, 1);
     EXPECT_EQ(stateTextIn(path), stateHeadOf(kRun) + stateLineOf(1, 1));
 }

@@ -1,7 +1,7 @@
 #include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 #include <cdr/scene/camera_recording.h>
 #include <scenes/cubes.h>
 
@@ -182,7 +182,7 @@ TEST(CameraRecordingFile, RefusesWhatIsNotOneInOneLineThatNamesIt) {
     const TemporaryFolder folder;
     const auto path = folder.path() / "p.json";
     writeRecording(path, flown());
-    const nlohmann::json sound = nlohmann::json::parse(host::readFile(path, 1 << 20));
+    const nlohmann::json sound = nlohmann::json::parse(platform::readFile(path, 1 << 20));
     const std::vector<Spoiled> spoiled{
         {"not a camera path", [](auto& j) { j["format"] = "gltf"; }},
         {"not a camera path",
@@ -233,13 +233,13 @@ TEST(CameraRecordingFile, RefusesWhatIsNotOneInOneLineThatNamesIt) {
     for (const Spoiled& spoil : spoiled) {
         nlohmann::json json = sound;
         spoil.spoil(json);
-        host::writeText(path, json.dump());
+        platform::writeText(path, json.dump());
         const std::string said = message([&] { readRecording(path); });
         EXPECT_NE(said.find(spoil.what), std::string::npos) << spoil.what << ": " << said;
         EXPECT_EQ(said.find(path.string()), 0u) << said;
         EXPECT_EQ(said.find('\n'), std::string::npos) << said;
     }
-    host::writeText(path, sound.dump());
+    platform::writeText(path, sound.dump());
     EXPECT_EQ(readRecording(path).cameras.size(), 12u);
 }
 
@@ -248,13 +248,13 @@ TEST(CameraRecordingFile, RefusesWhatIsNotJsonOrTooDeepOrHuge) {
     const auto path = folder.path() / "p.json";
     const std::string sound = [&] {
         writeRecording(path, flown());
-        const host::Bytes bytes = host::readFile(path, 1 << 20);
+        const platform::Bytes bytes = platform::readFile(path, 1 << 20);
         return std::string(bytes.begin(), bytes.end());
     }();
     for (const std::string& text :
          {std::string(), std::string("{"), std::string(100'000, '['), sound.substr(0, sound.size() / 2),
           std::string("{\"format\":1e999}"), std::string("\xff\xfe\0\0", 4)}) {
-        host::writeText(path, text);
+        platform::writeText(path, text);
         EXPECT_NE(message([&] { readRecording(path); }).find("camera path"), std::string::npos)
             << text.substr(0, 40);
     }
@@ -264,7 +264,7 @@ TEST(CameraRecordingFile, RefusesWhatIsNotJsonOrTooDeepOrHuge) {
     for (std::size_t i = 0; i < sound.size(); i += 7) {
         std::string flipped = sound;
         flipped[i] = static_cast<char>(flipped[i] ^ (1 << (i % 7)));
-        host::writeText(path, flipped);
+        platform::writeText(path, flipped);
         message([&] { readRecording(path); });
     }
 }

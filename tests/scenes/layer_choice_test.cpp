@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <scenes/layer_choice.h>
 #include <scenes/moving_scene.h>
 #include <scenes/open_scene.h>
@@ -57,7 +57,7 @@ TEST(LayerChoice, ARefusedOneChangesNothing) {
 }
 
 TEST(MovingScene, ChangesLayersOfWhatMovesAndOfWhatRests) {
-    cdr::host::WorkerPool workers(1);
+    cdr::platform::WorkerPool workers(1);
     for (const char* name : {"coplanar", "traffic"}) {
         const auto setup = openScene(name, kDefaultSeed).setup;
         MovingScene moving(setup.scene, setup.motion);

@@ -43,7 +43,7 @@ TEST(Traffic, AllMoveAndEveryFrameCanBeMadeAlone) {
         EXPECT_NE(after[i].basis, before[i].basis);
     }
     MovingScene moving(setup.scene, setup.motion);
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     for (const std::uint32_t frame : {7u, 4u}) {
         moving.show(frame, workers);
     }

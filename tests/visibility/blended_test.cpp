@@ -37,7 +37,7 @@ TEST(Blended, AndOpaqueInstancesAreAllThatIsVisible) {
     const VisibleList all = flatCull(setup.scene.instances, camera, frustum);
     VisibleList translucent;
     cullSpheres(setup.scene.instances, blended, camera, frustum, translucent);
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     InstanceCells cells;
     cells.build(setup.scene, workers);
     VisibleCells opaque;

@@ -150,7 +150,7 @@ struct Compared {
 
 /// Lists, their order and all view distances, to the bit.
 void expectSame(const View& view, const scene::Scene& scene, const InstanceCells& cells,
-                host::WorkerPool& workers, CellBinner& binner, Compared& compared) {
+                platform::WorkerPool& workers, CellBinner& binner, Compared& compared) {
     const auto& [camera, ranges, wideSpan] = view;
     const scene::Frustum frustum = scene::frustumOf(camera, 16.0, 9.0);
     const VisibleList flat = flatOpaque(scene, camera, frustum);
@@ -186,7 +186,7 @@ void expectSame(const View& view, const scene::Scene& scene, const InstanceCells
 class CellsTest : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(CellsTest, GiveTheListsOfTheFlatPass) {
-    host::WorkerPool workers(GetParam());
+    platform::WorkerPool workers(GetParam());
     CellBinner binner;
     Compared compared;
     for (std::uint64_t seed = 0; seed < 24; ++seed) {
@@ -209,7 +209,7 @@ TEST_P(CellsTest, GiveTheListsOfTheFlatPass) {
 
 /// One walk for several cameras gives each the list that it gets alone, its order included.
 TEST_P(CellsTest, CamerasThatCullTogetherSeeWhatEachSeesAlone) {
-    host::WorkerPool workers(GetParam());
+    platform::WorkerPool workers(GetParam());
     std::size_t parts = 0;
     std::size_t unlikeFirst = 0;
     for (std::uint64_t seed = 0; seed < 24; ++seed) {
@@ -244,7 +244,7 @@ TEST_P(CellsTest, CamerasThatCullTogetherSeeWhatEachSeesAlone) {
 }
 
 TEST_P(CellsTest, FollowEdits) {
-    host::WorkerPool workers(GetParam());
+    platform::WorkerPool workers(GetParam());
     CellBinner binner;
     Compared compared;
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
@@ -277,7 +277,7 @@ TEST_P(CellsTest, FollowEdits) {
 /// Enough for many jobs, for boxes whose cells all land alike, and for lists sorted by every digit.
 TEST_P(CellsTest, GiveTheListsOfALargeField) {
     const scene::SceneSetup setup = scenes::makeRotation(9, 150'000);
-    host::WorkerPool workers(GetParam());
+    platform::WorkerPool workers(GetParam());
     InstanceCells cells;
     cells.build(setup.scene, workers);
     CellBinner binner;
@@ -299,7 +299,7 @@ TEST_P(CellsTest, GiveTheListsOfALargeField) {
 }
 
 TEST_P(CellsTest, GrowFromNothing) {
-    host::WorkerPool workers(GetParam());
+    platform::WorkerPool workers(GetParam());
     CellBinner binner;
     Compared compared;
     RandomWorld random(3);
@@ -329,7 +329,7 @@ INSTANTIATE_TEST_SUITE_P(Threads, CellsTest, testing::Values(1, 2, 5));
 
 /// Every instance is held once, and every box encloses what it holds.
 TEST(Cells, HoldEachOpaqueInstanceOnce) {
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     RandomWorld random(5);
     const scene::Scene scene = random.scene(70'000); // more than one worker's share is sorted
     InstanceCells cells;
@@ -362,8 +362,8 @@ TEST(Cells, HoldEachOpaqueInstanceOnce) {
 
 TEST(Cells, AreTheSameForEveryNumberOfWorkers) {
     const scene::Scene scene = scenes::makeRotation(1, 100'000).scene;
-    host::WorkerPool one(1);
-    host::WorkerPool many(6);
+    platform::WorkerPool one(1);
+    platform::WorkerPool many(6);
     InstanceCells a;
     InstanceCells b;
     a.build(scene, one);
@@ -381,7 +381,7 @@ TEST(Cells, AreLookedIntoWhereTheFrustumsSidesPass) {
     const scene::SceneSetup setup = scenes::makeRotation(1, 100'000);
     scene::Camera camera = setup.path.at(0);
     camera.fovY = 0.3;
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     InstanceCells cells;
     cells.build(setup.scene, workers);
     VisibleCells visible;
@@ -393,7 +393,7 @@ TEST(Cells, AreLookedIntoWhereTheFrustumsSidesPass) {
 /// Moves within a cell keep it. A scene whose instances have moved far is sorted again, so the tree stays useful.
 TEST(Cells, AreBuiltAnewWhereMuchHasLeftThem) {
     scene::SceneSetup setup = scenes::makeRotation(1, 20'000);
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     InstanceCells cells;
     cells.build(setup.scene, workers);
     const std::size_t built = cells.cells();

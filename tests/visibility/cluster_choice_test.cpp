@@ -37,7 +37,7 @@ Scene clusteredScene() {
     addInstance(scene, 0, 0, 3, {0.5, -4.3, -9.0}, glm::mat3(2, 0, 0, 0.3f, 0.5f, 0, 0, 0, 1));
     addInstance(scene, 0, 1, 4, {0.0, 0.3, -2.5}, one);
     addInstance(scene, 0, 0, 5, {3.0, 3.0, -800.0}, one);
-    cdr::host::WorkerPool workers(2);
+    cdr::platform::WorkerPool workers(2);
     makeClusters(scene, workers);
     return scene;
 }
@@ -55,7 +55,7 @@ DrawLists chosen(double pixels, std::size_t threads = 1,
                  double wideSpan = std::numeric_limits<double>::infinity()) {
     const Camera camera = theCamera();
     const Frustum frustum = frustumOf(camera, 16.0, 9.0);
-    cdr::host::WorkerPool workers(threads);
+    cdr::platform::WorkerPool workers(threads);
     DrawLists lists;
     binByDistance(flatCull(theScene().instances, camera, frustum), kThreeRanges, wideSpan, workers, lists);
     chooseDetail(
@@ -75,7 +75,7 @@ using ClustersDrawn = std::map<std::pair<std::uint32_t, std::size_t>, std::set<s
 ClustersDrawn clustersDrawn(const DrawLists& lists) {
     ClustersDrawn drawn;
     for (std::size_t cascade = 0; cascade < lists.cascades(); ++cascade) {
-        const cdr::host::IndexRange range = lists.range(cascade);
+        const cdr::platform::IndexRange range = lists.range(cascade);
         for (std::size_t draw = range.begin; draw < range.end; ++draw) {
             const std::uint32_t instance = lists.instance[draw];
             const ClusterTree& tree = theScene().meshes[theScene().instances.mesh[instance]].clusters;

@@ -18,7 +18,7 @@ using namespace cdr::scene;
 using namespace cdr::scenes;
 using namespace cdr::visibility;
 using cdr::depth::Cascades;
-using cdr::host::WorkerPool;
+using cdr::platform::WorkerPool;
 
 constexpr double kAspect = 16.0 / 9.0;
 constexpr double kNoWide = std::numeric_limits<double>::infinity();

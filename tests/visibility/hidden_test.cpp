@@ -111,7 +111,7 @@ class HiddenTest : public testing::Test {
     }
 
     VisibleCells visible(std::size_t threads = 2) {
-        host::WorkerPool workers(threads);
+        platform::WorkerPool workers(threads);
         VisibleCells cells;
         cullCells(m_cells, m_camera, m_frustum, workers, cells);
         return cells;
@@ -130,7 +130,7 @@ class HiddenTest : public testing::Test {
     }
 
     scene::Scene m_scene;
-    host::WorkerPool m_workers{2};
+    platform::WorkerPool m_workers{2};
     InstanceCells m_cells;
     scene::Camera m_camera{.fovY = 1.0, .nearView = 0.1, .farView = 1000.0};
     scene::Frustum m_frustum = scene::frustumOf(m_camera, 640, 360);
@@ -168,8 +168,8 @@ TEST_F(HiddenTest, DropsWhatIsWhollyBehindAndKeepsTheRest) {
 TEST_F(HiddenTest, DropsTheSameForAnyNumberOfWorkers) {
     VisibleCells one = visible();
     VisibleCells many = visible();
-    host::WorkerPool alone(1);
-    host::WorkerPool eight(8);
+    platform::WorkerPool alone(1);
+    platform::WorkerPool eight(8);
     dropHidden(m_frustum, m_tiles, alone, one);
     dropHidden(m_frustum, m_tiles, eight, many);
     EXPECT_EQ(instancesOf(one), instancesOf(many));

@@ -30,7 +30,7 @@ struct Listed {
 Listed listed(const Scene& scene, const Camera& camera, const Cascades& ranges, const Detail& detail,
               std::size_t threads) {
     Listed result;
-    cdr::host::WorkerPool workers(threads);
+    cdr::platform::WorkerPool workers(threads);
     const Frustum frustum = frustumOf(camera, 16.0, 9.0);
     result.visible = flatCull(scene.instances, camera, frustum);
     binByDistance(result.visible, ranges, kNoneWide, workers, result.lists);
@@ -40,7 +40,7 @@ Listed listed(const Scene& scene, const Camera& camera, const Cascades& ranges, 
 
 SceneSetup levelled() {
     SceneSetup setup = makeBoulders(2, {.boulders = 200, .shapes = 2, .subdivisions = 3});
-    cdr::host::WorkerPool workers(2);
+    cdr::platform::WorkerPool workers(2);
     makeLevels(setup.scene, workers);
     return setup;
 }
@@ -127,7 +127,7 @@ TEST(Detail, NoneLeavesNoLevelsBehind) {
     const Camera camera = setup.path.at(0);
     Listed made = listed(setup.scene, camera, kRanges, {.mode = DetailMode::perObject}, 1);
     const std::uint64_t saved = trianglesDrawn(setup.scene, made.lists);
-    cdr::host::WorkerPool workers(1);
+    cdr::platform::WorkerPool workers(1);
     chooseLevels(setup.scene, camera, kRanges, {}, workers, made.lists);
     EXPECT_TRUE(made.lists.level.empty());
     EXPECT_EQ(trianglesDrawn(setup.scene, made.lists), made.lists.draws() * 20 * 64);

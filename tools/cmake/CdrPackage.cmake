@@ -22,7 +22,7 @@ file(RELATIVE_PATH CDR_PC_TO_PREFIX "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${
 set(CDR_DEPTH_ROOMS base depth)
 set(CDR_PARTS DEPTH)
 if(CDR_BUILD_RENDER)
-    set(CDR_SCENE_ROOMS host image scene)
+    set(CDR_SCENE_ROOMS platform image scene)
     set(CDR_RENDER_ROOMS visibility gpu render)
     list(APPEND CDR_PARTS SCENE RENDER)
 endif()

@@ -30,7 +30,7 @@ endfunction()
 
 cdr_shared_library(depth ROOMS base depth)
 if(CDR_BUILD_RENDER)
-    cdr_shared_library(scene ROOMS host image scene PUBLIC cdr_shared_depth glm::glm nlohmann_json::nlohmann_json
+    cdr_shared_library(scene ROOMS platform image scene PUBLIC cdr_shared_depth glm::glm nlohmann_json::nlohmann_json
         PRIVATE fmt::fmt Threads::Threads draco::draco meshoptimizer::meshoptimizer PkgConfig::spng
                 PkgConfig::turbojpeg OpenEXR::OpenEXR)
     cdr_shared_library(render ROOMS visibility gpu render PUBLIC cdr_shared_scene Vulkan::Headers PRIVATE fmt::fmt ${CMAKE_DL_LIBS})

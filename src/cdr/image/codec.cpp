@@ -3,8 +3,8 @@
 #include "codec_png.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/file.h>
 
 #include <fmt/format.h>
 
@@ -42,11 +42,11 @@ PictureSize sizeOfEncoded(std::span<const std::uint8_t> encoded, const std::stri
 
 std::vector<std::uint8_t> encodeImage(const std::filesystem::path& path, const ImageRgba8& image) {
     requireEncodable(path);
-    return host::lowerExtension(path) == ".png" ? encodePng(image) : encodeTga(image);
+    return platform::lowerExtension(path) == ".png" ? encodePng(image) : encodeTga(image);
 }
 
 void requireEncodable(const std::filesystem::path& path) {
-    const std::string extension = host::lowerExtension(path);
+    const std::string extension = platform::lowerExtension(path);
     if (extension != ".png" && extension != ".tga") {
         throw base::InputError(
             fmt::format("{}: cannot write '{}' pictures, use .png or .tga", path.string(), extension));
@@ -54,7 +54,7 @@ void requireEncodable(const std::filesystem::path& path) {
 }
 
 void writeImage(const std::filesystem::path& path, const ImageRgba8& image) {
-    host::writeFile(path, encodeImage(path, image));
+    platform::writeFile(path, encodeImage(path, image));
 }
 
 } // namespace cdr::image

@@ -1,7 +1,7 @@
-#include <cdr/host/worker_pool.h>
 #include <cdr/image/alpha_coverage.h>
 #include <cdr/image/levels.h>
 #include <cdr/image/srgb.h>
+#include <cdr/platform/worker_pool.h>
 
 #include <algorithm>
 #include <array>
@@ -73,10 +73,10 @@ std::size_t bandsOf(std::size_t width, std::size_t height) {
 
 /// Calls `body` with each row. Each row is made by one worker.
 template <typename Body>
-void forEachRow(std::uint32_t width, std::uint32_t height, host::WorkerPool* workers, const Body& body) {
+void forEachRow(std::uint32_t width, std::uint32_t height, platform::WorkerPool* workers, const Body& body) {
     const std::size_t bands = workers != nullptr ? bandsOf(width, height) : 1;
     const auto makeBand = [&](std::size_t band, std::size_t) {
-        const host::IndexRange rows = host::evenRange(height, band, bands);
+        const platform::IndexRange rows = platform::evenRange(height, band, bands);
         for (std::size_t y = rows.begin; y < rows.end; ++y) {
             body(static_cast<std::uint32_t>(y));
         }
@@ -91,7 +91,7 @@ void forEachRow(std::uint32_t width, std::uint32_t height, host::WorkerPool* wor
 /// Makes levels of one picture.
 class Halving {
   public:
-    Halving(const LevelRules& rules, host::WorkerPool* workers)
+    Halving(const LevelRules& rules, platform::WorkerPool* workers)
         : m_rules(rules),
           m_workers(workers),
           m_decode(rules.encoding) {}
@@ -159,7 +159,7 @@ class Halving {
     }
 
     const LevelRules& m_rules;
-    host::WorkerPool* m_workers;
+    platform::WorkerPool* m_workers;
     LinearTable m_decode;
 };
 
@@ -191,7 +191,7 @@ std::uint64_t levelPixels(std::uint32_t width, std::uint32_t height, std::uint32
 }
 
 std::vector<ImageRgba8> smallerLevels(const ImageRgba8& picture, const LevelRules& rules, std::uint32_t most,
-                                      host::WorkerPool* workers) {
+                                      platform::WorkerPool* workers) {
     const std::uint32_t count = levelCount(picture.width, picture.height);
     std::vector<ImageRgba8> levels;
     if (most == 0 || count < 2) {

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace cdr::host {
+namespace cdr::platform {
 class WorkerPool;
 }
 
@@ -43,7 +43,7 @@ struct LevelRules {
 /// @param most how many to make; fewer where one pixel is reached before.
 /// @param workers make them, in bands of rows; null: the calling thread. The levels are the same to the bit.
 CDR_EXPORT std::vector<ImageRgba8> smallerLevels(const ImageRgba8& picture, const LevelRules& rules,
-                                                 std::uint32_t most, host::WorkerPool* workers = nullptr);
+                                                 std::uint32_t most, platform::WorkerPool* workers = nullptr);
 
 /// The same with the rules of opaque pictures.
 inline std::vector<ImageRgba8> smallerLevels(const ImageRgba8& picture, Encoding encoding,

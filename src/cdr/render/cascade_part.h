@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cdr/base/export.h>
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 
 #include <cstddef>
 
@@ -18,8 +18,8 @@ struct CascadePart {
 
     /// Its cascades, where a frame has so many. Where they do not come out even, the nearer parts have one more.
     /// @errors None: that there is such a part is not checked.
-    host::IndexRange of(std::size_t cascades) const {
-        const host::IndexRange mirrored = host::evenRange(cascades, count - 1 - index, count);
+    platform::IndexRange of(std::size_t cascades) const {
+        const platform::IndexRange mirrored = platform::evenRange(cascades, count - 1 - index, count);
         return {cascades - mirrored.end, cascades - mirrored.begin};
     }
     bool operator==(const CascadePart&) const = default;

@@ -3,7 +3,7 @@
 #include <cdr/depth/cascade_constants.h>
 #include <cdr/depth/mapping.h>
 #include <cdr/gpu/vulkan_hpp.h>
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/frustum.h>
 #include <cdr/shaders/shared.h>
 #include <cdr/visibility/level_choice.h>
@@ -43,7 +43,7 @@ struct FrameView {
     scene::Frustum frustum;            ///< of the camera and the picture
     visibility::LevelRule levels;      ///< at which level of detail each draw is drawn
     std::vector<CascadeView> cascades; ///< nearest first
-    host::IndexRange drawn;            ///< cascades that this renderer draws
+    platform::IndexRange drawn;        ///< cascades that this renderer draws
     /// What the colour attachment is cleared to: the background where surfaces are lit while they are drawn, else 0.
     glm::vec4 clearColor{0.0f};
 

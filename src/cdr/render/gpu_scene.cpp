@@ -35,7 +35,7 @@ class GpuScene::State {
     State(const gpu::Device& device, const scene::Scene& scene, std::size_t threads);
     bool isCurrent() const;
     void update();
-    const visibility::InstanceCells& cells(host::WorkerPool& workers);
+    const visibility::InstanceCells& cells(platform::WorkerPool& workers);
 
   private:
     friend class GpuScene; // it only hands out what is here
@@ -242,7 +242,7 @@ bool GpuScene::hasLayers() const {
 std::span<const std::uint32_t> GpuScene::blended() const {
     return m_state->m_blended;
 }
-const visibility::InstanceCells& GpuScene::cells(host::WorkerPool& workers) const {
+const visibility::InstanceCells& GpuScene::cells(platform::WorkerPool& workers) const {
     return m_state->cells(workers);
 }
 const std::vector<DrawSource>& GpuScene::sources() const {
@@ -469,7 +469,7 @@ void GpuScene::State::updateInstances() {
     }
 }
 
-const visibility::InstanceCells& GpuScene::State::cells(host::WorkerPool& workers) {
+const visibility::InstanceCells& GpuScene::State::cells(platform::WorkerPool& workers) {
     const std::scoped_lock lock(m_culled.mutex);
     if (!m_culled.isMade) {
         m_culled.cells.build(*m_scene, workers);

@@ -13,7 +13,7 @@
 namespace cdr::gpu {
 struct SetLayout;
 }
-namespace cdr::host {
+namespace cdr::platform {
 class WorkerPool;
 }
 namespace cdr::visibility {
@@ -119,7 +119,7 @@ class CDR_EXPORT GpuScene {
     /// The instances that do not blend, as culling reads them: made at the first call, and as they are since the last
     /// update().
     /// @threads Any number at once, for a scene that does not change.
-    const visibility::InstanceCells& cells(host::WorkerPool& workers) const;
+    const visibility::InstanceCells& cells(platform::WorkerPool& workers) const;
     /// By instance.
     const std::vector<DrawSource>& sources() const;
     /// What draws have in common, by DrawSource::kind.

@@ -20,7 +20,7 @@ depth::Cascades clipRangesOf(depth::Mapping mapping, const depth::Cascades& rang
 
 /// By instance, whether any camera draws it in a cascade of the part.
 std::vector<bool> drawnInstances(const scene::Scene& scene, const RenderOptions& options,
-                                 std::span<const scene::Camera> cameras, host::WorkerPool& workers) {
+                                 std::span<const scene::Camera> cameras, platform::WorkerPool& workers) {
     std::vector<bool> isDrawn(scene.instances.size());
     visibility::InstanceCells cells;
     cells.build(scene, workers);
@@ -46,7 +46,7 @@ std::vector<bool> drawnInstances(const scene::Scene& scene, const RenderOptions&
 } // namespace
 
 void dropOtherParts(scene::Scene& scene, const RenderOptions& options, std::span<const scene::Camera> cameras,
-                    host::WorkerPool& workers) {
+                    platform::WorkerPool& workers) {
     const std::vector<bool> isDrawn = drawnInstances(scene, options, cameras, workers);
     std::vector<bool> usesMesh(scene.meshes.size());
     std::vector<bool> usesTexture(scene.textures.size());

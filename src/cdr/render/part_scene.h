@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cdr/base/export.h>
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/render/render_options.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
@@ -15,6 +15,6 @@ namespace cdr::render {
 /// with their bounding spheres, so every part cuts the view alike.
 /// @throws base::InputError for an unusable camera or split; then the scene is as it was.
 CDR_EXPORT void dropOtherParts(scene::Scene& scene, const RenderOptions& options,
-                               std::span<const scene::Camera> cameras, host::WorkerPool& workers);
+                               std::span<const scene::Camera> cameras, platform::WorkerPool& workers);
 
 } // namespace cdr::render

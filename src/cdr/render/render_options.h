@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cdr/depth/technique.h>
-#include <cdr/host/trace.h>
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/trace.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/render/cascade_part.h>
 #include <cdr/render/effects.h>
 #include <cdr/render/focus.h>
@@ -46,15 +46,15 @@ inline constexpr std::uint32_t kMaxPreparedLights = 65'536;
 
 /// What a renderer is made with.
 struct RenderOptions {
-    std::uint32_t width = 1280;                        ///< of the picture in pixels
-    std::uint32_t height = 720;                        ///< of the picture in pixels
-    depth::Technique technique;                        ///< mapping, split and depth format
-    TargetsChoice targets = TargetsKind::single;       ///< how cascades reach the final G-buffer
-    std::size_t threads = 1;                           ///< that cull, bin and record, the caller's included
-    host::Placement placement = host::Placement::free; ///< of those threads but the caller's
-    Submission submission = Submission::secondaries;   ///< how draws reach the device
-    Batching batching = Batching::instanced;           ///< how many instances a draw has
-    SurfacePath surface = SurfacePath::gbuffer;        ///< what the geometry pass writes
+    std::uint32_t width = 1280;                  ///< of the picture in pixels
+    std::uint32_t height = 720;                  ///< of the picture in pixels
+    depth::Technique technique;                  ///< mapping, split and depth format
+    TargetsChoice targets = TargetsKind::single; ///< how cascades reach the final G-buffer
+    std::size_t threads = 1;                     ///< that cull, bin and record, the caller's included
+    platform::Placement placement = platform::Placement::free; ///< of those threads but the caller's
+    Submission submission = Submission::secondaries;           ///< how draws reach the device
+    Batching batching = Batching::instanced;                   ///< how many instances a draw has
+    SurfacePath surface = SurfacePath::gbuffer;                ///< what the geometry pass writes
     /// None by default. Meshes without levels are always drawn in full.
     visibility::Detail detail{};
     Effects effects{};                  ///< none by default
@@ -78,11 +78,11 @@ struct RenderOptions {
     /// Which cascades of each frame it draws, by default all. A frame's counts are those of all cascades.
     CascadePart part{};
     bool deviceClock = false; ///< times frames by the device's own clock too (FrameTimes::deviceMs)
-    /// For tests: host::WorkerPool::setSchedule() with this number; empty: threads take jobs as they can.
+    /// For tests: platform::WorkerPool::setSchedule() with this number; empty: threads take jobs as they can.
     std::optional<std::uint64_t> schedule{};
     /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
     /// none.
-    host::Trace* trace = nullptr;
+    platform::Trace* trace = nullptr;
 
     bool operator==(const RenderOptions&) const = default;
 };

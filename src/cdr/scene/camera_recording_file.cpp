@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 #include <cdr/scene/camera_recording.h>
 
 #include <fmt/format.h>
@@ -148,17 +148,17 @@ void writeRecording(const std::filesystem::path& path, const CameraRecording& re
                     {"scene", recording.scene},
                     {"cameras", std::move(cameras)}};
     // A scene is named by a path, which need not be UTF-8.
-    host::writeText(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    platform::writeText(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 CameraRecording readRecording(const std::filesystem::path& path) {
-    const host::Bytes bytes = host::readFile(path, kMaxBytes);
+    const platform::Bytes bytes = platform::readFile(path, kMaxBytes);
     try {
         return recordingIn(nlohmann::json::parse(bytes, refuseNesting));
     } catch (const base::InputError& error) {
-        throw base::InputError(fmt::format("{}: {}", host::oneLine(path), error.what()));
+        throw base::InputError(fmt::format("{}: {}", platform::oneLine(path), error.what()));
     } catch (const nlohmann::json::exception&) {
-        throw base::InputError(host::oneLine(path) + ": is not a camera path of cdr-viewer, or damaged");
+        throw base::InputError(platform::oneLine(path) + ": is not a camera path of cdr-viewer, or damaged");
     }
 }
 

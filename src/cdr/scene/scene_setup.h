@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace cdr::host {
+namespace cdr::platform {
 class WorkerPool;
 }
 
@@ -23,7 +23,7 @@ struct SceneMotion {
     std::function<std::vector<Transform>(std::uint32_t frame)> transforms{};
     std::vector<std::uint32_t> meshes{}; ///< that deform, by index; their instances are among `instances`
     /// The vertices of these at a frame, as many as each has.
-    std::function<std::vector<MeshVertices>(std::uint32_t frame, host::WorkerPool& workers)> vertices{};
+    std::function<std::vector<MeshVertices>(std::uint32_t frame, platform::WorkerPool& workers)> vertices{};
     /// What gives the meshes these vertices; none where `vertices` alone knows. Its bounds are those of the meshes.
     std::function<std::vector<MeshPose>(std::uint32_t frame)> poses{};
     std::vector<std::uint32_t> lights{}; ///< that move, by index

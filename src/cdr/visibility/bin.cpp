@@ -18,7 +18,7 @@ using BucketCounts = std::array<std::size_t, 2 * depth::kMaxCascades>;
 
 /// Notes where each instance of a range lands, adds up the draws per bucket, and returns how many land
 /// anywhere.
-std::size_t countRange(const LandingRanges& ranges, const VisibleList& visible, host::IndexRange range,
+std::size_t countRange(const LandingRanges& ranges, const VisibleList& visible, platform::IndexRange range,
                        BucketCounts& counts, DrawLists& lists) {
     Landings landings;
     std::size_t landed = 0;
@@ -40,7 +40,7 @@ std::size_t countRange(const LandingRanges& ranges, const VisibleList& visible, 
     return landed;
 }
 
-void fillRange(const VisibleList& visible, host::IndexRange range, BucketCounts next, DrawLists& lists) {
+void fillRange(const VisibleList& visible, platform::IndexRange range, BucketCounts next, DrawLists& lists) {
     std::uint32_t* const instance = lists.instance.data();
     for (std::size_t i = range.begin; i < range.end; ++i) {
         const DrawLists::Landing landing = lists.landings[i];
@@ -64,7 +64,7 @@ void layOut(std::vector<BucketCounts>& counts, std::size_t buckets, DrawLists& l
 
 } // namespace
 
-void keepCascades(DrawLists& lists, host::IndexRange cascades) {
+void keepCascades(DrawLists& lists, platform::IndexRange cascades) {
     const std::size_t first = lists.begins[2 * cascades.begin];
     const std::size_t last = lists.begins[2 * cascades.end];
     const auto entries = lists.instance.begin();
@@ -76,7 +76,7 @@ void keepCascades(DrawLists& lists, host::IndexRange cascades) {
 }
 
 void binByDistance(const VisibleList& visible, const depth::Cascades& clipRanges, double wideSpan,
-                   host::WorkerPool& workers, DrawLists& lists) {
+                   platform::WorkerPool& workers, DrawLists& lists) {
     const LandingRanges ranges(clipRanges, wideSpan);
     const std::size_t jobs = (visible.count + kJobInstances - 1) / kJobInstances;
     std::vector<BucketCounts> counts(jobs);
@@ -84,13 +84,13 @@ void binByDistance(const VisibleList& visible, const depth::Cascades& clipRanges
     lists.landings.resize(std::max(lists.landings.size(), visible.count));
     workers.run(jobs, [&](std::size_t job, std::size_t) {
         landed[job] =
-            countRange(ranges, visible, host::evenRange(visible.count, job, jobs), counts[job], lists);
+            countRange(ranges, visible, platform::evenRange(visible.count, job, jobs), counts[job], lists);
     });
     layOut(counts, 2 * ranges.count, lists);
     lists.visible = std::accumulate(landed.begin(), landed.end(), std::size_t{0});
     lists.instance.resize(std::max(lists.instance.size(), lists.draws()));
     workers.run(jobs, [&](std::size_t job, std::size_t) {
-        fillRange(visible, host::evenRange(visible.count, job, jobs), counts[job], lists);
+        fillRange(visible, platform::evenRange(visible.count, job, jobs), counts[job], lists);
     });
 }
 

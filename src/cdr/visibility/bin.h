@@ -5,7 +5,7 @@
 
 #include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/visibility/cull.h>
 
 #include <cstdint>
@@ -48,7 +48,7 @@ struct DrawLists {
     /// How many entries all lists have.
     std::size_t draws() const { return begins.back(); }
     /// The entries of a cascade.
-    host::IndexRange range(std::size_t cascade) const {
+    platform::IndexRange range(std::size_t cascade) const {
         return {begins[2 * cascade], begins[2 * cascade + 2]};
     }
     /// Where the wide instances of a cascade begin.
@@ -60,7 +60,7 @@ struct DrawLists {
 };
 
 /// Empties the lists of all other cascades; before levels are chosen. `visible` stays.
-CDR_EXPORT void keepCascades(DrawLists& lists, host::IndexRange cascades);
+CDR_EXPORT void keepCascades(DrawLists& lists, platform::IndexRange cascades);
 
 /// Puts every visible instance into each cascade whose range its sphere [w - r, w + r] meets (thesis chapter
 /// 3). The same lists for any number of workers. `lists` is reused, so binning allocates nothing once warm.
@@ -69,6 +69,6 @@ CDR_EXPORT void keepCascades(DrawLists& lists, host::IndexRange cascades);
 /// @param wideSpan a ratio: an instance is wide when its sphere reaches the camera plane or 2r > wideSpan * (w - r);
 ///        infinity for none. Depth that is not linear in screen space must be set per fragment on those.
 CDR_EXPORT void binByDistance(const VisibleList& visible, const depth::Cascades& clipRanges, double wideSpan,
-                              host::WorkerPool& workers, DrawLists& lists);
+                              platform::WorkerPool& workers, DrawLists& lists);
 
 } // namespace cdr::visibility

@@ -57,7 +57,7 @@ class Lander {
           m_draws(draws) {}
 
     /// Lands a range of parts. Returns how many instances land anywhere.
-    std::size_t land(host::IndexRange parts) {
+    std::size_t land(platform::IndexRange parts) {
         std::size_t landed = 0;
         for (std::size_t i = parts.begin; i < parts.end; ++i) {
             landed += land(m_visible.parts[i]);
@@ -124,13 +124,13 @@ class Lander {
 
 /// Lands all that is visible. Returns how many instances land anywhere.
 template <typename Draws>
-std::size_t landAllParts(const VisibleCells& visible, const LandingRanges& ranges, host::WorkerPool& workers,
-                         std::vector<Draws>& draws) {
+std::size_t landAllParts(const VisibleCells& visible, const LandingRanges& ranges,
+                         platform::WorkerPool& workers, std::vector<Draws>& draws) {
     const std::size_t jobs = (visible.parts.size() + kJobParts - 1) / kJobParts;
     std::vector<std::size_t> landed(jobs);
     workers.run(jobs, [&](std::size_t job, std::size_t worker) {
         landed[job] =
-            Lander(visible, ranges, draws[worker]).land(host::evenRange(visible.parts.size(), job, jobs));
+            Lander(visible, ranges, draws[worker]).land(platform::evenRange(visible.parts.size(), job, jobs));
     });
     return std::accumulate(landed.begin(), landed.end(), std::size_t{0});
 }
@@ -138,7 +138,7 @@ std::size_t landAllParts(const VisibleCells& visible, const LandingRanges& range
 } // namespace
 
 void CellBinner::bin(const VisibleCells& visible, const depth::Cascades& clipRanges, double wideSpan,
-                     host::WorkerPool& workers, DrawLists& lists) {
+                     platform::WorkerPool& workers, DrawLists& lists) {
     const LandingRanges ranges(clipRanges, wideSpan);
     if (visible.count() * kFewShare < visible.cells->instances()) {
         binFew(visible, ranges, workers, lists);
@@ -147,8 +147,8 @@ void CellBinner::bin(const VisibleCells& visible, const depth::Cascades& clipRan
     }
 }
 
-void CellBinner::binMany(const VisibleCells& visible, const LandingRanges& ranges, host::WorkerPool& workers,
-                         DrawLists& lists) {
+void CellBinner::binMany(const VisibleCells& visible, const LandingRanges& ranges,
+                         platform::WorkerPool& workers, DrawLists& lists) {
     m_sets.resize(workers.threads());
     for (InstanceSets& sets : m_sets) {
         const bool hasWide = ranges.wideSpan != std::numeric_limits<double>::infinity();
@@ -158,13 +158,13 @@ void CellBinner::binMany(const VisibleCells& visible, const LandingRanges& range
     drain(workers, lists);
 }
 
-void CellBinner::drain(host::WorkerPool& workers, DrawLists& lists) {
+void CellBinner::drain(platform::WorkerPool& workers, DrawLists& lists) {
     InstanceSets& sets = m_sets.front();
     const std::size_t buckets = sets.buckets();
     const std::size_t jobs = (sets.words() + kJobWords - 1) / kJobWords;
     std::vector<std::size_t> counts(buckets * jobs); // bucket by bucket
     workers.run(jobs, [&](std::size_t job, std::size_t) {
-        const host::IndexRange words = host::evenRange(sets.words(), job, jobs);
+        const platform::IndexRange words = platform::evenRange(sets.words(), job, jobs);
         for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
             for (std::size_t other = 1; other < m_sets.size(); ++other) {
                 sets.merge(m_sets[other], bucket, words);
@@ -182,15 +182,15 @@ void CellBinner::drain(host::WorkerPool& workers, DrawLists& lists) {
     }
     lists.instance.resize(std::max(lists.instance.size(), lists.draws()));
     workers.run(jobs, [&](std::size_t job, std::size_t) {
-        const host::IndexRange words = host::evenRange(sets.words(), job, jobs);
+        const platform::IndexRange words = platform::evenRange(sets.words(), job, jobs);
         for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
             sets.drain(bucket, words, lists.instance.data() + counts[bucket * jobs + job]);
         }
     });
 }
 
-void CellBinner::binFew(const VisibleCells& visible, const LandingRanges& ranges, host::WorkerPool& workers,
-                        DrawLists& lists) {
+void CellBinner::binFew(const VisibleCells& visible, const LandingRanges& ranges,
+                        platform::WorkerPool& workers, DrawLists& lists) {
     const std::size_t buckets = 2 * ranges.count;
     m_bags.resize(workers.threads());
     for (InstanceBags& bags : m_bags) {

@@ -16,15 +16,15 @@ class CellBinner {
     /// The lists that binByDistance() makes of what cullSpheres() keeps, for any number of workers. Cells whose
     /// instances are all in the same cascades are not examined.
     void bin(const VisibleCells& visible, const depth::Cascades& clipRanges, double wideSpan,
-             host::WorkerPool& workers, DrawLists& lists);
+             platform::WorkerPool& workers, DrawLists& lists);
 
     std::uint64_t bytes() const; ///< of main memory
 
   private:
-    void binMany(const VisibleCells& visible, const LandingRanges& ranges, host::WorkerPool& workers,
+    void binMany(const VisibleCells& visible, const LandingRanges& ranges, platform::WorkerPool& workers,
                  DrawLists& lists);
-    void drain(host::WorkerPool& workers, DrawLists& lists);
-    void binFew(const VisibleCells& visible, const LandingRanges& ranges, host::WorkerPool& workers,
+    void drain(platform::WorkerPool& workers, DrawLists& lists);
+    void binFew(const VisibleCells& visible, const LandingRanges& ranges, platform::WorkerPool& workers,
                 DrawLists& lists);
 
     std::vector<InstanceSets> m_sets; ///< by worker

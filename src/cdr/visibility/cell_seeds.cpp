@@ -66,7 +66,8 @@ std::vector<CellSeed> opaqueSeeds(const scene::Scene& scene) {
 
 } // namespace
 
-std::vector<CellSeed> sortIntoCells(const scene::Scene& scene, std::size_t slots, host::WorkerPool& workers) {
+std::vector<CellSeed> sortIntoCells(const scene::Scene& scene, std::size_t slots,
+                                    platform::WorkerPool& workers) {
     std::vector<CellSeed> seeds = opaqueSeeds(scene);
     std::vector<Seeds> parts{seeds};
     while (parts.size() < 8 * workers.threads() && seeds.size() > parts.size() * kJobSeeds) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/scene.h>
 
 #include <array>
@@ -18,6 +18,7 @@ struct CellSeed {
 /// The opaque instances of a scene, in an order in which every `slots` in a row are neighbours. Groups of 2, 4, 8 and so on
 /// of these are neighbours too. For this the instances are halved across the widest axis, again and again. The order is the
 /// same for any number of workers.
-std::vector<CellSeed> sortIntoCells(const scene::Scene& scene, std::size_t slots, host::WorkerPool& workers);
+std::vector<CellSeed> sortIntoCells(const scene::Scene& scene, std::size_t slots,
+                                    platform::WorkerPool& workers);
 
 } // namespace cdr::visibility

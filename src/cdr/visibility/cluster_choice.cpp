@@ -36,7 +36,7 @@ void appendMerged(const std::vector<Entry>& a, const std::vector<Entry>& b, std:
 /// Puts runs of clusters in the place of draws.
 class ClusterChoice {
   public:
-    ClusterChoice(const scene::Scene& scene, const DetailView& view, host::WorkerPool& workers,
+    ClusterChoice(const scene::Scene& scene, const DetailView& view, platform::WorkerPool& workers,
                   DrawLists& lists)
         : m_scene(scene),
           m_view(view),
@@ -75,7 +75,7 @@ class ClusterChoice {
         const std::size_t jobs = (count + kJobEntries - 1) / kJobEntries;
         std::vector<Entries> parts(jobs);
         m_workers.run(jobs, [&](std::size_t job, std::size_t worker) {
-            const host::IndexRange range = host::evenRange(count, job, jobs);
+            const platform::IndexRange range = platform::evenRange(count, job, jobs);
             for (std::size_t i = first + range.begin; i < first + range.end; ++i) {
                 const std::uint32_t instance = m_lists.instance[i];
                 if (m_scene.meshes[m_scene.instances.mesh[instance]].clusters.clusters.empty()) {
@@ -126,14 +126,14 @@ class ClusterChoice {
     const DetailView& m_view;
     SphereTest m_test;
     LandingRanges m_ranges;
-    host::WorkerPool& m_workers;
+    platform::WorkerPool& m_workers;
     DrawLists& m_lists;
     std::vector<ClusterCut> m_cuts; ///< by worker
 };
 
 } // namespace
 
-void chooseClusters(const scene::Scene& scene, const DetailView& view, host::WorkerPool& workers,
+void chooseClusters(const scene::Scene& scene, const DetailView& view, platform::WorkerPool& workers,
                     DrawLists& lists) {
     const bool hasClusters =
         std::any_of(scene.meshes.begin(), scene.meshes.end(),
@@ -143,7 +143,7 @@ void chooseClusters(const scene::Scene& scene, const DetailView& view, host::Wor
     }
 }
 
-void chooseDetail(const scene::Scene& scene, const DetailView& view, host::WorkerPool& workers,
+void chooseDetail(const scene::Scene& scene, const DetailView& view, platform::WorkerPool& workers,
                   DrawLists& lists) {
     chooseLevels(scene, view.camera, view.clipRanges, view.levels, workers, lists);
     if (view.levels.mode == DetailMode::perCluster) {

@@ -5,7 +5,7 @@
 
 #include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/frustum.h>
 #include <cdr/scene/scene.h>
 #include <cdr/visibility/bin.h>
@@ -29,11 +29,11 @@ struct DetailView {
 /// instance. Draws of one instance follow one another in the order of its clusters. The lists are the same for any number of
 /// workers.
 /// @param lists of binByDistance() over the same camera and ranges, after chooseLevels().
-CDR_EXPORT void chooseClusters(const scene::Scene& scene, const DetailView& view, host::WorkerPool& workers,
-                               DrawLists& lists);
+CDR_EXPORT void chooseClusters(const scene::Scene& scene, const DetailView& view,
+                               platform::WorkerPool& workers, DrawLists& lists);
 
 /// Chooses as `levels.mode` says: chooseLevels(), and chooseClusters() where clusters are wanted.
-CDR_EXPORT void chooseDetail(const scene::Scene& scene, const DetailView& view, host::WorkerPool& workers,
+CDR_EXPORT void chooseDetail(const scene::Scene& scene, const DetailView& view, platform::WorkerPool& workers,
                              DrawLists& lists);
 
 } // namespace cdr::visibility

@@ -1,4 +1,4 @@
-#include <cdr/host/vector_clones.h>
+#include <cdr/platform/vector_clones.h>
 #include <cdr/visibility/box_test.h>
 #include <cdr/visibility/cull_cells.h>
 
@@ -131,13 +131,13 @@ std::size_t VisibleCells::count() const {
 }
 
 void cullCells(const InstanceCells& cells, const scene::Camera& camera, const scene::Frustum& frustum,
-               host::WorkerPool& workers, VisibleCells& visible) {
+               platform::WorkerPool& workers, VisibleCells& visible) {
     const std::array<SphereTest, 1> test{SphereTest(camera, frustum)};
     const std::array<VisibleCells*, 1> list{&visible};
     cullCells(cells, test, workers, list);
 }
 
-void cullCells(const InstanceCells& cells, std::span<const SphereTest> tests, host::WorkerPool& workers,
+void cullCells(const InstanceCells& cells, std::span<const SphereTest> tests, platform::WorkerPool& workers,
                std::span<VisibleCells* const> visible) {
     CameraBits all = 0;
     for (std::size_t camera = 0; camera < tests.size(); ++camera) {
@@ -159,7 +159,7 @@ void cullCells(const InstanceCells& cells, std::span<const SphereTest> tests, ho
     };
     const std::size_t jobs = (across.size() + kJobTests - 1) / kJobTests;
     workers.run(jobs, [&](std::size_t job, std::size_t) {
-        const host::IndexRange range = host::evenRange(across.size(), job, jobs);
+        const platform::IndexRange range = platform::evenRange(across.size(), job, jobs);
         for (std::size_t i = range.begin; i < range.end; ++i) {
             if (i + kFetchedAhead < range.end) {
                 fetchAhead(cells, partOf(across[i + kFetchedAhead]).cell);

@@ -28,7 +28,7 @@ struct VisibleCells {
 /// The result is the same for any number of workers.
 /// @param visible overwritten, and kept from frame to frame so that a warm one allocates nothing.
 void cullCells(const InstanceCells& cells, const scene::Camera& camera, const scene::Frustum& frustum,
-               host::WorkerPool& workers, VisibleCells& visible);
+               platform::WorkerPool& workers, VisibleCells& visible);
 
 /// Most cameras that cull together.
 inline constexpr std::size_t kMaxTogether = 32;
@@ -36,7 +36,7 @@ inline constexpr std::size_t kMaxTogether = 32;
 /// cullCells() of several cameras in one walk over the cells. A cell that none of them sees is not examined. Each
 /// camera gets the list that it would get alone.
 /// @param tests at most kMaxTogether, a camera each. @param visible as many, overwritten.
-void cullCells(const InstanceCells& cells, std::span<const SphereTest> tests, host::WorkerPool& workers,
+void cullCells(const InstanceCells& cells, std::span<const SphereTest> tests, platform::WorkerPool& workers,
                std::span<VisibleCells* const> visible);
 
 /// Appends the view distances [w - r, w + r] of every visible instance, in no particular order.

@@ -98,7 +98,7 @@ std::uint64_t shown(const InstanceCells& cells, const VisibleCells::Part& part,
 
 } // namespace
 
-void dropHidden(const scene::Frustum& frustum, const DepthTiles& tiles, host::WorkerPool& workers,
+void dropHidden(const scene::Frustum& frustum, const DepthTiles& tiles, platform::WorkerPool& workers,
                 VisibleCells& visible) {
     if (visible.parts.empty()) {
         return;
@@ -106,7 +106,7 @@ void dropHidden(const scene::Frustum& frustum, const DepthTiles& tiles, host::Wo
     const Projection projection(visible.test, frustum, tiles);
     const std::size_t jobs = (visible.parts.size() + kPartsPerJob - 1) / kPartsPerJob;
     workers.run(jobs, [&](std::size_t job, std::size_t) {
-        const host::IndexRange range = host::evenRange(visible.parts.size(), job, jobs);
+        const platform::IndexRange range = platform::evenRange(visible.parts.size(), job, jobs);
         for (std::size_t i = range.begin; i < range.end; ++i) {
             visible.parts[i].slots = shown(*visible.cells, visible.parts[i], projection);
         }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/frustum.h>
 #include <cdr/visibility/cull_cells.h>
 #include <cdr/visibility/depth_tiles.h>
@@ -13,7 +13,7 @@ namespace cdr::visibility {
 /// workers.
 /// @param frustum of the camera that `visible` was culled for, and of the picture that the tiles are of.
 /// @param tiles how far away surfaces are known to be.
-void dropHidden(const scene::Frustum& frustum, const DepthTiles& tiles, host::WorkerPool& workers,
+void dropHidden(const scene::Frustum& frustum, const DepthTiles& tiles, platform::WorkerPool& workers,
                 VisibleCells& visible);
 
 } // namespace cdr::visibility

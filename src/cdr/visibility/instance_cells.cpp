@@ -77,7 +77,7 @@ void InstanceCells::put(const scene::Instances& instances, std::uint32_t instanc
     m_held[slot / kCellSlots] |= std::uint64_t{1} << slot % kCellSlots;
 }
 
-void InstanceCells::build(const scene::Scene& scene, host::WorkerPool& workers) {
+void InstanceCells::build(const scene::Scene& scene, platform::WorkerPool& workers) {
     *this = {};
     m_slotOf.assign(scene.instances.size(), kNoSlot);
     const std::vector<CellSeed> seeds = sortIntoCells(scene, kCellSlots, workers);
@@ -87,7 +87,7 @@ void InstanceCells::build(const scene::Scene& scene, host::WorkerPool& workers) 
     m_levels.assign(m_builtCells > 0 ? 1 : 0, std::vector<Box>(m_builtCells));
     const std::size_t jobs = (m_builtCells + kJobCells - 1) / kJobCells;
     workers.run(jobs, [&](std::size_t job, std::size_t) {
-        const host::IndexRange range = host::evenRange(m_builtCells, job, jobs);
+        const platform::IndexRange range = platform::evenRange(m_builtCells, job, jobs);
         for (std::size_t cell = range.begin; cell < range.end; ++cell) {
             const std::size_t end = std::min((cell + 1) * kCellSlots, seeds.size());
             for (std::size_t slot = cell * kCellSlots; slot < end; ++slot) {
@@ -224,7 +224,7 @@ void InstanceCells::refreshBoxes() {
 }
 
 void InstanceCells::update(const scene::Scene& scene, std::span<const std::uint32_t> changed,
-                           host::WorkerPool& workers) {
+                           platform::WorkerPool& workers) {
     if (scene.instances.size() < m_slotOf.size()) { // another world took the place of the one before
         build(scene, workers);
         return;

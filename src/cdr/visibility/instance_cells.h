@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/scene.h>
 #include <cdr/visibility/sphere_test.h>
 
@@ -29,10 +29,11 @@ class InstanceCells {
     };
 
     /// Forgets what it held. Blended instances, and places without one, are left out.
-    void build(const scene::Scene& scene, host::WorkerPool& workers);
+    void build(const scene::Scene& scene, platform::WorkerPool& workers);
     /// Updates instances that changed, were added or were removed; any may be named twice. The time is proportional to
     /// their number. But all is built again once so many have left their cells for so long that this takes less time.
-    void update(const scene::Scene& scene, std::span<const std::uint32_t> changed, host::WorkerPool& workers);
+    void update(const scene::Scene& scene, std::span<const std::uint32_t> changed,
+                platform::WorkerPool& workers);
 
     std::size_t cells() const { return m_held.size(); }
     /// How many instances the scene has, those that are left out included.

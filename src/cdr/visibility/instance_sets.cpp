@@ -1,4 +1,4 @@
-#include <cdr/host/vector_clones.h>
+#include <cdr/platform/vector_clones.h>
 #include <cdr/visibility/instance_sets.h>
 
 #include <bit>
@@ -34,7 +34,7 @@ std::size_t countBits(const std::uint64_t* words, std::size_t count) {
 }
 
 CDR_VECTOR_CLONES
-void drainBits(std::uint64_t* words, host::IndexRange range, std::uint32_t* out) {
+void drainBits(std::uint64_t* words, platform::IndexRange range, std::uint32_t* out) {
     for (std::size_t word = range.begin; word < range.end; ++word) {
         const auto first = static_cast<std::uint32_t>(word * InstanceSets::kWord);
         for (std::uint64_t bits = std::exchange(words[word], 0); bits != 0; bits &= bits - 1) {
@@ -57,7 +57,7 @@ void InstanceSets::add(std::size_t bucket, const std::uint32_t* instances, std::
     addBits(instances, slots, m_sets[bucket].data());
 }
 
-void InstanceSets::merge(InstanceSets& other, std::size_t bucket, host::IndexRange words) {
+void InstanceSets::merge(InstanceSets& other, std::size_t bucket, platform::IndexRange words) {
     if (m_sets[bucket].empty()) {
         return;
     }
@@ -66,11 +66,11 @@ void InstanceSets::merge(InstanceSets& other, std::size_t bucket, host::IndexRan
     }
 }
 
-std::size_t InstanceSets::count(std::size_t bucket, host::IndexRange words) const {
+std::size_t InstanceSets::count(std::size_t bucket, platform::IndexRange words) const {
     return m_sets[bucket].empty() ? 0 : countBits(m_sets[bucket].data() + words.begin, words.size());
 }
 
-void InstanceSets::drain(std::size_t bucket, host::IndexRange words, std::uint32_t* out) {
+void InstanceSets::drain(std::size_t bucket, platform::IndexRange words, std::uint32_t* out) {
     if (!m_sets[bucket].empty()) {
         drainBits(m_sets[bucket].data(), words, out);
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -27,10 +27,10 @@ class InstanceSets {
     std::size_t words() const { return m_words; }
 
     /// Adds what the other holds in a range of words, and empties the other there.
-    void merge(InstanceSets& other, std::size_t bucket, host::IndexRange words);
-    std::size_t count(std::size_t bucket, host::IndexRange words) const;
+    void merge(InstanceSets& other, std::size_t bucket, platform::IndexRange words);
+    std::size_t count(std::size_t bucket, platform::IndexRange words) const;
     /// Writes the instances of a range of words in ascending order, and empties it.
-    void drain(std::size_t bucket, host::IndexRange words, std::uint32_t* out);
+    void drain(std::size_t bucket, platform::IndexRange words, std::uint32_t* out);
 
     std::uint64_t bytes() const; ///< of main memory
 

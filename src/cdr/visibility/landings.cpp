@@ -1,4 +1,4 @@
-#include <cdr/host/vector_clones.h>
+#include <cdr/platform/vector_clones.h>
 #include <cdr/visibility/landings.h>
 
 #include <algorithm>

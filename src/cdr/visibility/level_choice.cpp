@@ -70,7 +70,7 @@ void requireUsable(const Detail& detail) {
     }
 }
 
-void prepareDetail(scene::Scene& scene, DetailMode mode, host::WorkerPool& workers) {
+void prepareDetail(scene::Scene& scene, DetailMode mode, platform::WorkerPool& workers) {
     if (mode == DetailMode::perCluster) {
         scene::makeClusters(scene, workers);
     }
@@ -84,7 +84,7 @@ LevelRule levelRule(const Detail& detail, const scene::Frustum& frustum, std::ui
 }
 
 void chooseLevels(const scene::Scene& scene, const scene::Camera& camera, const depth::Cascades& clipRanges,
-                  const LevelRule& rule, host::WorkerPool& workers, DrawLists& lists) {
+                  const LevelRule& rule, platform::WorkerPool& workers, DrawLists& lists) {
     lists.runs.clear();
     if (rule.mode == DetailMode::none) {
         lists.level.clear();
@@ -93,10 +93,10 @@ void chooseLevels(const scene::Scene& scene, const scene::Camera& camera, const 
     const scene::Instances& instances = scene.instances;
     lists.level.resize(std::max(lists.level.size(), lists.draws()));
     for (std::size_t cascade = 0; cascade < lists.cascades(); ++cascade) {
-        const host::IndexRange all = lists.range(cascade);
+        const platform::IndexRange all = lists.range(cascade);
         const std::size_t jobs = (all.size() + kJobDraws - 1) / kJobDraws;
         workers.run(jobs, [&](std::size_t job, std::size_t) {
-            const host::IndexRange range = host::evenRange(all.size(), job, jobs);
+            const platform::IndexRange range = platform::evenRange(all.size(), job, jobs);
             for (std::size_t draw = all.begin + range.begin; draw < all.begin + range.end; ++draw) {
                 const std::uint32_t instance = lists.instance[draw];
                 const scene::Mesh& mesh = scene.meshes[instances.mesh[instance]];

@@ -5,7 +5,7 @@
 
 #include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/frustum.h>
 #include <cdr/scene/scene.h>
 #include <cdr/visibility/bin.h>
@@ -52,7 +52,7 @@ CDR_EXPORT void requireUsable(const Detail& detail);
 
 /// Makes what a mode chooses from, where meshes have none: levels, or clusters of large meshes and levels of the others. Takes
 /// seconds for a million triangles.
-CDR_EXPORT void prepareDetail(scene::Scene& scene, DetailMode mode, host::WorkerPool& workers);
+CDR_EXPORT void prepareDetail(scene::Scene& scene, DetailMode mode, platform::WorkerPool& workers);
 
 /// A Detail for one lens and picture.
 struct LevelRule {
@@ -72,7 +72,7 @@ CDR_EXPORT LevelRule levelRule(const Detail& detail, const scene::Frustum& frust
 /// @param lists of binByDistance() over the same camera and ranges.
 CDR_EXPORT void chooseLevels(const scene::Scene& scene, const scene::Camera& camera,
                              const depth::Cascades& clipRanges, const LevelRule& rule,
-                             host::WorkerPool& workers, DrawLists& lists);
+                             platform::WorkerPool& workers, DrawLists& lists);
 
 /// How many triangles the lists' draws have, counted once per cascade they are drawn in.
 CDR_EXPORT std::uint64_t trianglesDrawn(const scene::Scene& scene, const DrawLists& lists);

@@ -7,7 +7,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 #include <cdr/render/part_scene.h>
 #include <scenes/colours.h>
 #include <scenes/layer_choice.h>
@@ -43,7 +43,7 @@ void checkFiles(const RenderArguments& arguments, const RenderPlan& plan, Comman
             fmt::format("{}: several frames need a number in the name, such as %04d", arguments.file));
     }
     if (!arguments.file.empty()) {
-        const std::string extension = host::lowerExtension(plan.name.at(plan.cameras.first));
+        const std::string extension = platform::lowerExtension(plan.name.at(plan.cameras.first));
         constexpr std::array<std::string_view, 3> kExtensions{".png", ".tga", ".exr"};
         if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
             throw base::InputError(base::unknownName("picture format", extension, kExtensions));
@@ -129,7 +129,7 @@ std::vector<scene::Camera> camerasOf(const scene::CameraPath& path, const option
 
 /// The scene as it is drawn: in its colours, with levels of detail, and without what other ranks draw.
 scene::SceneSetup openDrawn(Command& command, const RenderArguments& arguments, const RenderPlan& plan,
-                            const WantedOfFrames& wanted, host::WorkerPool& workers) {
+                            const WantedOfFrames& wanted, platform::WorkerPool& workers) {
     scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed,
                                                 scenes::shownChoice(arguments.scene, arguments.choice));
     scenes::paint(setup.scene, arguments.scene, *arguments.colours);
@@ -201,14 +201,14 @@ std::optional<scenes::Deform> deformOf(Command& command, const RenderArguments& 
 
 void runRender(Command& command, RenderArguments& arguments) {
     RenderPlan plan = planOf(command, arguments);
-    std::optional<host::Trace> trace;
+    std::optional<platform::Trace> trace;
     if (!arguments.trace.empty()) {
         plan.options.trace = &trace.emplace(plan.options.threads);
     }
     const bool finishes = arguments.ranks == FrameDivision::frames || command.ranks().isFirst();
     const WantedOfFrames wanted{.truth = arguments.aov == output::Aov::wrong && finishes,
                                 .certificate = !arguments.certify.empty() && finishes};
-    host::WorkerPool workers(arguments.drawing.threads);
+    platform::WorkerPool workers(arguments.drawing.threads);
     scene::SceneSetup setup = openDrawn(command, arguments, plan, wanted, workers);
     arguments.deform = deformOf(command, arguments, setup.motion, wanted);
     std::optional<scenes::MovingScene> moving;

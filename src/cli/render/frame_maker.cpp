@@ -1,7 +1,7 @@
 #include "frame_maker.h"
 
-#include <cdr/host/stopwatch.h>
 #include <cdr/image/beside.h>
+#include <cdr/platform/stopwatch.h>
 
 #include <fmt/format.h>
 #include <output/certified_frame.h>
@@ -13,7 +13,7 @@ namespace cdr::cli {
 
 FrameMaker::FrameMaker(const gpu::Device& device, const scene::Scene& scene, scenes::MovingScene* moving,
                        const render::RenderOptions& options, const options::ViewsPlan& views,
-                       const WantedOfFrames& wanted, host::WorkerPool& workers)
+                       const WantedOfFrames& wanted, platform::WorkerPool& workers)
     : m_options(options),
       m_plan(views),
       m_subPixelBits(device.info().subPixelBits),
@@ -68,7 +68,7 @@ measure::TruthImage FrameMaker::castAll(const scene::Camera& camera) const {
 }
 
 CertifiedOutput FrameMaker::certify(render::Frame& frame) {
-    const host::Stopwatch watch;
+    const platform::Stopwatch watch;
     const measure::DrawnFrame drawn = output::drawnFrame(frame, m_options, m_subPixelBits);
     CertifiedOutput made{.certificate = m_certifier->certify(drawn, m_workers),
                          .snapPixels = drawn.snapPixels};

@@ -3,9 +3,9 @@
 #include "frame_output.h"
 
 #include <cdr/gpu/device.h>
-#include <cdr/host/worker_pool.h>
 #include <cdr/measure/certify/certifier.h>
 #include <cdr/measure/truth/truth.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/render/renderer.h>
 #include <scenes/moving_scene.h>
 
@@ -30,7 +30,7 @@ class FrameMaker {
     /// @param moving the scene, where it moves; else null. What is given by reference must outlive the maker.
     FrameMaker(const gpu::Device& device, const scene::Scene& scene, scenes::MovingScene* moving,
                const render::RenderOptions& options, const options::ViewsPlan& views,
-               const WantedOfFrames& wanted, host::WorkerPool& workers);
+               const WantedOfFrames& wanted, platform::WorkerPool& workers);
 
     /// Goes past a frame that another rank makes.
     void skip(std::uint32_t number, const scene::Camera& camera);
@@ -46,7 +46,7 @@ class FrameMaker {
     const render::RenderOptions& m_options;
     const options::ViewsPlan& m_plan;
     std::uint32_t m_subPixelBits;
-    host::WorkerPool& m_workers;
+    platform::WorkerPool& m_workers;
     scenes::MovingScene* m_moving;
     render::GpuScene m_onDevice;
     options::ViewsDrawer m_drawer;

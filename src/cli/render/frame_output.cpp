@@ -1,6 +1,6 @@
 #include "frame_output.h"
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <fmt/format.h>
 #include <output/wrong_pixels_columns.h>
@@ -55,8 +55,8 @@ FrameOutput::FrameOutput(std::uint32_t number, render::Frame frame, std::optiona
     }
 }
 
-host::Bytes FrameOutput::encoded(const std::filesystem::path& path, output::Aov aov) const {
-    return host::lowerExtension(path) == ".exr"
+platform::Bytes FrameOutput::encoded(const std::filesystem::path& path, output::Aov aov) const {
+    return platform::lowerExtension(path) == ".exr"
                ? image::encodeExr(path, output::channelsOf(m_frame, aov, truth()))
                : image::encodeImage(path, output::pictureOf(m_frame, aov, truth()));
 }

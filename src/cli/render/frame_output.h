@@ -2,9 +2,9 @@
 
 #include "certificate_file.h"
 
-#include <cdr/host/file.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/truth/truth.h>
+#include <cdr/platform/file.h>
 #include <cdr/render/renderer.h>
 
 #include <options/views/views_plan.h>
@@ -30,7 +30,7 @@ class FrameOutput {
     const render::Frame& frame() const { return m_frame; }
 
     /// The file that it is written as: .png, .tga or .exr.
-    host::Bytes encoded(const std::filesystem::path& path, output::Aov aov) const;
+    platform::Bytes encoded(const std::filesystem::path& path, output::Aov aov) const;
     std::string hash(output::Aov aov) const { return hashOf(m_frame, aov, truth()); }
     /// Where there is a truth.
     const std::optional<measure::WrongPixels>& wrong() const { return m_wrong; }

@@ -1,7 +1,7 @@
 #include "kept_frames.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <fmt/format.h>
 #include <program/sha256.h>
@@ -23,7 +23,7 @@ bool hasPicture(const Json& made, const fs::path& path) {
         return true;
     }
     try {
-        const host::Bytes bytes = host::readFile(path, std::numeric_limits<std::uintmax_t>::max());
+        const platform::Bytes bytes = platform::readFile(path, std::numeric_limits<std::uintmax_t>::max());
         return program::sha256(bytes) == made.at("picture").get<std::string>();
     } catch (const base::InputError&) {
         return false;

@@ -1,6 +1,6 @@
 #include "render_results.h"
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -109,7 +109,7 @@ output::Json RenderResults::describe(std::size_t frame, const FrameOutput& made)
 void RenderResults::take(std::size_t frame, output::Json made) {
     addKept(frame);
     if (!made.at("file").is_null()) {
-        host::writeFile(m_name.at(numberOf(frame)), made.at("file").get_binary());
+        platform::writeFile(m_name.at(numberOf(frame)), made.at("file").get_binary());
     }
     if (m_kept) {
         m_kept->keep(frame, made);

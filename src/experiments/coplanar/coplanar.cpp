@@ -220,7 +220,7 @@ class CoplanarComparison {
 
     const gpu::Device& m_device;
     const CoplanarOptions& m_options;
-    host::WorkerPool m_workers;
+    platform::WorkerPool m_workers;
     scene::SceneSetup m_setup;
     render::GpuScene m_gpuScene;
     measure::TruthCaster m_truth;

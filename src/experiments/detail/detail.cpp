@@ -1,9 +1,9 @@
 #include "detail.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/stopwatch.h>
 #include <cdr/measure/compare/cracks.h>
 #include <cdr/measure/compare/flip_difference.h>
+#include <cdr/platform/stopwatch.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/lod/clusters.h>
 #include <cdr/scene/lod/levels.h>
@@ -201,7 +201,7 @@ class DetailComparison {
     }
 
     double makeLevels() {
-        const host::Stopwatch watch;
+        const platform::Stopwatch watch;
         scene::makeLevels(m_setup.scene, m_workers); // of large meshes too, for the modes without clusters
         scene::makeClusters(m_setup.scene, m_workers);
         return watch.milliseconds();
@@ -244,7 +244,7 @@ class DetailComparison {
     }
 
     const DetailOptions& m_options;
-    host::WorkerPool m_workers;
+    platform::WorkerPool m_workers;
     scene::SceneSetup m_setup;
     double m_makeMs;
     render::GpuScene m_gpuScene;

@@ -260,7 +260,7 @@ class Flicker {
 
     const FlickerOptions& m_options;
     const FlickerHooks& m_hooks;
-    host::WorkerPool m_workers;
+    platform::WorkerPool m_workers;
     scene::SceneSetup m_setup;
     render::GpuScene m_gpuScene;
     measure::TruthCaster m_caster;

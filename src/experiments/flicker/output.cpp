@@ -43,7 +43,7 @@ PairVideos::PairVideos(const std::filesystem::path& folder, std::span<const std:
             "videos show pairs of standard, cdr, log and logcdr; name at least two of them");
     }
     output::requireEncodable(2 * width, height);
-    host::makeFolder(folder);
+    platform::makeFolder(folder);
     for (Pair& pair : m_pairs) {
         pair.video = std::make_unique<output::VideoWriter>(
             pair.path, 2 * width, height, output::VideoTiming{.frames = frames, .seconds = kVideoSeconds});
@@ -71,7 +71,7 @@ void writeTgaFrames(const std::filesystem::path& folder, std::span<const std::st
                     std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures) {
     for (std::size_t i = 0; i < techniques.size(); ++i) {
         const std::filesystem::path own = folder / techniques[i];
-        host::makeFolder(own);
+        platform::makeFolder(own);
         image::writeImage(own / fmt::format("{:04}.tga", frame), pictures.at(i));
     }
 }

@@ -1,7 +1,7 @@
 #include "state.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -137,7 +137,7 @@ FlickerStateFile::FlickerStateFile(std::filesystem::path path, const FlickerOpti
       m_run({.digest = digestOf(options, device),
              .frames = options.frames,
              .pixels = std::uint64_t{options.width} * options.height}) {
-    host::requireWritable(m_path);
+    platform::requireWritable(m_path);
 }
 
 void FlickerStateFile::load(FlickerState& state) const {
@@ -145,7 +145,7 @@ void FlickerStateFile::load(FlickerState& state) const {
     if (std::filesystem::status(m_path, error).type() == std::filesystem::file_type::not_found) {
         return;
     }
-    const host::Bytes bytes = host::readFile(m_path, kMaxBytes);
+    const platform::Bytes bytes = platform::readFile(m_path, kMaxBytes);
     state =
         readState({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, m_run, state, m_path.string());
 }
@@ -155,7 +155,7 @@ void FlickerStateFile::save(const FlickerState& state) const {
     for (const FlickerResult& result : state.results) {
         json["results"].push_back(toJson(result));
     }
-    host::writeText(m_path, json.dump(1) + "\n");
+    platform::writeText(m_path, json.dump(1) + "\n");
 }
 
 } // namespace cdr::experiments

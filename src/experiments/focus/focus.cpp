@@ -3,9 +3,9 @@
 #include "lens_reference.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/stopwatch.h>
 #include <cdr/image/srgb.h>
 #include <cdr/measure/compare/flip_difference.h>
+#include <cdr/platform/stopwatch.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/frustum.h>
 
@@ -72,7 +72,7 @@ class FocusComparison {
 
     /// The reference is of pictures by "single".
     void addToReference(std::uint32_t camera) {
-        const host::Stopwatch watch;
+        const platform::Stopwatch watch;
         const render::Frame frame =
             m_renderers.front()->render(cameraOnLens(m_camera, m_options.lens, camera, m_options.cameras));
         m_referenceMs += watch.milliseconds();
@@ -154,7 +154,7 @@ class FocusComparison {
     }
 
     const FocusOptions& m_options;
-    host::WorkerPool m_workers;
+    platform::WorkerPool m_workers;
     const scene::SceneSetup& m_setup;
     scene::Camera m_camera;
     render::FocusLens m_lens;

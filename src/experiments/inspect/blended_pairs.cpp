@@ -11,7 +11,7 @@ namespace cdr::experiments {
 
 image::ImageU32 PairCollector::blendedInPlane(const scene::Camera& camera, const measure::TruthImage& truth,
                                               std::span<const measure::Shape> shapes,
-                                              host::WorkerPool& workers) const {
+                                              platform::WorkerPool& workers) const {
     image::ImageU32 ids(truth.width, truth.height);
     const measure::PixelSlopes slopes = measure::pixelSlopes(camera, truth.width, truth.height);
     for (const measure::VisibleInstance& visible :

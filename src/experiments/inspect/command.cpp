@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/file.h>
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <cli/exit_status.h>
@@ -145,7 +145,7 @@ void run(Command& command, InspectArguments& arguments) {
     options.allowedShare = arguments.failAbove.value_or(0.0);
     options.judged.technique.format = depth::parseDepthFormat(arguments.format);
     if (!arguments.heatMap.empty()) {
-        if (host::lowerExtension(arguments.heatMap) != ".png") {
+        if (platform::lowerExtension(arguments.heatMap) != ".png") {
             throw base::InputError(
                 fmt::format("--heat-map: {} does not end in .png", arguments.heatMap.string()));
         }

@@ -1,8 +1,8 @@
 #include "inspect.h"
 
 #include <cdr/depth/forecast.h>
-#include <cdr/host/worker_pool.h>
 #include <cdr/measure/truth/truth.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/renderer.h>
 
@@ -71,7 +71,8 @@ std::vector<InspectedTechnique> techniquesOf(const gpu::Device& device, const In
 }
 
 InspectedView viewOf(const measure::TruthCaster& caster, const PairCollector& pairs,
-                     const scene::Camera& camera, const InspectOptions& options, host::WorkerPool& workers) {
+                     const scene::Camera& camera, const InspectOptions& options,
+                     platform::WorkerPool& workers) {
     InspectedView view{.camera = camera,
                        .truth = caster.cast(camera, options.width, options.height, workers),
                        .coplanar = {},
@@ -171,7 +172,7 @@ Inspection runInspect(const gpu::Device& device, const scene::Scene& scene,
     Inspection inspection{.pairs = {}, .techniques = techniquesOf(device, options), .heatMap = {}};
     std::vector<InspectedTechnique>& techniques = inspection.techniques;
     const render::GpuScene onDevice(device, scene);
-    host::WorkerPool workers(options.threads);
+    platform::WorkerPool workers(options.threads);
     const measure::TruthCaster caster(scene, workers);
     PairCollector pairs(scene);
     std::uint64_t worst = 0;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/truth/shape.h>
 #include <cdr/measure/truth/truth.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/scene.h>
 
 #include <cstdint>
@@ -57,7 +57,8 @@ class PairCollector {
     /// does. No depth buffer says whether it is laid over that surface. Object ids are of opaque surfaces, so none is wrong.
     /// @param shapes of the scene's meshes.
     image::ImageU32 blendedInPlane(const scene::Camera& camera, const measure::TruthImage& truth,
-                                   std::span<const measure::Shape> shapes, host::WorkerPool& workers) const;
+                                   std::span<const measure::Shape> shapes,
+                                   platform::WorkerPool& workers) const;
 
   private:
     /// By how much surfaces of two objects may differ that lie in one plane.

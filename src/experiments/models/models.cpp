@@ -1,8 +1,8 @@
 #include "models.h"
 
-#include <cdr/host/worker_pool.h>
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/measure/truth/layered_truth.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/frustum.h>
 
@@ -76,7 +76,7 @@ image::Rgba8 heatOf(float value) {
     return {channel(0.0f), channel(1.0f), channel(2.0f), 255};
 }
 
-void measureFlip(ModelResult& result, const render::Frame& frame, host::WorkerPool& workers) {
+void measureFlip(ModelResult& result, const render::Frame& frame, platform::WorkerPool& workers) {
     const image::ImageFloat map = measure::FlipDifference().map(result.reference, result.picture, workers);
     double sum = 0.0;
     double covered = 0.0;
@@ -119,7 +119,7 @@ ModelResult compareModel(const gpu::Device& device, const scene::SceneSetup& mod
                          const scene::SceneSetup& plain, scene::ModelLight light,
                          const ModelsOptions& options) {
     const scene::Camera camera = options.closer ? closer(device, model, options) : model.path.at(0);
-    host::WorkerPool workers(options.threads);
+    platform::WorkerPool workers(options.threads);
     const render::Frame frame = drawn(device, model.scene, camera, options);
     const measure::LayeredTruth truth =
         measure::castLayers(model.scene, camera, options.width, options.height, workers);

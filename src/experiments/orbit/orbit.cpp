@@ -114,7 +114,7 @@ class Zoom {
     const OrbitOptions& m_options;
     std::vector<std::uint32_t> m_numbers; ///< of the frames, by unit
     render::GpuScene m_gpuScene;
-    host::WorkerPool m_workers;
+    platform::WorkerPool m_workers;
     measure::TruthCaster m_caster;
     std::vector<Drawer> m_drawers;    ///< by technique, then rival
     std::vector<std::string> m_names; ///< of them

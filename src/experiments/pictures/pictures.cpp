@@ -39,7 +39,7 @@ std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOpt
                                     const scene::SceneSetup& setup,
                                     const std::function<void(const std::string&)>& step) {
     const render::GpuScene gpuScene(device, setup.scene);
-    host::WorkerPool workers(options.threads);
+    platform::WorkerPool workers(options.threads);
     std::vector<std::unique_ptr<render::Renderer>> renderers;
     std::vector<PictureResult> results;
     std::vector<std::optional<measure::IdFrame>> before(options.techniques.size());

@@ -1,4 +1,4 @@
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <experiments/precision/precision.h>
@@ -52,7 +52,7 @@ void writeCurve(const std::string& file, const experiments::PrecisionResult& res
     for (const auto& point : result.curve) {
         csv += fmt::format("{},{}\n", point.distanceView, fmt::join(point.separations, ","));
     }
-    host::writeText(file, csv);
+    platform::writeText(file, csv);
 }
 
 void run(Command& command, PrecisionArguments& arguments) {

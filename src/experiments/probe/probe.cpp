@@ -157,7 +157,7 @@ class Prober {
   private:
     const gpu::Device& m_device;
     ProbeOptions m_options; ///< with what was left to the presets and the device
-    host::WorkerPool m_workers;
+    platform::WorkerPool m_workers;
 };
 
 } // namespace

@@ -7,7 +7,7 @@ namespace cdr::experiments {
 Drawer::Drawer(std::unique_ptr<render::Renderer> renderer) : m_by(std::move(renderer)) {}
 
 Drawer::Drawer(const gpu::Device& device, const render::DrawnScene& scene, const rivals::Competing& competing,
-               const vk::Extent2D& extent, host::WorkerPool& workers)
+               const vk::Extent2D& extent, platform::WorkerPool& workers)
     : m_by(std::make_unique<rivals::Contender>(device, scene, competing, extent, workers)) {}
 
 DrawnFrame Drawer::render(const scene::Camera& camera) {

@@ -32,7 +32,7 @@ class Drawer {
     /// @lifetime As rivals::Contender.
     /// @throws base::InputError as rivals::Contender: for what the device cannot draw, layers and masked materials.
     Drawer(const gpu::Device& device, const render::DrawnScene& scene, const rivals::Competing& competing,
-           const vk::Extent2D& extent, host::WorkerPool& workers);
+           const vk::Extent2D& extent, platform::WorkerPool& workers);
 
     bool shades() const { return std::holds_alternative<WholeFrames>(m_by); }
 

@@ -32,7 +32,7 @@ class RivalField {
   public:
     /// What it is made of must outlive it.
     RivalField(const gpu::Device& device, const RivalsOptions& options, const scene::SceneSetup& setup,
-               host::WorkerPool& workers)
+               platform::WorkerPool& workers)
         : m_options(options),
           m_workers(workers),
           m_setup(setup),
@@ -56,7 +56,7 @@ class RivalField {
 
   private:
     const RivalsOptions& m_options;
-    host::WorkerPool& m_workers;
+    platform::WorkerPool& m_workers;
     const scene::SceneSetup& m_setup;
     render::GpuScene m_gpuScene;
     measure::TruthCaster m_caster;
@@ -249,7 +249,7 @@ class RivalsRun {
     const std::vector<NamedScene>& m_scenes;
     const RivalsOptions& m_options;
     const RivalsProgress& m_progress;
-    host::WorkerPool m_workers;
+    platform::WorkerPool m_workers;
     std::size_t m_baseline;
     std::size_t m_steps;
     std::size_t m_done = 0;

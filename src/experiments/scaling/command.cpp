@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <experiments/scaling/rank_command.h>
@@ -102,26 +102,26 @@ void printTables(const Console& console, const experiments::ScalingResult& resul
 }
 
 void writeScalingCsv(const std::filesystem::path& path, const output::Json& points) {
-    host::writeText(path, output::csvOf({"targets",
-                                         "submission",
-                                         "cascades",
-                                         "threads",
-                                         "cubes",
-                                         "draws",
-                                         "cull_ms",
-                                         "bin_ms",
-                                         "record_ms",
-                                         {"record_spread", "/spread/record"},
-                                         "record_ns_per_draw",
-                                         "execute_ms",
-                                         "frame_ms",
-                                         "speedup",
-                                         "efficiency",
-                                         "cull_bin_speedup",
-                                         "frame_speedup",
-                                         "hash",
-                                         "same_image"},
-                                        points));
+    platform::writeText(path, output::csvOf({"targets",
+                                             "submission",
+                                             "cascades",
+                                             "threads",
+                                             "cubes",
+                                             "draws",
+                                             "cull_ms",
+                                             "bin_ms",
+                                             "record_ms",
+                                             {"record_spread", "/spread/record"},
+                                             "record_ns_per_draw",
+                                             "execute_ms",
+                                             "frame_ms",
+                                             "speedup",
+                                             "efficiency",
+                                             "cull_bin_speedup",
+                                             "frame_speedup",
+                                             "hash",
+                                             "same_image"},
+                                            points));
 }
 
 /// What can be wrong with the arguments, before anything is made.
@@ -158,12 +158,12 @@ void writeResults(Command& command, const ScalingArguments& arguments,
     if (!arguments.plot.empty()) {
         output::writePlot(arguments.plot, experiments::scalingPlot(result, command.opened().text()));
     }
-    auto document =
-        command.makeDocument({{"width", options.width},
-                              {"height", options.height},
-                              {"repeats", options.repeats},
-                              {"placement", options.placement == host::Placement::pinned ? "pinned" : "free"},
-                              {"seed", options.seed}});
+    auto document = command.makeDocument(
+        {{"width", options.width},
+         {"height", options.height},
+         {"repeats", options.repeats},
+         {"placement", options.placement == platform::Placement::pinned ? "pinned" : "free"},
+         {"seed", options.seed}});
     document["results"] = points;
     document["fits"] = output::jsonOf(fitColumns(), result.fits);
     command.writeDocument(document);
@@ -254,7 +254,7 @@ void addOptions(CLI::App& command, ScalingArguments& arguments) {
                     "gpu-driven")
         ->delimiter(',');
     command.add_flag_callback(
-        "--free", [&options] { options.placement = host::Placement::free; },
+        "--free", [&options] { options.placement = platform::Placement::free; },
         "Let the kernel place threads, instead of pinning each to a CPU");
     command.add_option("--cascades", options.cascades, "Numbers of cascades")
         ->delimiter(',')

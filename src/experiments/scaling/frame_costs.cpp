@@ -1,9 +1,9 @@
 #include "frame_costs.h"
 
-#include <cdr/host/file.h>
-#include <cdr/host/process.h>
-#include <cdr/host/stopwatch.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/file.h>
+#include <cdr/platform/process.h>
+#include <cdr/platform/stopwatch.h>
 #include <cdr/render/renderer.h>
 #include <scenes/cubes.h>
 
@@ -31,7 +31,7 @@ class ScratchFile {
   public:
     ScratchFile()
         : m_path(std::filesystem::temp_directory_path() /
-                 ("cdr-cost-" + std::to_string(host::processId()) + ".png")) {}
+                 ("cdr-cost-" + std::to_string(platform::processId()) + ".png")) {}
     ~ScratchFile() {
         std::error_code ignored;
         std::filesystem::remove(m_path, ignored);
@@ -70,9 +70,9 @@ class CostedFrame {
 
 /// Milliseconds until an empty unit is claimed, made and taken.
 double claimMs(ranks::Ranks& ranks) {
-    const host::Stopwatch watch;
+    const platform::Stopwatch watch;
     ranks.forEachUnit(
-        kClaims, [](std::size_t) { return host::Bytes(); }, [](std::size_t, const host::Bytes&) {});
+        kClaims, [](std::size_t) { return platform::Bytes(); }, [](std::size_t, const platform::Bytes&) {});
     return ranks.isAlone() ? 0.0 : watch.milliseconds() / kClaims;
 }
 
@@ -83,8 +83,8 @@ double byteMs(ranks::Ranks& ranks) {
     const auto quickest = [&](std::size_t bytes) {
         double least = std::numeric_limits<double>::infinity();
         for (int i = 0; i < kMessages; ++i) {
-            const host::Stopwatch watch;
-            ranks.merge([&] { return host::Bytes(sends ? bytes : 0); }, [](const host::Bytes&) {});
+            const platform::Stopwatch watch;
+            ranks.merge([&] { return platform::Bytes(sends ? bytes : 0); }, [](const platform::Bytes&) {});
             least = std::min(least, watch.milliseconds());
         }
         return least;
@@ -105,14 +105,14 @@ MeasuredCosts measureFrameCosts(const gpu::Device& device, const FrameCostOption
     costs.claimMs = claimMs(ranks);
     costs.msPerByte = byteMs(ranks);
     const auto makeTimed = [&](std::size_t) {
-        const host::Stopwatch watch;
+        const platform::Stopwatch watch;
         output::Json made = frame.make();
         made["ms"] = watch.milliseconds();
         return made;
     };
     const auto take = [&](const output::Json& made) {
-        const host::Stopwatch watch;
-        host::writeFile(file.path(), made.at("file").get_binary());
+        const platform::Stopwatch watch;
+        platform::writeFile(file.path(), made.at("file").get_binary());
         costs.takeMs.push_back(watch.milliseconds());
         costs.makeMs.push_back(made.at("ms").get<double>());
         costs.bytes = static_cast<double>(made.at("file").get_binary().size());
@@ -120,11 +120,11 @@ MeasuredCosts measureFrameCosts(const gpu::Device& device, const FrameCostOption
     runs::forEachUnit(ranks, options.repeats * ranks.place().count, makeTimed,
                       [&](std::size_t, const output::Json& made) { take(made); });
     measured.run.frames = kFramesPerRank * ranks.place().count;
-    const host::Stopwatch watch;
+    const platform::Stopwatch watch;
     runs::forEachUnit(
         ranks, measured.run.frames, [&](std::size_t) { return frame.make(); },
         [&](std::size_t, const output::Json& made) {
-            host::writeFile(file.path(), made.at("file").get_binary());
+            platform::writeFile(file.path(), made.at("file").get_binary());
         });
     measured.run.seconds = watch.seconds();
     return measured;

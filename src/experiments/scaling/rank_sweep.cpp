@@ -2,7 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/gpu/allocated_bytes.h>
-#include <cdr/host/stopwatch.h>
+#include <cdr/platform/stopwatch.h>
 #include <cdr/render/part_scene.h>
 #include <cdr/render/renderer.h>
 #include <scenes/cubes.h>
@@ -23,14 +23,14 @@ namespace {
 
 /// Waits for all ranks.
 void meet(ranks::Ranks& ranks) {
-    ranks.merge([] { return host::Bytes(); }, [](const host::Bytes&) {});
+    ranks.merge([] { return platform::Bytes(); }, [](const platform::Bytes&) {});
 }
 
 /// What all ranks give, in their order; on the other ranks less.
 output::Json gathered(ranks::Ranks& ranks, output::Json mine) {
     output::Json all = output::Json::array({std::move(mine)});
     ranks.merge([&] { return output::Json::to_cbor(all); },
-                [&](const host::Bytes& later) {
+                [&](const platform::Bytes& later) {
                     for (output::Json& each : output::Json::from_cbor(later)) {
                         all.push_back(std::move(each));
                     }
@@ -63,7 +63,7 @@ class RankPart {
             return;
         }
         const std::uint64_t before = gpu::allocatedDeviceBytes(device);
-        host::WorkerPool workers(1);
+        platform::WorkerPool workers(1);
         options.part = {.index = place.index, .count = ranks};
         m_scene = setup.scene;
         dropOtherParts(m_scene, options, {&m_camera, 1}, workers);
@@ -76,7 +76,7 @@ class RankPart {
     /// Milliseconds until the first rank has the frame.
     double draw(ranks::Ranks& ranks) {
         meet(ranks);
-        const host::Stopwatch watch;
+        const platform::Stopwatch watch;
         m_bytesSent = 0;
         if (m_takesPart) {
             m_frame = m_renderer->render(m_camera);

@@ -74,7 +74,7 @@ std::vector<std::size_t> threadSteps(std::size_t cpus) {
 
 void requireUsable(const ScalingOptions& options) {
     requireAll("draws", options.draws, scene::kMaxObjects);
-    requireAll("threads", threadList(options), host::WorkerPool::kMaxThreads);
+    requireAll("threads", threadList(options), platform::WorkerPool::kMaxThreads);
     requireAll("cascades", options.cascades, depth::kMaxCascades);
     requireAll("repeats", std::vector{options.repeats}, 10'000);
     if (options.targets.empty() || options.submissions.empty()) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cdr/gpu/device.h>
-#include <cdr/host/thread_placement.h>
 #include <cdr/measure/statistics/scaling_law.h>
+#include <cdr/platform/thread_placement.h>
 #include <cdr/render/submit/draw_path.h>
 #include <cdr/render/targets/targets.h>
 
@@ -29,7 +29,7 @@ struct ScalingOptions {
     std::vector<render::Submission> submissions{render::Submission::secondaries,
                                                 render::Submission::primaries};
     /// Pinned, the caller too, measures how recording scales. Free also measures how the kernel places threads.
-    host::Placement placement = host::Placement::pinned;
+    platform::Placement placement = platform::Placement::pinned;
     std::uint32_t repeats = 7; ///< timed frames of each point, after one that warms up
     std::uint64_t seed = 2013;
 };

@@ -1,7 +1,7 @@
 #include "thread_sweep.h"
 
-#include <cdr/host/stopwatch.h>
 #include <cdr/measure/statistics/statistics.h>
+#include <cdr/platform/stopwatch.h>
 
 #include <program/sha256.h>
 
@@ -36,7 +36,8 @@ std::string hashOf(const render::Frame& frame) {
 ThreadSweep::ThreadSweep(const gpu::Device& device, const ScalingOptions& options,
                          const scene::SceneSetup& setup, const render::GpuScene& gpuScene,
                          std::vector<std::size_t> threads, ScalingPoint common)
-    : m_cpus(options.placement == host::Placement::pinned ? host::allowedCpus() : std::vector<std::size_t>()),
+    : m_cpus(options.placement == platform::Placement::pinned ? platform::allowedCpus()
+                                                              : std::vector<std::size_t>()),
       m_camera(setup.path.at(0)),
       m_threads(std::move(threads)),
       m_common(std::move(common)),
@@ -68,11 +69,11 @@ void ThreadSweep::hash(const std::function<void()>& step) {
 }
 
 void ThreadSweep::repeat(std::size_t number, const std::function<void()>& step) {
-    const host::PinnedThread pin(0, m_cpus);
+    const platform::PinnedThread pin(0, m_cpus);
     for (std::size_t i = 0; i < m_renderers.size(); ++i) {
         const std::size_t point = (number + i) % m_renderers.size();
         step();
-        const host::Stopwatch watch;
+        const platform::Stopwatch watch;
         const render::FrameTimes times = m_renderers[point]->draw(m_camera).times;
         const double frameMs = watch.milliseconds();
         Samples& samples = m_samples[point];

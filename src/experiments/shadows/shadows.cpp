@@ -1,8 +1,8 @@
 #include "shadows.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/host_memory.h>
 #include <cdr/measure/truth/truth.h>
+#include <cdr/platform/host_memory.h>
 #include <cdr/render/renderer.h>
 
 #include <fmt/format.h>
@@ -61,9 +61,9 @@ void runShadows(const gpu::Device& device, const scene::SceneSetup& setup,
     }
     const std::size_t lights = std::min(scene.lights.size(), render::kMaxShadowLights);
     const std::uint64_t pixels = std::uint64_t{experiment.options.width} * experiment.options.height;
-    host::requireHostBytes(pixels * lights * cameras.frames * sizeof(measure::ShadowPixel),
-                           fmt::format("the truth of {} frames under {} lights", cameras.frames, lights));
-    host::WorkerPool workers(experiment.options.threads);
+    platform::requireHostBytes(pixels * lights * cameras.frames * sizeof(measure::ShadowPixel),
+                               fmt::format("the truth of {} frames under {} lights", cameras.frames, lights));
+    platform::WorkerPool workers(experiment.options.threads);
     const measure::TruthCaster shapes(scene, workers);
     const measure::ShadowTruthCaster caster(scene, shapes.shapes());
     const render::GpuScene gpuScene(device, scene);

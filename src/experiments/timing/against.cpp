@@ -3,7 +3,7 @@
 #include "timing_document.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <fmt/format.h>
 #include <output/readable.h>
@@ -68,7 +68,7 @@ TimingDocument documentIn(const fs::path& json, const fs::path& program) {
     if (!fs::exists(json, error)) {
         throw base::InputError(program.string() + " wrote no timing results");
     }
-    const host::Bytes bytes = host::readFile(json, kMaxTimingBytes);
+    const platform::Bytes bytes = platform::readFile(json, kMaxTimingBytes);
     return readTimingDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, program.string());
 }
 

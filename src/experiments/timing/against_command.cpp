@@ -1,7 +1,7 @@
 #include "timing_command.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/process.h>
+#include <cdr/platform/process.h>
 #include <experiments/timing/tables.h>
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ std::vector<std::string> runArguments(const Command& command, const TimingArgume
 } // namespace
 
 void timeAgainst(const Command& command, const TimingArguments& arguments) {
-    const std::optional<std::filesystem::path> own = host::ownProgram();
+    const std::optional<std::filesystem::path> own = platform::ownProgram();
     if (!own) {
         throw base::RunError("--against: this system does not tell which file this program is");
     }

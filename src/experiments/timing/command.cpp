@@ -1,7 +1,7 @@
 #include "timing_command.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/render/render_options.h>
 #include <cli/commands.h>
 #include <experiments/timing/tables.h>

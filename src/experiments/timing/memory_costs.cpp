@@ -57,7 +57,7 @@ double heapOfUpload(const gpu::Device& device, const scene::Scene& scene) {
 }
 
 double heapOfCells(const scene::Scene& scene) {
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     return heapTaken([&] {
         auto cells = std::make_unique<visibility::InstanceCells>();
         cells->build(scene, workers);

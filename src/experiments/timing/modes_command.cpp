@@ -1,7 +1,7 @@
 #include "timing_command.h"
 
-#include <cdr/host/file.h>
-#include <cdr/host/trace.h>
+#include <cdr/platform/file.h>
+#include <cdr/platform/trace.h>
 #include <experiments/rivals/needs_command.h>
 #include <experiments/timing/tables.h>
 
@@ -102,23 +102,23 @@ output::Columns<experiments::TimingResult> timingColumns(const measure::Interval
 }
 
 void writeTimingCsv(const std::filesystem::path& path, const output::Json& rows) {
-    host::writeText(path, output::csvOf({"name",
-                                         "mode",
-                                         "targets",
-                                         "cascades",
-                                         "median_us",
-                                         "p5_us",
-                                         "p95_us",
-                                         "cull_bin_us",
-                                         "record_us",
-                                         "execute_us",
-                                         "draws",
-                                         "overhead_pct",
-                                         {"ci95_low", "/ci95/0"},
-                                         {"ci95_high", "/ci95/1"},
-                                         "thesis_pct",
-                                         "device_us"},
-                                        rows));
+    platform::writeText(path, output::csvOf({"name",
+                                             "mode",
+                                             "targets",
+                                             "cascades",
+                                             "median_us",
+                                             "p5_us",
+                                             "p95_us",
+                                             "cull_bin_us",
+                                             "record_us",
+                                             "execute_us",
+                                             "draws",
+                                             "overhead_pct",
+                                             {"ci95_low", "/ci95/0"},
+                                             {"ci95_high", "/ci95/1"},
+                                             "thesis_pct",
+                                             "device_us"},
+                                            rows));
 }
 
 const char* describeScene(const experiments::TimingOptions& options) {
@@ -155,7 +155,7 @@ nlohmann::ordered_json timingDocument(const Command& command, const TimingArgume
 void timeModes(Command& command, TimingArguments& arguments) {
     experiments::TimingOptions& options = arguments.options;
     options.frames = arguments.frames.value_or(options.frames);
-    std::optional<host::Trace> trace;
+    std::optional<platform::Trace> trace;
     runs::TimedRanks ranks(command.ranks());
     if (!arguments.trace.empty() && ranks.isFirst()) {
         options.trace = &trace.emplace(options.threads);

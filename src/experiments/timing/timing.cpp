@@ -2,7 +2,7 @@
 
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
-#include <cdr/host/stopwatch.h>
+#include <cdr/platform/stopwatch.h>
 #include <cdr/render/renderer.h>
 #include <experiments/rivals/drawer.h>
 #include <scenes/city.h>
@@ -27,7 +27,7 @@ constexpr base::EnumNames<TimingScene, kTimingScenes.size()> kSceneNames{"scene"
 
 /// Draws a run of cameras with frames in flight; the sample is one frame's share.
 runs::FrameSample timedRun(render::Renderer& renderer, const std::vector<scene::Camera>& cameras) {
-    const host::Stopwatch watch;
+    const platform::Stopwatch watch;
     for (const scene::Camera& camera : cameras) {
         renderer.submit(camera);
     }
@@ -239,7 +239,7 @@ class Race {
     }
 
     const TimingOptions& m_options;
-    host::WorkerPool m_workers; ///< that deform meshes
+    platform::WorkerPool m_workers; ///< that deform meshes
     scene::SceneSetup m_setup;
     scene::CameraPath m_path;
     std::unique_ptr<scenes::MovingScene> m_moving; ///< where the scene moves

@@ -2,8 +2,8 @@
 
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
-#include <cdr/host/trace.h>
 #include <cdr/measure/statistics/statistics.h>
+#include <cdr/platform/trace.h>
 #include <cdr/render/render_options.h>
 #include <cdr/render/submit/draw_path.h>
 #include <cdr/render/surface_path.h>
@@ -94,7 +94,7 @@ struct TimingOptions {
     std::size_t framesInFlight = 1;
     std::uint64_t seed = 2013;
     std::vector<TimingMode> modes = timingModes();
-    host::Trace* trace = nullptr; ///< receives the warm-up frames only, so measured ones stay as they are
+    platform::Trace* trace = nullptr; ///< receives the warm-up frames only, so measured ones stay as they are
 };
 
 /// Rendered and dropped before the first measured frame: pipelines compile, memory is touched, caches fill.

@@ -148,7 +148,7 @@ TranslucencyResults runTranslucency(const gpu::Device& device, const scene::Scen
     const std::vector<render::RenderOptions> pairs = pairsOf(experiment); // refused before the truth is cast
     requireRoom(device, experiment);
     const render::GpuScene gpuScene(device, setup.scene);
-    host::WorkerPool workers(experiment.threads);
+    platform::WorkerPool workers(experiment.threads);
     const measure::LayeredTruth truth =
         measure::castLayers(setup.scene, setup.path.at(0), experiment.width, experiment.height, workers);
     TranslucencyResults all{.truth = measure::pictureOf(truth), .results = {}};

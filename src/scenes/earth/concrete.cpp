@@ -34,7 +34,7 @@ double greyAt(const glm::dvec2& place, double texel) {
 
 } // namespace
 
-image::ImageRgba8 paintConcrete(std::uint32_t side, host::WorkerPool& workers) {
+image::ImageRgba8 paintConcrete(std::uint32_t side, platform::WorkerPool& workers) {
     const double texel = kSlab / side;
     image::ImageRgba8 picture(side, side);
     workers.run(side, [&](std::size_t row, std::size_t) {

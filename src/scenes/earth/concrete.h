@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
 #include <cdr/image/image.h>
+#include <cdr/platform/worker_pool.h>
 
 #include <cstdint>
 
@@ -12,6 +12,6 @@ inline constexpr float kConcreteMean = 0.8f;
 
 /// A slab of a runway from above, 60 m long and wide: grain, stains and joints, from noise alone.
 /// @param side texels in each direction, at least 1.
-image::ImageRgba8 paintConcrete(std::uint32_t side, host::WorkerPool& workers);
+image::ImageRgba8 paintConcrete(std::uint32_t side, platform::WorkerPool& workers);
 
 } // namespace cdr::scenes

@@ -1,4 +1,4 @@
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/gltf/gltf.h>
 #include <scenes/earth/concrete.h>
 #include <scenes/earth/earth.h>
@@ -71,7 +71,7 @@ GroundPainter::Canvas canvasOf(const std::vector<GroundBlock>& blocks, std::size
 /// Paints the blocks; a tile wears the finest that covers it.
 std::function<TileCoat(const EarthTile&)>
 addPaintedGround(SceneBuilder& builder, const GroundPainter& painter, const EarthOptions& options) {
-    host::WorkerPool workers(threadsOf(options));
+    platform::WorkerPool workers(threadsOf(options));
     std::vector<std::pair<GroundBlock, TileCoat>> coats;
     const std::vector<GroundBlock> blocks = blocksAround(kOrbitAirport, EarthQuadtree::kDeepest - 1);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -103,7 +103,7 @@ void paintWallsAsCladding(scene::Scene& scene) {
 
 /// One colour over a whole picture shows neither distance nor size.
 void paintSlabs(scene::Scene& scene, const EarthOptions& options) {
-    host::WorkerPool workers(threadsOf(options));
+    platform::WorkerPool workers(threadsOf(options));
     const std::uint32_t side = std::max(1u, options.blockTexels / 5 * 2);
     scene.textures.push_back({.name = kConcrete, .pixels = paintConcrete(side, workers)});
     scene::Material& concrete = materialOf(scene, kConcrete);

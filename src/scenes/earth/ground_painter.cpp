@@ -145,7 +145,7 @@ glm::dvec3 GroundPainter::colorOf(const Slow& slow, const glm::dvec2& place, con
     return glm::mix(color * (1.0 - clouds.shade), cloud, clouds.share);
 }
 
-image::ImageRgba8 GroundPainter::paint(const Canvas& canvas, host::WorkerPool& workers) const {
+image::ImageRgba8 GroundPainter::paint(const Canvas& canvas, platform::WorkerPool& workers) const {
     const GeodeticFrame& frame = canvas.frame;
     const double texel = frame.height / canvas.height * kDegree * kEarthRadius;
     const std::uint32_t columns = canvas.width / kGridTexels + 1;

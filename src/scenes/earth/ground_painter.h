@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
 #include <cdr/image/image.h>
+#include <cdr/platform/worker_pool.h>
 #include <scenes/earth/airport_map.h>
 #include <scenes/earth/blue_marble.h>
 #include <scenes/earth/clouds.h>
@@ -32,7 +32,7 @@ class GroundPainter {
         std::optional<GeodeticFrame> fine{};
         double growth = 2.0; ///< at least 1
     };
-    image::ImageRgba8 paint(const Canvas& canvas, host::WorkerPool& workers) const;
+    image::ImageRgba8 paint(const Canvas& canvas, platform::WorkerPool& workers) const;
 
   private:
     /// What a coarse grid holds.

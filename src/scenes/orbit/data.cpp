@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/file.h>
 #include <scenes/orbit/data.h>
 
 #include <cstdlib>
@@ -16,7 +16,7 @@ image::ImageRgba8 loadPicture(const std::filesystem::path& path) {
         throw base::InputError("orbit: " + path.string() +
                                " is missing; tools/setup.sh fetches it, or set CDR_ORBIT_DATA to its folder");
     }
-    return image::decodeImage(host::readFile(path, kMaxBytes), path.string());
+    return image::decodeImage(platform::readFile(path, kMaxBytes), path.string());
 }
 
 const char* environmentOr(const char* name, const char* otherwise) {

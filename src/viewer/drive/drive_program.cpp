@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cdr/base/error.h>
-#include <cdr/host/standard_streams.h>
+#include <cdr/platform/standard_streams.h>
 #include <scenes/open_scene.h>
 #include <viewer/session/program.h>
 #include <viewer/session/startup.h>
@@ -92,7 +92,7 @@ void run(const DriveArguments& arguments) {
         }
         Soak soak(*arguments.soakSeconds, input);
         runViewer(arguments.viewer, &soak);
-        host::printOutput(soak.report() + "\n");
+        platform::printOutput(soak.report() + "\n");
         requireSteadyMemory(soak, arguments);
     } else if (arguments.script) {
         ScriptPlayer player(readScript(*arguments.script));

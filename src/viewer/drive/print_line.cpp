@@ -1,12 +1,12 @@
 #include "print_line.h"
 
-#include <cdr/host/standard_streams.h>
+#include <cdr/platform/standard_streams.h>
 
 namespace cdr::viewer {
 
 void printLine(const std::string& line) {
-    host::printOutput(line + "\n");
-    host::flushStandardOutput();
+    platform::printOutput(line + "\n");
+    platform::flushStandardOutput();
 }
 
 } // namespace cdr::viewer

@@ -2,7 +2,7 @@
 
 #include <cdr/base/suggest.h>
 #include <cdr/gpu/vulkan_hpp.h>
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 #include <viewer/window/window.h>
 
 #include <GLFW/glfw3.h>
@@ -213,7 +213,7 @@ std::vector<ScriptStep> parseScript(const std::string& text, const std::string& 
 }
 
 std::vector<ScriptStep> readScript(const std::filesystem::path& file) {
-    const host::Bytes bytes = host::readFile(file, kMaxScriptBytes);
+    const platform::Bytes bytes = platform::readFile(file, kMaxScriptBytes);
     return parseScript({bytes.begin(), bytes.end()}, file.string());
 }
 

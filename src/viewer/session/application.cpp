@@ -4,8 +4,8 @@
 #include "statistics_report.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/standard_streams.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/standard_streams.h>
 #include <viewer/panels/overlay.h>
 #include <viewer/panels/panels.h>
 #include <viewer/panels/shortcuts.h>
@@ -267,7 +267,7 @@ void Application::run() {
         }
     }
     if (m_arguments.statistics) {
-        host::printOutput(
+        platform::printOutput(
             statisticsReport(m_model.performance, m_session.results(), secondsSince(began), m_uiIntervals));
     }
     finish();

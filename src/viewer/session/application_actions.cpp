@@ -3,8 +3,8 @@
 
 #include <cdr/base/error.h>
 #include <cdr/base/quantity_text.h>
-#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/file.h>
 #include <viewer/state/camera/framing.h>
 #include <viewer/state/camera/obstacles.h>
 #include <viewer/state/plain_words.h>
@@ -100,7 +100,7 @@ void Application::captureWindow() {
         throw base::RunError("this window system does not let a window's pixels be read");
     }
     const std::filesystem::path file = freeName("cdr-window", ".png");
-    host::requireWritable(file); // later there is nobody to tell but the shell
+    platform::requireWritable(file); // later there is nobody to tell but the shell
     m_capture = file;
 }
 

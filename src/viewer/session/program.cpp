@@ -4,8 +4,8 @@
 
 #include <cdr/base/error.h>
 #include <cdr/gpu/failure.h>
-#include <cdr/host/standard_streams.h>
-#include <cdr/host/unfinished_file.h>
+#include <cdr/platform/standard_streams.h>
+#include <cdr/platform/unfinished_file.h>
 
 #include <fmt/format.h>
 
@@ -31,14 +31,14 @@ void runViewer(const Arguments& arguments, Driver* driver) {
 }
 
 int exitStatusOf(const char* program, const std::function<int()>& body) {
-    host::removeUnfinishedFilesOnSignals();
+    platform::removeUnfinishedFilesOnSignals();
     try {
         const int status = body();
-        host::flushStandardOutput();
+        platform::flushStandardOutput();
         return status;
     } catch (...) {
         const gpu::Failure failure = gpu::failureOf(std::current_exception());
-        host::printError(fmt::format("{}: {}", program, failure.line));
+        platform::printError(fmt::format("{}: {}", program, failure.line));
         return failure.status;
     }
 }

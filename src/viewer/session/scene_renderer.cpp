@@ -58,7 +58,7 @@ void SceneRenderer::open(const ViewSettings& settings) {
     }
     auto opened = std::make_shared<scene::OpenedScene>(openNamed(settings));
     scenes::paint(opened->setup.scene, settings.scene, settings.colours);
-    host::WorkerPool workers(settings.threads);
+    platform::WorkerPool workers(settings.threads);
     visibility::prepareDetail(opened->setup.scene, settings.finish.detail.mode, workers);
     const scene::SceneSetup& setup = opened->setup;
     auto moving = worldOf(setup, settings.layers);
@@ -182,7 +182,7 @@ RenderResult SceneRenderer::answer(const RenderRequest& request, const std::stop
                         .settings = request.settings,
                         .scene = m_scene->opened};
     result.frame = request.frame;
-    host::WorkerPool workers(request.settings.threads);
+    platform::WorkerPool workers(request.settings.threads);
     if (m_scene->moving != nullptr && m_scene->moving->show(request.frame, workers)) {
         m_scene->obstacles = std::make_shared<const Obstacles>(m_scene->obstacles->moved(
             m_scene->moving->world().scene(), m_scene->moving->deformedMeshes(), workers));

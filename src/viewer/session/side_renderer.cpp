@@ -10,7 +10,7 @@ render::Frame SideRenderer::render(const SceneOnDevice& set, render::RenderOptio
         m_drawer.reset(); // its memory goes before that of the next is asked for
         m_asked = options;
         m_viewsAsked = views;
-        m_trace = std::make_unique<host::Trace>(options.threads);
+        m_trace = std::make_unique<platform::Trace>(options.threads);
         options.trace = m_trace.get();
         m_drawer =
             std::make_unique<options::ViewsDrawer>(set.device, set.scene, set.onDevice, options, views);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/device.h>
-#include <cdr/host/trace.h>
+#include <cdr/platform/trace.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/renderer.h>
 
@@ -35,13 +35,13 @@ class SideRenderer {
                          const options::ViewsPlan& plan, const scene::Camera& camera, render::FrameCopy copy,
                          FramesBefore before);
     /// Of the last frame.
-    const host::Trace& trace() const { return *m_trace; }
+    const platform::Trace& trace() const { return *m_trace; }
     void drop() { m_drawer.reset(); }
 
   private:
-    render::RenderOptions m_asked;        ///< what it is made from, without the trace
-    std::size_t m_viewsAsked = 0;         ///< the same
-    std::unique_ptr<host::Trace> m_trace; ///< outlives the renderer
+    render::RenderOptions m_asked;            ///< what it is made from, without the trace
+    std::size_t m_viewsAsked = 0;             ///< the same
+    std::unique_ptr<platform::Trace> m_trace; ///< outlives the renderer
     std::unique_ptr<options::ViewsDrawer> m_drawer;
 };
 

@@ -1,8 +1,8 @@
 #include "startup.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/file.h>
 #include <cdr/render/renderer_setup.h>
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ void requireUsable(const Arguments& arguments) {
     scene::requireUsable(arguments.choice);
     if (!arguments.screenshot.empty()) {
         image::requireEncodable(arguments.screenshot);
-        host::requireWritable(arguments.screenshot);
+        platform::requireWritable(arguments.screenshot);
     }
 }
 

@@ -6,10 +6,10 @@ namespace cdr::viewer {
 
 namespace {
 
-using TimePoint = host::Trace::Clock::time_point;
+using TimePoint = platform::Trace::Clock::time_point;
 
 /// The newest frame that anything belongs to; empty when nothing was recorded.
-std::optional<std::size_t> lastFrame(const host::Trace& trace) {
+std::optional<std::size_t> lastFrame(const platform::Trace& trace) {
     std::optional<std::size_t> last;
     const auto consider = [&](std::size_t frame) { last = std::max(last.value_or(frame), frame); };
     if (!trace.stages().empty()) {
@@ -31,13 +31,13 @@ std::span<const Event> eventsOf(std::span<const Event> events, std::size_t frame
     return events.subspan(static_cast<std::size_t>(first - events.begin()));
 }
 
-TimePoint beginOf(const host::Trace& trace, std::size_t frame) {
+TimePoint beginOf(const platform::Trace& trace, std::size_t frame) {
     TimePoint begin = TimePoint::max();
-    for (const host::Trace::Stage& stage : eventsOf(trace.stages(), frame)) {
+    for (const platform::Trace::Stage& stage : eventsOf(trace.stages(), frame)) {
         begin = std::min(begin, stage.begin);
     }
     for (std::size_t worker = 0; worker < trace.workers(); ++worker) {
-        for (const host::Trace::FramedJob& job : eventsOf(trace.jobs(worker), frame)) {
+        for (const platform::Trace::FramedJob& job : eventsOf(trace.jobs(worker), frame)) {
             begin = std::min(begin, job.job.begin);
         }
     }
@@ -46,7 +46,7 @@ TimePoint beginOf(const host::Trace& trace, std::size_t frame) {
 
 } // namespace
 
-WorkerTimeline timelineOf(const host::Trace& trace) {
+WorkerTimeline timelineOf(const platform::Trace& trace) {
     WorkerTimeline timeline{.workers = trace.workers(), .lengthMs = 0.0, .stages = {}, .jobs = {}};
     const std::optional<std::size_t> frame = lastFrame(trace);
     if (!frame) {
@@ -58,12 +58,12 @@ WorkerTimeline timelineOf(const host::Trace& trace) {
         timeline.lengthMs = std::max(timeline.lengthMs, ms);
         return ms;
     };
-    for (const host::Trace::Stage& stage : eventsOf(trace.stages(), *frame)) {
+    for (const platform::Trace::Stage& stage : eventsOf(trace.stages(), *frame)) {
         timeline.stages.push_back(
             {.name = stage.name, .beginMs = since(stage.begin), .endMs = since(stage.end)});
     }
     for (std::size_t worker = 0; worker < trace.workers(); ++worker) {
-        for (const host::Trace::FramedJob& framed : eventsOf(trace.jobs(worker), *frame)) {
+        for (const platform::Trace::FramedJob& framed : eventsOf(trace.jobs(worker), *frame)) {
             timeline.jobs.push_back({.worker = worker,
                                      .cascade = framed.job.cascade,
                                      .draws = framed.job.draws,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/host/trace.h>
+#include <cdr/platform/trace.h>
 #include <cdr/render/submit/submission.h>
 
 #include <cstddef>
@@ -35,8 +35,8 @@ struct WorkerTimeline {
 };
 
 /// The last frame that a trace holds; empty when it holds none. On the thread that drives the frame, between
-/// frames. host::Trace::forget() before each frame keeps a trace that is read this way small.
-WorkerTimeline timelineOf(const host::Trace& trace);
+/// frames. platform::Trace::forget() before each frame keeps a trace that is read this way small.
+WorkerTimeline timelineOf(const platform::Trace& trace);
 
 /// Draws of each cascade, counted from the jobs that recorded them. None where the device chooses them.
 std::optional<std::vector<std::size_t>> drawsByCascade(const WorkerTimeline& timeline, std::size_t cascades,

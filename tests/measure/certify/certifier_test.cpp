@@ -132,7 +132,7 @@ TEST(Certifier, CertifiesNoWrongPixelOfASliver) {
         for (const double gap : {1e-10, 1e-9, 1e-8}) {
             const CertifiedScene made = slivers(gap, tilt);
             DrawnFrame frame = drawnByRays(made.scene, made.camera, kEighthBits);
-            host::WorkerPool workers(1);
+            platform::WorkerPool workers(1);
             const measure::TruthImage truth =
                 measure::castTruth(made.scene, made.camera, frame.ids.width, frame.ids.height, workers);
             std::uint64_t swapped = 0;
@@ -354,7 +354,7 @@ TEST(Certifier, FindsTheSameWithAnyNumberOfWorkers) {
 }
 
 TEST(Certifier, NamesTheMaterialThatItCannotFollow) {
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     const auto saysOf = [&](auto change) {
         scene::Scene scene = makeEmptyScene();
         scene.materials[kDoubleSided].name = "glass";

@@ -40,7 +40,7 @@ measure::DrawnFrame drawnByRays(const scene::Scene& scene, const scene::Camera& 
 
 measure::Certificate certified(const scene::Scene& scene, const measure::DrawnFrame& frame,
                                std::size_t threads) {
-    host::WorkerPool workers(threads);
+    platform::WorkerPool workers(threads);
     return measure::Certifier(scene, workers).certify(frame, workers);
 }
 

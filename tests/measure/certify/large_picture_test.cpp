@@ -42,7 +42,7 @@ TEST(LargePicture, TruthIsRefused) {
 
 TEST(LargePicture, TruthWithLayersIsRefused) {
     const scene::Scene scene = cubeScene();
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     expectRefused([&] { measure::castLayers(scene, makePlainCamera(), kSide, kSide, workers); },
                   "the truth of 2048x2048 pixels with layers");
 }

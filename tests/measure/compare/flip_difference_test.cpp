@@ -63,7 +63,7 @@ struct Figures {
 /// Against what flip_reference.py printed, float64 and two-dimensional filters throughout.
 void expectFigures(const ImageRgba8& reference, const ImageRgba8& test, const Figures& expected,
                    const measure::Viewing& viewing = {}) {
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const FlipDifference flip(viewing);
     const image::ImageFloat map = flip.map(reference, test, workers);
     EXPECT_NEAR(flip.mean(reference, test, workers), expected.mean, 1e-5);
@@ -95,7 +95,7 @@ TEST(FlipDifference, FeaturesThatVanishAreAsTheReferenceHasThem) {
 }
 
 TEST(FlipDifference, EqualPicturesDoNotDiffer) {
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     const FlipDifference flip;
     EXPECT_EQ(flip.mean(ramp(100, 90), ramp(100, 90), workers), 0.0);
     EXPECT_EQ(flip.mean({}, {}, workers), 0.0);
@@ -103,7 +103,7 @@ TEST(FlipDifference, EqualPicturesDoNotDiffer) {
 
 /// The division into tiles changes no difference, wherever it lies.
 TEST(FlipDifference, ADifferenceLooksTheSameWhereverItLies) {
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const FlipDifference flip;
     const ImageRgba8 reference = flat(200, 150, 90);
     const auto mapOf = [&](std::uint32_t x, std::uint32_t y) {
@@ -124,15 +124,15 @@ TEST(FlipDifference, ADifferenceLooksTheSameWhereverItLies) {
 }
 
 TEST(FlipDifference, WorkersDoNotChangeTheBits) {
-    host::WorkerPool one(1);
-    host::WorkerPool three(3);
+    platform::WorkerPool one(1);
+    platform::WorkerPool three(3);
     const FlipDifference flip;
     EXPECT_EQ(flip.map(ramp(300, 200), flat(300, 200, 128), one),
               flip.map(ramp(300, 200), flat(300, 200, 128), three));
 }
 
 TEST(FlipDifference, RefusesWhatCannotBeCompared) {
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     EXPECT_THROW(FlipDifference().map(flat(4, 4, 0), flat(4, 5, 0), workers), base::InputError);
     EXPECT_THROW(FlipDifference({.pixelsPerDegree = 0.5}), base::InputError);
     EXPECT_THROW(FlipDifference({.pixelsPerDegree = 1e9}), base::InputError);

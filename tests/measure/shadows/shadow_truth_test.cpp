@@ -19,7 +19,7 @@ using measure::ShadowImage;
 
 ShadowImage castShadows(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
                         std::uint32_t height, std::size_t threads = 1) {
-    host::WorkerPool workers(threads);
+    platform::WorkerPool workers(threads);
     const measure::TruthCaster shapes(scene, workers);
     return measure::ShadowTruthCaster(scene, shapes.shapes()).cast(camera, width, height, 0, workers);
 }

@@ -41,7 +41,7 @@ struct Stack {
     }
 
     LayeredPixel middle(double nearView = 0.1, double farView = 100.0) const {
-        host::WorkerPool workers(1);
+        platform::WorkerPool workers(1);
         const scene::Camera camera{.fovY = 1.0, .nearView = nearView, .farView = farView};
         return castLayers(scene, camera, kSide, kSide, workers).at(3, 4);
     }
@@ -117,7 +117,7 @@ TEST(LayeredTruth, PixelsNextToASilhouetteAreNotInner) {
     Stack stack;
     stack.add(4.0, {0.0f, 1.0f, 0.0f, 0.5f}, true);
     stack.scene.instances.x[0] = 8.0 + 0.1; // its left edge a little right of the middle
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 100.0};
     const LayeredTruth truth = castLayers(stack.scene, camera, kSide, kSide, workers);
     for (std::uint32_t x = 1; x + 1 < kSide; ++x) {
@@ -130,7 +130,7 @@ TEST(LayeredTruth, PixelsNextToASilhouetteAreNotInner) {
 /// Rows are cast in bands, so that each row of faces is kept only while its neighbours ask for it.
 TEST(LayeredTruth, PixelsBelowAnEdgeAreNotInnerWhateverTheRow) {
     constexpr std::uint32_t kHeight = 100;
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 100.0};
     for (std::uint32_t edge = 2; edge + 2 < kHeight; ++edge) {
         Stack stack;
@@ -155,7 +155,7 @@ TEST(LayeredTruth, TakesNoMoreMemoryThanItsPixelsAndSomeRows) {
     for (int i = 0; i < 8; ++i) {
         stack.add(4.0 + i, {0.0f, 1.0f, 0.0f, 0.5f}, true);
     }
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 100.0};
     const auto peakKiB = [] {
         rusage usage{};
@@ -172,7 +172,7 @@ TEST(LayeredTruth, TakesNoMoreMemoryThanItsPixelsAndSomeRows) {
 TEST(LayeredTruth, ComparesInnerPixelsOnly) {
     Stack stack;
     stack.add(4.0, {0.0f, 1.0f, 0.0f, 0.5f}, true);
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 100.0};
     const LayeredTruth truth = castLayers(stack.scene, camera, kSide, kSide, workers);
     image::ImageRgba8 picture = pictureOf(truth);

@@ -10,7 +10,7 @@ TEST(TruthWorkers, SameBitsForAnyNumber) {
     camera.nearView = 0.01;
     const measure::TruthImage expected = cast(scene, camera, 161, 97);
     for (const std::size_t threads : {1u, 2u, 3u, 8u}) {
-        host::WorkerPool workers(threads);
+        platform::WorkerPool workers(threads);
         const measure::TruthCaster caster(scene, workers);
         for (int repeat = 0; repeat < 3; ++repeat) {
             EXPECT_EQ(caster.cast(camera, 161, 97, workers), expected) << threads << " threads";

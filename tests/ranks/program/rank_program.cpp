@@ -126,8 +126,8 @@ void run(Ranks& ranks, std::size_t count, const Trouble& trouble) {
     }
     const std::string shared = "from rank " + std::to_string(ranks.place().index);
     const std::string pid = std::to_string(::getpid());
-    const cdr::host::Bytes pidOfFirst = ranks.share({pid.begin(), pid.end()});
-    const cdr::host::Bytes from = ranks.share({shared.begin(), shared.end()});
+    const cdr::platform::Bytes pidOfFirst = ranks.share({pid.begin(), pid.end()});
+    const cdr::platform::Bytes from = ranks.share({shared.begin(), shared.end()});
     std::map<std::string, std::size_t> made;
     std::string merged = std::to_string(ranks.place().index) + " " + textOf(3);
     ranks.merge(
@@ -135,9 +135,9 @@ void run(Ranks& ranks, std::size_t count, const Trouble& trouble) {
             if (trouble.kind == "pack" && isTheOne) {
                 throw std::runtime_error("it broke");
             }
-            return cdr::host::Bytes(merged.begin(), merged.end());
+            return cdr::platform::Bytes(merged.begin(), merged.end());
         },
-        [&](const cdr::host::Bytes& later) {
+        [&](const cdr::platform::Bytes& later) {
             if (trouble.kind == "lay" && isTheOne) {
                 throw cdr::base::InputError("no such thing");
             }
@@ -158,9 +158,9 @@ void run(Ranks& ranks, std::size_t count, const Trouble& trouble) {
                             std::stoi(std::string(pidOfFirst.begin(), pidOfFirst.end())));
                 std::this_thread::sleep_for(std::chrono::milliseconds(unit % 3)); // so that all get some
                 const std::string text = textOf(unit);
-                return cdr::host::Bytes(text.begin(), text.end());
+                return cdr::platform::Bytes(text.begin(), text.end());
             },
-            [&](std::size_t unit, const cdr::host::Bytes& bytes) {
+            [&](std::size_t unit, const cdr::platform::Bytes& bytes) {
                 if (trouble.kind == "take" && unit == trouble.unit) {
                     throw std::runtime_error("the disk is full");
                 }

@@ -69,7 +69,7 @@ TEST_F(InPlaneTest, AnchoredDepthOrdersWhatRoundingSwaps) {
     const scene::SceneSetup setup = scenes::makeMixed();
     const scene::Camera camera = setup.path.at(0);
     const render::GpuScene gpuScene(device(), setup.scene);
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     measure::WrongPixels byDevice; // at some sizes none
     for (const auto& [width, height] : {std::pair{480u, 270u}, {800u, 450u}, {1440u, 810u}}) {
         const measure::TruthImage truth = measure::castTruth(setup.scene, camera, width, height, workers);

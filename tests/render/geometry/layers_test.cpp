@@ -44,7 +44,7 @@ class LayersTest : public RenderTest {
     /// Of all inner pixels. Where the device rounds vertices, slivers cover pixels that no ray meets them in.
     double mostWrong() { return snapReach(device()) > 0.0 ? 1e-3 : 0.0; }
 
-    host::WorkerPool m_workers{2};
+    platform::WorkerPool m_workers{2};
 };
 
 scene::Material inLayer(float layer) {

@@ -27,7 +27,7 @@ class SnappingTest : public RenderTest {
     }
 
     measure::TruthImage truthOf(const scene::SceneSetup& setup, std::uint32_t width, std::uint32_t height) {
-        host::WorkerPool workers(2);
+        platform::WorkerPool workers(2);
         return measure::castTruth(setup.scene, setup.path.at(0), width, height, workers);
     }
 

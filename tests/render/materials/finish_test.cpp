@@ -26,7 +26,7 @@ const scene::Camera kCamera = scene::lookAt({.fovY = 0.9}, {1.0, 2.0, 5.0}, glm:
 /// is cleared, and comes from the CPU.
 TEST_F(FinishTest, PicturesAreFinishedAsInFloat64) {
     const scene::Scene scene = brightScene();
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
     const measure::LayeredTruth truth =
         measure::castLayers(scene, kCamera, options.width, options.height, workers);
@@ -77,7 +77,7 @@ TEST_F(FinishTest, SkiesLightAsInFloat64) {
     scene::Scene scene = brightScene();
     scene.lights.clear();
     scene.sky = scene::Sky{.up = glm::normalize(glm::dvec3(0.2, 1.0, 0.3))};
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     render::RenderOptions options = quarterOf(smallOptions(depth::parseTechnique("reversed")));
     options.effects.finish.toneMap = render::ToneMap::none;
     const auto expectAlike = [&](int most) {

@@ -174,7 +174,7 @@ TEST_F(LevelsTest, LooksAsFloat64TruthFromNearToFar) {
     const scene::Camera camera =
         scene::lookAt({.fovY = 0.5, .nearView = 0.01, .farView = 100.0}, {0.0, -2.0, 0.25}, glm::dvec3(0.0));
     const render::Frame frame = draw(scene, camera, options());
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const auto meanSteps = [&](const scene::Scene& of) {
         const measure::LayeredTruth truth =
             measure::castLayers(of, camera, frame.width(), frame.height(), workers);

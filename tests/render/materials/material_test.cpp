@@ -60,7 +60,7 @@ class MaterialTest : public RenderTest {
   protected:
     /// The share of the picture's pixels, edges left out, that are off by more than two steps of 255.
     double offIn(const render::Frame& frame, const scene::Scene& scene) {
-        host::WorkerPool workers(2);
+        platform::WorkerPool workers(2);
         const measure::LayeredTruth truth =
             measure::castLayers(scene, kMaterialCamera, frame.width(), frame.height(), workers);
         const image::ImageRgba8 wanted = measure::pictureOf(truth);

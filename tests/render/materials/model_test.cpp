@@ -32,7 +32,7 @@ class ModelTest : public RenderTest {
     }
 
     static double difference(const image::ImageRgba8& a, const image::ImageRgba8& b) {
-        host::WorkerPool workers(2);
+        platform::WorkerPool workers(2);
         return measure::FlipDifference().mean(a, b, workers);
     }
 
@@ -55,7 +55,7 @@ class ModelTest : public RenderTest {
 TEST_F(ModelTest, LooksAsFloat64TruthUnderLamps) {
     const scene::SceneSetup setup = model(scene::ModelLight::lamps);
     const render::Frame frame = draw(setup.scene, setup.path.at(0), options());
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const measure::LayeredTruth truth =
         measure::castLayers(setup.scene, setup.path.at(0), frame.width(), frame.height(), workers);
     const image::ImageRgba8 wanted = pictureOf(truth);
@@ -66,7 +66,7 @@ TEST_F(ModelTest, LooksAsFloat64TruthUnderLamps) {
 TEST_F(ModelTest, LooksAsFloat64TruthUnderASky) {
     const scene::SceneSetup setup = model(scene::ModelLight::sky);
     const render::Frame frame = draw(setup.scene, setup.path.at(0), options());
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const measure::LayeredTruth truth =
         measure::castLayers(setup.scene, setup.path.at(0), frame.width(), frame.height(), workers);
     const image::ImageRgba8 wanted = pictureOf(truth, {.exposure = 0.0, .neutral = true});

@@ -119,7 +119,7 @@ TEST_F(PlacesTest, TransformsLeadToAnyPlace) {
 }
 
 TEST_F(PlacesTest, LookAsFloat64TruthReadsThem) {
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     for (const UseOf use : kUses) {
         const scene::Scene scene = squareWith(use, {.transform = kWay});
         const render::Frame frame = draw(scene, camera(), options());

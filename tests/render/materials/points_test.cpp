@@ -46,7 +46,7 @@ TEST_F(PointsTest, LooksAsFloat64Truth) {
     const scene::Camera camera = setup.path.at(0);
     const render::Frame frame =
         draw(setup.scene, camera, quarterOf(smallOptions(depth::parseTechnique("anchored"))));
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const image::ImageRgba8 wanted =
         pictureOf(measure::castLayers(setup.scene, camera, frame.width(), frame.height(), workers));
     EXPECT_LE(measure::FlipDifference().mean(wanted, frame.color, workers), 0.02);
@@ -67,7 +67,7 @@ TEST_F(PointsTest, CloudsAlmostAtOnePlaceAreToldApart) {
         }
     }
     setup.scene.objectNames.emplace_back("second hill");
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const auto idsOf = [&](const char* technique) {
         return draw(setup.scene, camera, smallOptions(depth::parseTechnique(technique))).ids();
     };
@@ -103,7 +103,7 @@ TEST_F(PointsTest, UnlitOnesShowWhatTheyEmit) {
     scene::SceneSetup setup = glowing(survey(0.06));
     const scene::Camera camera = setup.path.at(0);
     const scene::SceneSetup dark = survey(0.06);
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     render::RenderOptions options = quarterOf(smallOptions(depth::parseTechnique("anchored")));
     options.translucency.method = render::Translucency::sorted;
     for (const scene::AlphaMode alpha : {scene::AlphaMode::opaque, scene::AlphaMode::blend}) {

@@ -66,7 +66,7 @@ class MotionTest : public RenderTest {
         }
     };
     Difference compare(const render::Frame& frame, const SeenScene& now, const SeenScene& before) {
-        host::WorkerPool workers(2);
+        platform::WorkerPool workers(2);
         const measure::TruthImage truth =
             measure::castTruth(now.scene, now.camera, frame.width(), frame.height(), workers);
         const measure::TruthImage held = heldBy(frame);

@@ -20,7 +20,7 @@ class AirTest : public RenderTest {
         options.height = 36;
         options.surface = surface;
         options.effects.finish.toneMap = render::ToneMap::none;
-        host::WorkerPool workers(2);
+        platform::WorkerPool workers(2);
         const measure::LayeredTruth truth =
             measure::castLayers(scene, camera, options.width, options.height, workers);
         return largestStepTo(truth, {}, draw(scene, camera, options).color);

@@ -192,7 +192,7 @@ TEST_F(MetallicRoughnessTest, SheetsLookAsInTheTruth) {
     options.height = 108;
     options.translucency = {.method = render::Translucency::sorted, .countsFragments = true};
     const Frame frame = draw(scene, camera, options);
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const measure::LayerDifference difference =
         measure::compareLayers(frame.color, frame.fragmentCounts,
                                measure::castLayers(scene, camera, frame.width(), frame.height(), workers));

@@ -16,7 +16,7 @@ class TruthShadingTest : public RenderTest {};
 
 /// Two programs that share no line light the same surfaces alike.
 void expectAlike(const render::Frame& frame, const scene::Scene& scene, const scene::Camera& camera) {
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const auto truth = measure::castTruth(scene, camera, frame.width(), frame.height(), workers);
     const auto shaded = measure::shadeTruth(scene, camera, truth, workers);
     const auto inner = measure::innerMask(truth);
@@ -97,7 +97,7 @@ TEST_F(TruthShadingTest, RefusesWhatHasNoFlatFaces) {
     scene::Scene scene = boxScene();
     scene.meshes[0].boxHalfSides.reset();
     addBox(scene, glm::dvec3(0.0));
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     EXPECT_THROW(measure::shadeTruth(scene, {}, measure::TruthImage(2, 2), workers), base::InputError);
 }
 

@@ -87,7 +87,7 @@ class LightViewTest : public testing::Test {
 
     scene::Camera m_camera;
     scene::Scene m_scene;
-    host::WorkerPool m_workers{2};
+    platform::WorkerPool m_workers{2};
     visibility::InstanceCells m_cells;
     visibility::VisibleCells m_visible;
     std::mt19937_64 m_random{7};

@@ -40,7 +40,7 @@ class ShadowTruth {
     }
 
   private:
-    host::WorkerPool m_workers{2};
+    platform::WorkerPool m_workers{2};
     measure::TruthCaster m_shapes;
     measure::ShadowTruthCaster m_caster;
     std::size_t m_lights;
@@ -148,7 +148,7 @@ TEST_F(ShadowsTest, ThinPaintCastsNoShadowBesideItself) {
 
 TEST_F(ShadowsTest, TheCountSeesShadowsThatAreMissing) {
     const scene::SceneSetup setup = scenes::openScene("alley", scenes::kDefaultSeed).setup;
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const measure::TruthCaster shapes(setup.scene, workers);
     const measure::ShadowTruthCaster caster(setup.scene, shapes.shapes());
     const measure::ShadowImage truth = caster.cast(setup.path.at(0), 480, 270, 0, workers);

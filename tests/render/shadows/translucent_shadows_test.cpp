@@ -26,7 +26,7 @@ class TranslucentShadowsTest : public RenderTest {
         return options;
     }
     measure::LayeredTruth truthOf(const scene::Scene& scene, const scene::Camera& camera) const {
-        host::WorkerPool workers(2);
+        platform::WorkerPool workers(2);
         return measure::castShadowedLayers(scene, camera, kWidth, kHeight, workers);
     }
     /// The sheets' is cast once.
@@ -87,7 +87,7 @@ TEST_F(TranslucentShadowsTest, ASheetUnderABoxShowsItsShadowByBothMethods) {
     const scene::Camera camera{
         .position = place + glm::dvec3(0.0, 3.0, 12.0), .fovY = 1.0, .nearView = 0.1, .farView = 1e6};
     const measure::LayeredTruth truth = truthOf(scene, camera);
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     const measure::LayeredTruth lit = measure::castLayers(scene, camera, kWidth, kHeight, workers);
     for (const Translucency method : render::kTranslucencies) {
         const render::Frame frame = draw(scene, camera, optionsFor("anchored", method));

@@ -1,6 +1,6 @@
 #include "../fixture.h"
 
-#include <cdr/host/schedule.h>
+#include <cdr/platform/schedule.h>
 #include <scenes/cubes.h>
 
 #include <random>
@@ -40,7 +40,7 @@ TEST_F(ScheduleTest, NoOrderOfFewJobsChangesTheFrame) {
             const std::string expected = hashOf(draw(scene, camera, alone));
             render::RenderOptions scheduled = alone;
             scheduled.threads = 2;
-            for (std::uint64_t number = 0; number < host::scheduleCount(3, 2); ++number) {
+            for (std::uint64_t number = 0; number < platform::scheduleCount(3, 2); ++number) {
                 scheduled.schedule = number;
                 render::Renderer renderer(device(), scene, gpuScene, scheduled);
                 const render::Frame frame = renderer.render(camera);

@@ -187,7 +187,7 @@ TEST_F(SubmissionTest, OfEqualSurfacesTheLastInTheScenesOrderShowsHoweverDrawn) 
         scene::addInstance(scene, mesh, 0, object, {0.0, 0.0, -6.0}, turned);
     }
     const scene::Camera camera{.fovY = 0.5, .nearView = 1.0, .farView = 100.0};
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     const auto size = tinyOptions({});
     const measure::TruthImage truth = measure::castTruth(scene, camera, size.width, size.height, workers);
     ASSERT_EQ(truth.at(size.width / 2, size.height / 2).id, 5u);

@@ -22,7 +22,7 @@ class AnchoredTargetsTest : public RenderTest {
     /// one-pass.
     void expectRight(const scene::Scene& scene, const scene::Camera& camera, std::size_t leastCascades) {
         const render::GpuScene gpuScene(device(), scene);
-        host::WorkerPool workers(2);
+        platform::WorkerPool workers(2);
         const auto truth = measure::castTruth(scene, camera, 480, 270, workers);
         for (const depth::Mapping mapping : {depth::Mapping::anchored, depth::Mapping::anchoredReversed}) {
             for (const auto format : available({depth::DepthFormat::d24, depth::DepthFormat::d32f})) {

@@ -61,7 +61,7 @@ TEST_F(OnePassTest, HasNoMoreWrongPixelsThanSingle) {
          {scenes::makeAfc(2013), scenes::makeRotation(2013, 8000), scenes::makeCubes(2013)}) {
         const render::GpuScene gpuScene(device(), setup.scene);
         const scene::Camera camera = setup.path.at(20);
-        host::WorkerPool workers(2);
+        platform::WorkerPool workers(2);
         const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
         for (const depth::NamedTechnique& preset : depth::presets()) {
             const auto wrong = [&](TargetsKind targets) {
@@ -87,7 +87,7 @@ TEST_F(OnePassTest, SlicesOf24BitsLieBetween24And16BitsOfOnesOwn) {
     const scene::SceneSetup setup = scenes::makeAfc(2013);
     const render::GpuScene gpuScene(device(), setup.scene);
     const scene::Camera camera = setup.path.at(20);
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
     for (const depth::NamedTechnique& preset : depth::presets()) {
         const auto wrong = [&](depth::DepthFormat format, TargetsKind targets) {
@@ -109,7 +109,7 @@ TEST_F(OnePassTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
     scene::Camera camera = setup.path.at(0);
     camera.nearView = 1.0;
     camera.farView = 500.0;
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"none", "count:7", "count:40", "at:50,120"}) {

@@ -50,7 +50,7 @@ struct Drawer {
 /// For each preset: every submission by one thread and by four gives one picture, which is the truth to two steps of 255.
 TEST_F(BendingTest, SortedIsTheTruthAtEachMomentHoweverDrawn) {
     const scene::SceneSetup setup = open();
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     scenes::MovingScene moving(setup.scene, setup.motion);
     render::GpuScene onDevice(device(), moving.world());
     std::list<std::list<Drawer>> presets;
@@ -96,7 +96,7 @@ TEST_F(BendingTest, SortedIsTheTruthAtEachMomentHoweverDrawn) {
 /// The bent surfaces are what the truth is held against: it differs where the world has moved on.
 TEST_F(BendingTest, AnEarlierMomentIsNotTheTruth) {
     const scene::SceneSetup setup = open();
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     scenes::MovingScene moving(setup.scene, setup.motion);
     const scene::Camera camera = setup.path.at(0);
     const measure::LayeredTruth before =

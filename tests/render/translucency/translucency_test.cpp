@@ -44,7 +44,7 @@ class TranslucencyTest : public RenderTest {
   protected:
     measure::LayeredTruth truthOf(const scene::Scene& scene, const scene::Camera& camera,
                                   std::uint32_t width = kWidth, std::uint32_t height = kHeight) {
-        host::WorkerPool workers(2);
+        platform::WorkerPool workers(2);
         return measure::castLayers(scene, camera, width, height, workers);
     }
 

@@ -50,7 +50,7 @@ class AnimationTest : public RenderTest {
 TEST_F(AnimationTest, FramesAreThoseOfAFileOpenedAtTheirMoment) {
     const scene::OpenedScene opened = open(0.0, kFramesPerSecond);
     for (const std::size_t threads : {std::size_t{1}, std::size_t{3}, std::size_t{16}}) {
-        host::WorkerPool workers(threads);
+        platform::WorkerPool workers(threads);
         for (const auto& [name, technique] : depth::presets()) {
             if (threads != 3 && name != "anchored" && name != "cdr") {
                 continue; // how many threads deform does not depend on the technique
@@ -75,7 +75,7 @@ TEST_F(AnimationTest, FramesAreThoseOfAFileOpenedAtTheirMoment) {
 /// The truth and the certificate follow what deforms. A caster that was told of nothing sees another picture.
 TEST_F(AnimationTest, TruthSeesTheSameTriangles) {
     const scene::OpenedScene opened = open(0.0, kFramesPerSecond);
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     scenes::MovingScene moving(opened.setup.scene, opened.setup.motion);
     measure::TruthCaster caster(moving.world().scene(), workers);
     const measure::TruthCaster untold(moving.world().scene(), workers);
@@ -103,7 +103,7 @@ TEST_F(AnimationTest, TruthSeesTheSameTriangles) {
 TEST_F(AnimationTest, NothingFlipsWhileAnAnimationPlays) {
     constexpr std::uint32_t kFrames = 5;
     const scene::OpenedScene opened = open(0.0, 24.0);
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     scenes::MovingScene moving(opened.setup.scene, opened.setup.motion);
     measure::TruthCaster caster(moving.world().scene(), workers);
     render::GpuScene onDevice(device(), moving.world());
@@ -148,7 +148,7 @@ TEST_F(AnimationTest, LightsFollowNodes) {
     };
     const scene::SceneSetup opened = openStage(0.0, kFramesPerSecond);
     for (const std::size_t threads : {std::size_t{1}, std::size_t{3}, std::size_t{16}}) {
-        host::WorkerPool workers(threads);
+        platform::WorkerPool workers(threads);
         for (const char* technique : {"anchored", "cdr"}) {
             render::RenderOptions chosen = options(technique, threads);
             chosen.translucency.method = render::Translucency::sorted;
@@ -180,7 +180,7 @@ TEST_F(AnimationTest, LightsFollowNodes) {
 /// Motion is exact where nodes move as they are; what deforms moves by the point that it goes with.
 TEST_F(AnimationTest, MotionFollowsNodes) {
     const scene::OpenedScene opened = open(0.1, 24.0);
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     scenes::MovingScene moving(opened.setup.scene, opened.setup.motion);
     render::GpuScene onDevice(device(), moving.world());
     render::RenderOptions chosen = options("anchored");

@@ -35,7 +35,7 @@ class DeviceDeformTest : public RenderTest {
     /// Draws the same frames, deformed by each, and expects them to be the same.
     void expectSame(const scene::SceneSetup& setup, const render::RenderOptions& options,
                     std::initializer_list<std::uint32_t> frames, const std::string& what) {
-        host::WorkerPool workers(options.threads);
+        platform::WorkerPool workers(options.threads);
         scenes::MovingScene byCpu(setup.scene, setup.motion, scenes::Deform::cpu);
         scenes::MovingScene byDevice(setup.scene, setup.motion, scenes::Deform::device);
         render::GpuScene cpuScene(device(), byCpu.world());
@@ -98,7 +98,7 @@ TEST_F(DeviceDeformTest, BlendedSurfacesAreThoseOfTheCpu) {
 /// The CPU's triangles are those of what the device draws, where truth asks for them.
 TEST_F(DeviceDeformTest, TruthSeesWhatTheDeviceDraws) {
     const scene::SceneSetup setup = open(kMachineFile, 4.0);
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     scenes::MovingScene moving(setup.scene, setup.motion, scenes::Deform::both);
     measure::TruthCaster caster(moving.world().scene(), workers);
     render::GpuScene onDevice(device(), moving.world());

@@ -441,7 +441,7 @@ TEST_F(WorldTest, TruthSeesWhatIsDrawn) {
     options.height = 360;
     options.detail = {};
     render::Renderer renderer(device(), onDevice, options);
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     for (int round = 0; round < 4; ++round) {
         for (int i = 0; i < 50; ++i) {
             editor.edit();

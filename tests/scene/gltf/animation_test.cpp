@@ -1,7 +1,7 @@
 #include "fixture.h"
 
-#include <cdr/host/worker_pool.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/gltf/open_gltf.h>
 
 #include <cmath>

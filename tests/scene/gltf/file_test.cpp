@@ -1,6 +1,6 @@
 #include "fixture.h"
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 #include <cdr/scene/gltf/open_gltf.h>
 
 namespace cdr::scene::test {

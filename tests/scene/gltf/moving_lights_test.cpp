@@ -1,6 +1,6 @@
 #include "fixture.h"
 
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/animation/scene_animation.h>
 #include <cdr/scene/gltf/open_gltf.h>
 
@@ -71,7 +71,7 @@ TEST_F(GltfMovingLights, MoveWithTheFrames) {
     EXPECT_EQ(motion.lights, (std::vector<std::uint32_t>{1}));
     EXPECT_FALSE(opened.lights[0].moves);
     EXPECT_TRUE(opened.lights[1].moves);
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     for (const std::uint32_t frame : {0u, 1u, 3u}) {
         Scene scene = opened.setup.scene;
         show(scene, motion, frame, workers);

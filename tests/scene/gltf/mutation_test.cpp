@@ -1,7 +1,7 @@
 #include "fixture.h"
 
-#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/file.h>
 #include <cdr/scene/gltf/import.h>
 
 #include <functional>

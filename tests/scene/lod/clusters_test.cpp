@@ -17,7 +17,7 @@ namespace {
 using namespace cdr::scene;
 
 ClusterTree clustersOf(const Mesh& mesh, std::size_t threads = 2) {
-    cdr::host::WorkerPool workers(threads);
+    cdr::platform::WorkerPool workers(threads);
     return makeClusters(mesh, workers);
 }
 
@@ -196,7 +196,7 @@ TEST(Clusters, AFanOfManyTrianglesGetsNone) {
 }
 
 TEST(Clusters, SmallMeshesGetNone) {
-    cdr::host::WorkerPool workers(1);
+    cdr::platform::WorkerPool workers(1);
     Scene scene;
     scene.meshes = {cdr::scenes::makeBoulder(1, 2), boulder()};
     makeClusters(scene, workers);

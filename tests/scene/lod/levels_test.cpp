@@ -295,9 +295,9 @@ TEST(Levels, ASceneHasThemWhateverTheWorkersAndKeepsThoseGiven) {
     const MeshLevel given{.indices = {0, 1, 2}, .error = 0.25f};
     setup.scene.meshes[1].levels = {given};
     Scene first = setup.scene;
-    cdr::host::WorkerPool one(1);
+    cdr::platform::WorkerPool one(1);
     makeLevels(first, one);
-    cdr::host::WorkerPool three(3);
+    cdr::platform::WorkerPool three(3);
     makeLevels(setup.scene, three);
     for (std::size_t mesh = 0; mesh < 3; ++mesh) {
         ASSERT_EQ(first.meshes[mesh].levels.size(), setup.scene.meshes[mesh].levels.size());

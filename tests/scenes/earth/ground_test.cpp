@@ -88,7 +88,7 @@ glm::dvec3 meanOf(const image::ImageRgba8& picture) {
 class GroundPainterTest : public testing::Test {
   protected:
     image::ImageRgba8 paint(const GeodeticFrame& frame, std::uint32_t side, std::size_t threads = 2) const {
-        host::WorkerPool workers(threads);
+        platform::WorkerPool workers(threads);
         return m_painter.paint({.frame = frame, .width = side, .height = side}, workers);
     }
 
@@ -125,7 +125,7 @@ TEST_F(GroundPainterTest, NeitherThreadsNorThePictureAroundMatter) {
 }
 
 TEST_F(GroundPainterTest, HiddenTexelsAreSparedAndTheRestIsTheSame) {
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const image::ImageRgba8 whole = paint(m_country, 128);
     const GeodeticFrame middle{
         .west = m_country.west + 0.05, .north = m_country.north - 0.0375, .width = 0.1, .height = 0.075};
@@ -158,7 +158,7 @@ double contrastOf(const image::ImageRgba8& picture, std::uint32_t first, std::ui
 /// Where a picture of half the texels begins, its country is as strong. Else a straight line is seen over the land.
 TEST_F(GroundPainterTest, NoLineIsSeenWhereAFinerPictureBegins) {
     constexpr std::uint32_t kSide = 128;
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const GeodeticFrame around{.west = -1.1, .north = 51.8, .width = 1.1, .height = 0.7}; // texels of 600 m
     const GeodeticFrame middle{.west = -0.825, .north = 51.625, .width = 0.55, .height = 0.35};
     const GeodeticFrame finest{.west = -0.6875, .north = 51.5375, .width = 0.275, .height = 0.175};
@@ -203,7 +203,7 @@ TEST_F(GroundPainterTest, TheAirportHasGrassAndNoCloud) {
 
 /// Grain, and no other grey than that of the flat slab.
 TEST(Concrete, HasGrainAndAKnownMean) {
-    host::WorkerPool workers(2);
+    platform::WorkerPool workers(2);
     const std::array<double, 256>& linear = image::linearOfSrgb();
     for (const std::uint32_t side : {64u, 512u}) {
         const image::ImageRgba8 slab = paintConcrete(side, workers);

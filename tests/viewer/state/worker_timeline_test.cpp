@@ -1,4 +1,4 @@
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <viewer/state/worker_timeline.h>
 
 #include <gtest/gtest.h>
@@ -7,13 +7,13 @@ namespace cdr::viewer {
 
 namespace {
 
-using Clock = host::Trace::Clock;
+using Clock = platform::Trace::Clock;
 
 Clock::time_point at(int ms) {
     return Clock::time_point(std::chrono::milliseconds(1'000'000 + ms));
 }
 
-void addFrame(host::Trace& trace, int start) {
+void addFrame(platform::Trace& trace, int start) {
     trace.beginFrame("frame");
     trace.addStage("cull", at(start), at(start + 2));
     trace.addJob(
@@ -25,7 +25,7 @@ void addFrame(host::Trace& trace, int start) {
 }
 
 TEST(WorkerTimeline, IsTheLastFrameInMilliseconds) {
-    host::Trace trace(2);
+    platform::Trace trace(2);
     EXPECT_TRUE(timelineOf(trace).stages.empty());
     EXPECT_EQ(timelineOf(trace).workers, 2u);
     addFrame(trace, 0);
@@ -47,7 +47,7 @@ TEST(WorkerTimeline, IsTheLastFrameInMilliseconds) {
 }
 
 TEST(WorkerTimeline, AFrameWithoutStagesStillHasItsJobs) {
-    host::Trace trace(1);
+    platform::Trace trace(1);
     trace.beginFrame("frame");
     trace.addJob(0, {.index = 0, .cascade = 1, .draws = 5, .begin = at(7), .end = at(9)});
     const WorkerTimeline timeline = timelineOf(trace);
@@ -58,7 +58,7 @@ TEST(WorkerTimeline, AFrameWithoutStagesStillHasItsJobs) {
 }
 
 TEST(WorkerTimeline, WhoRestedInTheLastFrameIsNotInIt) {
-    host::Trace trace(2);
+    platform::Trace trace(2);
     addFrame(trace, 0);
     trace.beginFrame("one worker");
     trace.addJob(0, {.index = 0, .cascade = 5, .draws = 6, .begin = at(102), .end = at(103)});
@@ -77,7 +77,7 @@ TEST(WorkerTimeline, WhoRestedInTheLastFrameIsNotInIt) {
 }
 
 TEST(WorkerTimeline, ATraceThatIsForgottenGoesOnForEver) {
-    host::Trace trace(2);
+    platform::Trace trace(2);
     for (int frame = 0; frame < 2000; ++frame) {
         trace.forget();
         addFrame(trace, 100 * frame);
@@ -91,8 +91,8 @@ TEST(WorkerTimeline, ATraceThatIsForgottenGoesOnForEver) {
 }
 
 TEST(WorkerTimeline, HoldsWhatAPoolDid) {
-    host::Trace trace(3);
-    host::WorkerPool workers(3);
+    platform::Trace trace(3);
+    platform::WorkerPool workers(3);
     workers.setTrace(&trace);
     trace.beginFrame("frame");
     const Clock::time_point begin = Clock::now();

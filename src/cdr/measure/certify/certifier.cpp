@@ -1,10 +1,10 @@
 #include <cdr/base/error.h>
-#include <cdr/host/host_memory.h>
 #include <cdr/measure/certify/certifier.h>
 #include <cdr/measure/certify/device_bound.h>
 #include <cdr/measure/certify/screen_triangle.h>
 #include <cdr/measure/certify/true_surfaces.h>
 #include <cdr/measure/truth/visible_instances.h>
+#include <cdr/platform/host_memory.h>
 
 #include <fmt/format.h>
 
@@ -46,7 +46,7 @@ void requireSound(const DrawnFrame& frame) {
 
 } // namespace
 
-Certifier::Certifier(const scene::Scene& scene, host::WorkerPool& workers)
+Certifier::Certifier(const scene::Scene& scene, platform::WorkerPool& workers)
     : m_scene((requireCertifiable(scene), &scene)),
       m_caster(scene, workers),
       m_outlines(scene.meshes.size()) {
@@ -54,21 +54,21 @@ Certifier::Certifier(const scene::Scene& scene, host::WorkerPool& workers)
                 [&](std::size_t mesh, std::size_t) { m_outlines[mesh] = outlineOf(scene.meshes[mesh]); });
 }
 
-void Certifier::follow(std::span<const std::uint32_t> meshes, host::WorkerPool& workers) {
+void Certifier::follow(std::span<const std::uint32_t> meshes, platform::WorkerPool& workers) {
     m_caster.follow(meshes, workers);
     workers.run(meshes.size(), [&](std::size_t i, std::size_t) {
         m_outlines.at(meshes[i]) = outlineOf(m_scene->meshes[meshes[i]]);
     });
 }
 
-Certifier::Findings Certifier::find(const DrawnFrame& frame, host::WorkerPool& workers,
+Certifier::Findings Certifier::find(const DrawnFrame& frame, platform::WorkerPool& workers,
                                     FrameBound& frameBound) const {
     const std::uint32_t width = frame.ids.width;
     const std::uint32_t height = frame.ids.height;
     // Of each pixel what is found, whether it is in doubt, and its truth.
     constexpr std::uint64_t kBytes = sizeof(PixelFinding) + 1 + sizeof(TruthPixel);
-    host::requireHostBytes(kBytes * width * height,
-                           fmt::format("the certificate of {}x{} pixels", width, height));
+    platform::requireHostBytes(kBytes * width * height,
+                               fmt::format("the certificate of {}x{} pixels", width, height));
     const DeviceBound device(frame);
     const DeviceBound float64 = DeviceBound::ofFloat64(frame);
     const std::vector<VisibleInstance> visible =
@@ -125,7 +125,7 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, host::WorkerPool& w
     return findings;
 }
 
-void Certifier::repair(const DrawnFrame& frame, const Findings& findings, host::WorkerPool& workers,
+void Certifier::repair(const DrawnFrame& frame, const Findings& findings, platform::WorkerPool& workers,
                        Certificate& certificate) const {
     image::Raster<std::uint8_t> open(findings.width, findings.height);
     std::transform(findings.pixels.begin(), findings.pixels.end(), open.pixels.begin(),
@@ -150,7 +150,7 @@ void Certifier::repair(const DrawnFrame& frame, const Findings& findings, host::
     lightRepairs(*m_scene, m_caster.shapes(), frame, workers, certificate.repairs);
 }
 
-Certificate Certifier::certify(const DrawnFrame& frame, host::WorkerPool& workers) const {
+Certificate Certifier::certify(const DrawnFrame& frame, platform::WorkerPool& workers) const {
     requireSound(frame);
     Certificate certificate;
     const Findings findings = find(frame, workers, certificate.bound);

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/certify/device_bound.h>
 #include <cdr/measure/certify/drawn_frame.h>
 #include <cdr/measure/certify/mesh_outline.h>
 #include <cdr/measure/certify/order_strip.h>
 #include <cdr/measure/truth/truth.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/scene.h>
 
 #include <glm/glm.hpp>
@@ -66,21 +66,21 @@ class Certifier {
   public:
     /// @param scene must outlive the certifier. Instances may change, and meshes that follow() is told of, materials not.
     /// base::InputError for a scene with surfaces that are blended, masked or in layers, and as TruthCaster.
-    Certifier(const scene::Scene& scene, host::WorkerPool& workers);
+    Certifier(const scene::Scene& scene, platform::WorkerPool& workers);
 
     /// As TruthCaster::follow().
-    void follow(std::span<const std::uint32_t> meshes, host::WorkerPool& workers);
+    void follow(std::span<const std::uint32_t> meshes, platform::WorkerPool& workers);
 
     /// The same for any number of workers. base::InputError when the sizes of the frame's rasters differ, base::RunError when
     /// the certificate takes more memory than is free.
-    Certificate certify(const DrawnFrame& frame, host::WorkerPool& workers) const;
+    Certificate certify(const DrawnFrame& frame, platform::WorkerPool& workers) const;
 
   private:
     using Findings = image::Raster<PixelFinding>;
 
-    Findings find(const DrawnFrame& frame, host::WorkerPool& workers, FrameBound& bound) const;
+    Findings find(const DrawnFrame& frame, platform::WorkerPool& workers, FrameBound& bound) const;
     /// Casts what the findings leave open.
-    void repair(const DrawnFrame& frame, const Findings& findings, host::WorkerPool& workers,
+    void repair(const DrawnFrame& frame, const Findings& findings, platform::WorkerPool& workers,
                 Certificate& certificate) const;
 
     const scene::Scene* m_scene;

@@ -48,7 +48,7 @@ const SurfaceHit* hitAt(const std::vector<SurfaceHit>& hits, double distanceView
 } // namespace
 
 void lightRepairs(const scene::Scene& scene, std::span<const Shape> shapes, const DrawnFrame& frame,
-                  host::WorkerPool& workers, std::vector<PixelRepair>& repairs) {
+                  platform::WorkerPool& workers, std::vector<PixelRepair>& repairs) {
     if (repairs.empty()) {
         return;
     }

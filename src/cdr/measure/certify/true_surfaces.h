@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
 #include <cdr/measure/certify/certifier.h>
 #include <cdr/measure/truth/shape.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/scene.h>
 
 #include <span>
@@ -14,6 +14,6 @@ namespace cdr::measure {
 /// distance, lit, shadowed and tone-mapped in float64 as the renderer does it without effects.
 /// @param shapes of the scene's meshes.
 void lightRepairs(const scene::Scene& scene, std::span<const Shape> shapes, const DrawnFrame& frame,
-                  host::WorkerPool& workers, std::vector<PixelRepair>& repairs);
+                  platform::WorkerPool& workers, std::vector<PixelRepair>& repairs);
 
 } // namespace cdr::measure

@@ -245,7 +245,7 @@ float combine(float colorDifference, float edgeDifference, float pointDifference
 } // namespace
 
 image::ImageFloat FlipDifference::map(const image::ImageRgba8& reference, const image::ImageRgba8& test,
-                                      host::WorkerPool& workers) const {
+                                      platform::WorkerPool& workers) const {
     if (reference.width != test.width || reference.height != test.height) {
         throw base::InputError(fmt::format("FLIP: {}x{} differs from {}x{}", reference.width,
                                            reference.height, test.width, test.height));
@@ -276,7 +276,7 @@ image::ImageFloat FlipDifference::map(const image::ImageRgba8& reference, const 
 }
 
 double FlipDifference::mean(const image::ImageRgba8& reference, const image::ImageRgba8& test,
-                            host::WorkerPool& workers) const {
+                            platform::WorkerPool& workers) const {
     const image::ImageFloat differences = map(reference, test, workers);
     const double sum = std::accumulate(differences.pixels.begin(), differences.pixels.end(), 0.0);
     return differences.pixels.empty() ? 0.0 : sum / static_cast<double>(differences.pixels.size());

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
 #include <cdr/image/image.h>
+#include <cdr/platform/worker_pool.h>
 
 #include <array>
 #include <cstdint>
@@ -30,11 +30,11 @@ class FlipDifference {
     /// The difference of every pixel, the same bits for any number of workers. Pixels that have no differing
     /// pixel within reach() of them cost next to nothing. base::InputError when the sizes differ.
     image::ImageFloat map(const image::ImageRgba8& reference, const image::ImageRgba8& test,
-                          host::WorkerPool& workers) const;
+                          platform::WorkerPool& workers) const;
 
     /// The mean of map(), 0 for a picture without pixels.
     double mean(const image::ImageRgba8& reference, const image::ImageRgba8& test,
-                host::WorkerPool& workers) const;
+                platform::WorkerPool& workers) const;
 
     /// How far, in pixels along rows and columns, a pixel's difference depends on others.
     std::uint32_t reach() const { return m_reach; }

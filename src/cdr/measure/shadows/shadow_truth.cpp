@@ -145,7 +145,7 @@ ShadowPixel ShadowTruthCaster::pixelAt(const scene::Camera& camera, const glm::d
 }
 
 ShadowImage ShadowTruthCaster::cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
-                                    std::size_t light, host::WorkerPool& workers) const {
+                                    std::size_t light, platform::WorkerPool& workers) const {
     scene::requireUsable(camera);
     if (light >= m_scene->lights.size()) {
         throw base::InputError("truth of shadows: the scene has no such light");

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/shadows/instance_bvh.h>
 #include <cdr/measure/truth/shape.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 
@@ -44,7 +44,7 @@ class ShadowTruthCaster {
     /// @param light index into Scene::lights.
     /// base::InputError when the camera is not usable. The bits do not depend on the number of workers.
     ShadowImage cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
-                     std::size_t light, host::WorkerPool& workers) const;
+                     std::size_t light, platform::WorkerPool& workers) const;
 
     /// Whether nothing opaque lies between a surface and a light.
     /// @param fromCamera the surface's point less the camera's position.

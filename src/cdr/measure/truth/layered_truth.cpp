@@ -1,10 +1,10 @@
 #include <cdr/base/error.h>
-#include <cdr/host/host_memory.h>
 #include <cdr/measure/shadows/shadow_truth.h>
 #include <cdr/measure/truth/layered_truth.h>
 #include <cdr/measure/truth/surface_hit.h>
 #include <cdr/measure/truth/truth_air.h>
 #include <cdr/measure/truth/truth_light.h>
+#include <cdr/platform/host_memory.h>
 
 #include <fmt/format.h>
 
@@ -119,7 +119,7 @@ bool isInner(const Window& window, std::uint32_t x, std::uint32_t y) {
 constexpr std::size_t kBandRows = 32;
 
 /// Fills in a band of rows. Keeps what three rows show, since that of a large picture would take gigabytes.
-void castBand(const View& view, const host::IndexRange& band, LayeredTruth& truth) {
+void castBand(const View& view, const platform::IndexRange& band, LayeredTruth& truth) {
     Window window;
     window.fill(std::vector<Sequence>(truth.width));
     LayeredPixel around;
@@ -143,13 +143,13 @@ void castBand(const View& view, const host::IndexRange& band, LayeredTruth& trut
 enum class Lights : std::uint8_t { reachAll, castShadows };
 
 LayeredTruth castView(const scene::Scene& scene, const scene::Camera& camera, const glm::uvec2& size,
-                      Lights lights, host::WorkerPool& workers) {
+                      Lights lights, platform::WorkerPool& workers) {
     scene::requireUsable(camera);
     if (size.x == 0 || size.y == 0) {
         throw base::InputError("truth: a picture needs at least one pixel");
     }
-    host::requireHostBytes(std::uint64_t{size.x} * size.y * sizeof(LayeredPixel),
-                           fmt::format("the truth of {}x{} pixels with layers", size.x, size.y));
+    platform::requireHostBytes(std::uint64_t{size.x} * size.y * sizeof(LayeredPixel),
+                               fmt::format("the truth of {}x{} pixels with layers", size.x, size.y));
     std::vector<Shape> shapes(scene.meshes.begin(), scene.meshes.end());
     const TruthTextures textures(scene);
     std::optional<ShadowTruthCaster> shadows;
@@ -165,7 +165,7 @@ LayeredTruth castView(const scene::Scene& scene, const scene::Camera& camera, co
     LayeredTruth truth(size.x, size.y);
     const std::size_t bands = (std::size_t{size.y} + kBandRows - 1) / kBandRows;
     workers.run(bands, [&](std::size_t band, std::size_t) {
-        castBand(view, host::evenRange(size.y, band, bands), truth);
+        castBand(view, platform::evenRange(size.y, band, bands), truth);
     });
     return truth;
 }
@@ -173,12 +173,12 @@ LayeredTruth castView(const scene::Scene& scene, const scene::Camera& camera, co
 } // namespace
 
 LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
-                        std::uint32_t height, host::WorkerPool& workers) {
+                        std::uint32_t height, platform::WorkerPool& workers) {
     return castView(scene, camera, {width, height}, Lights::reachAll, workers);
 }
 
 LayeredTruth castShadowedLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
-                                std::uint32_t height, host::WorkerPool& workers) {
+                                std::uint32_t height, platform::WorkerPool& workers) {
     return castView(scene, camera, {width, height}, Lights::castShadows, workers);
 }
 

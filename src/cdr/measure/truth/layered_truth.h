@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/truth/truth_finish.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 
@@ -28,12 +28,12 @@ using LayeredTruth = image::Raster<LayeredPixel>;
 /// other. Shares no code with the renderer. Tries each triangle of an instance at every pixel that it may
 /// cover, so meant for meshes of few triangles. base::InputError and base::RunError as TruthCaster.
 LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
-                        std::uint32_t height, host::WorkerPool& workers);
+                        std::uint32_t height, platform::WorkerPool& workers);
 
 /// The same where the first four lights cast shadows: from each surface, translucent ones too, a float64 ray to each of
 /// them. Opaque surfaces alone stop it. A pixel on a shadow's edge is no inner one.
 LayeredTruth castShadowedLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
-                                std::uint32_t height, host::WorkerPool& workers);
+                                std::uint32_t height, platform::WorkerPool& workers);
 
 /// The truth as 8-bit sRGB.
 image::ImageRgba8 pictureOf(const LayeredTruth& truth, const TruthFinish& finish = {});

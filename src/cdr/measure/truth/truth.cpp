@@ -1,9 +1,9 @@
 #include <cdr/base/error.h>
-#include <cdr/host/host_memory.h>
 #include <cdr/measure/truth/mask_cut.h>
 #include <cdr/measure/truth/tile_bins.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/measure/truth/visible_instances.h>
+#include <cdr/platform/host_memory.h>
 
 #include <fmt/format.h>
 
@@ -215,14 +215,14 @@ void castTile(const TileView& view, std::span<const std::uint32_t> members, cons
 }
 
 TruthImage emptyTruth(std::uint32_t width, std::uint32_t height) {
-    host::requireHostBytes(std::uint64_t{width} * height * sizeof(TruthPixel),
-                           fmt::format("the truth of {}x{} pixels", width, height));
+    platform::requireHostBytes(std::uint64_t{width} * height * sizeof(TruthPixel),
+                               fmt::format("the truth of {}x{} pixels", width, height));
     return {width, height};
 }
 
 } // namespace
 
-TruthCaster::TruthCaster(const scene::Scene& scene, host::WorkerPool& workers)
+TruthCaster::TruthCaster(const scene::Scene& scene, platform::WorkerPool& workers)
     : m_scene(&scene),
       m_textures(std::make_unique<const TruthTextures>(scene)) {
     std::vector<std::optional<Shape>> shapes(scene.meshes.size());
@@ -234,28 +234,28 @@ TruthCaster::TruthCaster(const scene::Scene& scene, host::WorkerPool& workers)
     }
 }
 
-void TruthCaster::follow(std::span<const std::uint32_t> meshes, host::WorkerPool& workers) {
+void TruthCaster::follow(std::span<const std::uint32_t> meshes, platform::WorkerPool& workers) {
     workers.run(meshes.size(), [&](std::size_t i, std::size_t) {
         m_shapes.at(meshes[i]) = Shape(m_scene->meshes[meshes[i]]);
     });
 }
 
 TruthImage TruthCaster::cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
-                             host::WorkerPool& workers) const {
+                             platform::WorkerPool& workers) const {
     TruthImage truth = emptyTruth(width, height);
     castInto(camera, nullptr, workers, truth);
     return truth;
 }
 
 TruthImage TruthCaster::cast(const scene::Camera& camera, const image::Raster<std::uint8_t>& wanted,
-                             host::WorkerPool& workers) const {
+                             platform::WorkerPool& workers) const {
     TruthImage truth = emptyTruth(wanted.width, wanted.height);
     castInto(camera, &wanted, workers, truth);
     return truth;
 }
 
 void TruthCaster::castInto(const scene::Camera& camera, const image::Raster<std::uint8_t>* wanted,
-                           host::WorkerPool& workers, TruthImage& truth) const {
+                           platform::WorkerPool& workers, TruthImage& truth) const {
     scene::requireUsable(camera);
     if (truth.width == 0 || truth.height == 0) {
         throw base::InputError("truth: a picture needs at least one pixel");
@@ -287,7 +287,7 @@ void TruthCaster::castInto(const scene::Camera& camera, const image::Raster<std:
 }
 
 TruthImage castTruth(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
-                     std::uint32_t height, host::WorkerPool& workers) {
+                     std::uint32_t height, platform::WorkerPool& workers) {
     return TruthCaster(scene, workers).cast(camera, width, height, workers);
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/truth/shape.h>
 #include <cdr/measure/truth/truth_texture.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 
@@ -63,27 +63,27 @@ class TruthCaster {
   public:
     /// @param scene must outlive the caster; instances may change, and meshes that follow() is told of. Textures may not.
     /// base::InputError when a mesh is unsound.
-    TruthCaster(const scene::Scene& scene, host::WorkerPool& workers);
+    TruthCaster(const scene::Scene& scene, platform::WorkerPool& workers);
 
     /// The picture of width x height pixels. Its bits do not depend on the number of workers.
     /// base::InputError for a camera that is not usable and for a picture without pixels. The same for an
     /// instance that is not finite, or refers to what does not exist. base::RunError when the picture takes more memory
     /// than is free.
     TruthImage cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
-                    host::WorkerPool& workers) const;
+                    platform::WorkerPool& workers) const;
     /// The same of the pixels that are not 0 in `wanted` alone; the others stay as they begin.
     TruthImage cast(const scene::Camera& camera, const image::Raster<std::uint8_t>& wanted,
-                    host::WorkerPool& workers) const;
+                    platform::WorkerPool& workers) const;
 
     /// Reads again the meshes whose vertices changed. base::InputError when one is unsound.
-    void follow(std::span<const std::uint32_t> meshes, host::WorkerPool& workers);
+    void follow(std::span<const std::uint32_t> meshes, platform::WorkerPool& workers);
 
     /// Of each mesh.
     const std::vector<Shape>& shapes() const { return m_shapes; }
 
   private:
     void castInto(const scene::Camera& camera, const image::Raster<std::uint8_t>* wanted,
-                  host::WorkerPool& workers, TruthImage& truth) const;
+                  platform::WorkerPool& workers, TruthImage& truth) const;
 
     const scene::Scene* m_scene;
     std::vector<Shape> m_shapes;                     ///< per mesh
@@ -92,6 +92,6 @@ class TruthCaster {
 
 /// One picture by a TruthCaster of its own.
 TruthImage castTruth(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
-                     std::uint32_t height, host::WorkerPool& workers);
+                     std::uint32_t height, platform::WorkerPool& workers);
 
 } // namespace cdr::measure

@@ -98,7 +98,7 @@ void requireSameSize(const image::Raster<A>& a, const image::Raster<B>& b) {
 } // namespace
 
 image::ImageRgba8 shadeTruth(const scene::Scene& scene, const scene::Camera& camera, const TruthImage& truth,
-                             host::WorkerPool& workers) {
+                             platform::WorkerPool& workers) {
     const std::vector<std::optional<Box>> boxes = boxesOf(scene, camera);
     const PixelSlopes slopes = pixelSlopes(camera, truth.width, truth.height);
     image::ImageRgba8 picture(truth.width, truth.height);

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/truth/truth.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 
@@ -16,7 +16,7 @@ namespace cdr::measure {
 /// a box's normal follows from the position. base::InputError for other scenes.
 /// @param truth cast from the same scene and camera.
 image::ImageRgba8 shadeTruth(const scene::Scene& scene, const scene::Camera& camera, const TruthImage& truth,
-                             host::WorkerPool& workers);
+                             platform::WorkerPool& workers);
 
 /// The truth-ordered render: `picture` where it shows the true object, the true surface's colour elsewhere.
 /// The two differ only by what depth got wrong, not by rounding. base::InputError when the sizes differ.

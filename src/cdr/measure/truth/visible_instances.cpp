@@ -60,7 +60,7 @@ struct Candidate {
 
 std::vector<Candidate> candidates(const scene::Scene& scene, std::span<const Shape> shapes,
                                   const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
-                                  host::WorkerPool& workers, double marginPixels) {
+                                  platform::WorkerPool& workers, double marginPixels) {
     constexpr std::size_t kChunk = 1024;
     const scene::Instances& instances = scene.instances;
     const std::size_t jobs = (instances.size() + kChunk - 1) / kChunk;
@@ -91,7 +91,7 @@ std::vector<Candidate> candidates(const scene::Scene& scene, std::span<const Sha
 
 std::vector<VisibleInstance> visibleInstances(const scene::Scene& scene, std::span<const Shape> shapes,
                                               const scene::Camera& camera, std::uint32_t width,
-                                              std::uint32_t height, host::WorkerPool& workers,
+                                              std::uint32_t height, platform::WorkerPool& workers,
                                               double marginPixels) {
     std::vector<Candidate> nearestFirst =
         candidates(scene, shapes, camera, width, height, workers, marginPixels);

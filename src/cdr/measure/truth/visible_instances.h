@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
 #include <cdr/measure/truth/object_ray.h>
 #include <cdr/measure/truth/screen_bounds.h>
 #include <cdr/measure/truth/shape.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 
@@ -34,7 +34,7 @@ struct VisibleInstance {
 /// @param marginPixels as footprint() takes it: what lies so far off the pixel centres counts too.
 std::vector<VisibleInstance> visibleInstances(const scene::Scene& scene, std::span<const Shape> shapes,
                                               const scene::Camera& camera, std::uint32_t width,
-                                              std::uint32_t height, host::WorkerPool& workers,
+                                              std::uint32_t height, platform::WorkerPool& workers,
                                               double marginPixels = kMinMargin);
 
 } // namespace cdr::measure

@@ -8,7 +8,7 @@
 namespace cdr::render {
 
 FrameDecider::FrameDecider(const gpu::Device& device, const DrawnScene& drawn, FrameEquipment& equipment,
-                           host::WorkerPool& workers)
+                           platform::WorkerPool& workers)
     : m_device(device),
       m_drawn(drawn),
       m_equipment(equipment),
@@ -25,7 +25,7 @@ void FrameDecider::decide(FrameSlot& slot, const scene::Camera& camera, const De
                    .cut = m_equipment.passes().cutter.previous(),
                    .isMotionFollowed = false};
     try {
-        host::StageWatch watch(m_equipment.options().trace);
+        platform::StageWatch watch(m_equipment.options().trace);
         decideView(slot, camera, delivery, watch);
         decideInputs(slot, delivery, watch);
     } catch (...) {
@@ -54,7 +54,7 @@ void FrameDecider::decideAgain(FrameSlot& slot) {
 }
 
 void FrameDecider::decideView(FrameSlot& slot, const scene::Camera& camera, const Delivery& delivery,
-                              host::StageWatch& watch) {
+                              platform::StageWatch& watch) {
     FrameCutter& cutter = m_equipment.passes().cutter;
     const RenderOptions& options = m_equipment.options();
     slot.view = cutter.look(camera);
@@ -75,7 +75,7 @@ void FrameDecider::decideView(FrameSlot& slot, const scene::Camera& camera, cons
     }
 }
 
-void FrameDecider::decideInputs(FrameSlot& slot, const Delivery& delivery, host::StageWatch& watch) {
+void FrameDecider::decideInputs(FrameSlot& slot, const Delivery& delivery, platform::StageWatch& watch) {
     FramePasses& passes = m_equipment.passes();
     slot.inputs->shading.update(m_drawn.scene, slot.view.camera, slot.view.frustum, slot.view.anchorsView());
     if (slot.inputs->motion) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/host/stage_watch.h>
+#include <cdr/platform/stage_watch.h>
 #include <cdr/render/frame/frame_equipment.h>
 #include <cdr/render/output/motion_history.h>
 
@@ -14,7 +14,7 @@ class FrameDecider {
   public:
     /// All must outlive it.
     FrameDecider(const gpu::Device& device, const DrawnScene& drawn, FrameEquipment& equipment,
-                 host::WorkerPool& workers);
+                 platform::WorkerPool& workers);
 
     /// Fills a slot's view, statistics and inputs. What it replaces is kept in FrameSlot::before, for takeBack(). Where it
     /// throws, all was taken back.
@@ -39,9 +39,9 @@ class FrameDecider {
   private:
     /// What is seen, and the cascades that it is cut into.
     void decideView(FrameSlot& slot, const scene::Camera& camera, const Delivery& delivery,
-                    host::StageWatch& watch);
+                    platform::StageWatch& watch);
     /// What each pass reads of that.
-    void decideInputs(FrameSlot& slot, const Delivery& delivery, host::StageWatch& watch);
+    void decideInputs(FrameSlot& slot, const Delivery& delivery, platform::StageWatch& watch);
     void decideMotion(FrameSlot& slot);
     void decideTranslucent(FrameSlot& slot, const Delivery& delivery);
     bool readsVisible(const FrameSlot& slot) const;
@@ -50,7 +50,7 @@ class FrameDecider {
     const gpu::Device& m_device;
     const DrawnScene& m_drawn;
     FrameEquipment& m_equipment;
-    host::WorkerPool& m_workers;
+    platform::WorkerPool& m_workers;
     std::optional<MotionHistory> m_motion; ///< where motion is worked out
     visibility::VisibleCells m_visible;    ///< kept from frame to frame so that a warm one allocates nothing
 };

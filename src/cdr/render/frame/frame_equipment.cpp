@@ -15,8 +15,8 @@ bool snapsVertices(const RenderOptions& options) {
 
 } // namespace
 
-FrameEquipment::FrameEquipment(const gpu::Device& device, const DrawnScene& drawn, host::WorkerPool& workers,
-                               const RenderOptions& options)
+FrameEquipment::FrameEquipment(const gpu::Device& device, const DrawnScene& drawn,
+                               platform::WorkerPool& workers, const RenderOptions& options)
     : m_device(device),
       m_drawn(drawn),
       m_workers(workers),

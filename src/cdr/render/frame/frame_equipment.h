@@ -13,7 +13,7 @@ namespace cdr::render {
 class FrameEquipment {
   public:
     /// The device, the scene and the workers must outlive it. base::InputError and base::RunError as Renderer.
-    FrameEquipment(const gpu::Device& device, const DrawnScene& drawn, host::WorkerPool& workers,
+    FrameEquipment(const gpu::Device& device, const DrawnScene& drawn, platform::WorkerPool& workers,
                    const RenderOptions& options);
 
     const RenderOptions& options() const { return m_options; }
@@ -37,7 +37,7 @@ class FrameEquipment {
 
     const gpu::Device& m_device;
     const DrawnScene& m_drawn;
-    host::WorkerPool& m_workers;
+    platform::WorkerPool& m_workers;
     RenderOptions m_options;
     SceneNeeds m_needs;
     std::unique_ptr<DrawPathFactory> m_paths;

@@ -54,7 +54,7 @@ std::vector<std::uint32_t> blendedVariants(const PrepareFor& prepared) {
 } // namespace
 
 FramePasses::FramePasses(const gpu::Device& device, const DrawnScene& drawn, const RenderOptions& options,
-                         const SceneNeeds& needs, const DrawPathFactory& paths, host::WorkerPool& workers)
+                         const SceneNeeds& needs, const DrawPathFactory& paths, platform::WorkerPool& workers)
     : extent(checkedExtent(device, options, needs.traits())),
       litTargets(makeLitTargets(device, extent, options)),
       picture(device, pictureOptions(extent, options, needs.traits(), daylightIf(needs.sky || needs.air)),

@@ -23,7 +23,7 @@ struct FramePasses {
 
     /// All must outlive the passes, but options and needs. base::InputError and base::RunError as Renderer.
     FramePasses(const gpu::Device& device, const DrawnScene& drawn, const RenderOptions& options,
-                const SceneNeeds& needs, const DrawPathFactory& paths, host::WorkerPool& workers);
+                const SceneNeeds& needs, const DrawPathFactory& paths, platform::WorkerPool& workers);
 
     /// The G-buffer; of a visibility buffer the one that frames for the host resolve.
     const gpu::Image& gbuffer() const { return resolve != nullptr ? resolve->gbuffer() : targets.gbuffer(); }

@@ -10,7 +10,7 @@
 namespace cdr::render {
 
 void FrameRecorder::begin(FrameSlot& slot, const Delivery& delivery, const visibility::VisibleCells& visible,
-                          host::StageWatch& watch) const {
+                          platform::StageWatch& watch) const {
     slot.host = delivery.host != nullptr ? hostCommands(m_device, m_options, slot.view, *delivery.host)
                                          : HostCommands{};
     slot.destination = delivery.destination;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/host/stage_watch.h>
+#include <cdr/platform/stage_watch.h>
 #include <cdr/render/frame/frame_passes.h>
 
 namespace cdr::render {
@@ -22,7 +22,7 @@ class FrameRecorder {
 
     /// First: lists the frame's draws and begins its commands. @param watch that times the frame up to its submission.
     void begin(FrameSlot& slot, const Delivery& delivery, const visibility::VisibleCells& visible,
-               host::StageWatch& watch) const;
+               platform::StageWatch& watch) const;
     /// Makes the targets attachments, once a host that knows the frame's images has read the last one's. @param primary
     /// of this frame, or of another that is submitted before.
     void beginTargets(VkCommandBuffer primary, HostReads reads) const;

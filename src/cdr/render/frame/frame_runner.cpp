@@ -6,7 +6,7 @@ namespace cdr::render {
 
 namespace {
 
-host::WorkerPool& prepared(host::WorkerPool& workers, const RenderOptions& options) {
+platform::WorkerPool& prepared(platform::WorkerPool& workers, const RenderOptions& options) {
     workers.setTrace(options.trace);
     if (options.schedule) {
         workers.setSchedule(*options.schedule);
@@ -108,25 +108,25 @@ FrameSlot& FrameRunner::prepare(const scene::Camera& camera, const Delivery& del
 }
 
 void FrameRunner::launch(FrameSlot& slot, const Delivery& delivery) {
-    host::StageWatch watch(options().trace);
+    platform::StageWatch watch(options().trace);
     begin(slot, delivery, watch);
     beginTargets(slot.path->primary());
     recordDraws(slot);
     finishFrame(slot, delivery, watch);
 }
 
-void FrameRunner::begin(FrameSlot& slot, const Delivery& delivery, host::StageWatch& watch) {
+void FrameRunner::begin(FrameSlot& slot, const Delivery& delivery, platform::StageWatch& watch) {
     recorder().begin(slot, delivery, m_decider.visible(), watch);
 }
 
 void FrameRunner::submitDraws(FrameSlot& slot, std::span<const VkSemaphoreSubmitInfo> waits,
-                              host::StageWatch& watch) {
+                              platform::StageWatch& watch) {
     recorder().endDraws(slot);
     slot.stats.times.recordMs += watch.lap("record");
     slots().submitDraws(slot, waits);
 }
 
-void FrameRunner::finishFrame(FrameSlot& slot, const Delivery& delivery, host::StageWatch& watch) {
+void FrameRunner::finishFrame(FrameSlot& slot, const Delivery& delivery, platform::StageWatch& watch) {
     recorder().recordRest(slot, delivery);
     slot.stats.times.recordMs += watch.lap("record");
     slots().submit(slot, delivery);
@@ -156,8 +156,8 @@ bool FrameRunner::hasRoomSufficed(FrameSlot& slot) const {
 
 void FrameRunner::waitFor(FrameSlot& slot) {
     settle(slot);
-    const auto done = host::Trace::Clock::now();
-    slot.stats.times.executeMs = host::millisecondsBetween(slot.submitted, done);
+    const auto done = platform::Trace::Clock::now();
+    slot.stats.times.executeMs = platform::millisecondsBetween(slot.submitted, done);
     if (options().trace != nullptr) {
         options().trace->addStage("execute", slot.submitted, done);
     }

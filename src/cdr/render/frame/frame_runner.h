@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/render/frame/frame_decider.h>
 #include <cdr/render/frame/frame_equipment.h>
 #include <cdr/render/frame/frame_recorder.h>
@@ -40,14 +40,15 @@ class FrameRunner {
     /// where this throws, it was abandoned.
     FrameSlot& prepare(const scene::Camera& camera, const Delivery& delivery);
     /// Lists a frame's draws and begins its commands. @param watch that times the frame up to its submission.
-    void begin(FrameSlot& slot, const Delivery& delivery, host::StageWatch& watch);
+    void begin(FrameSlot& slot, const Delivery& delivery, platform::StageWatch& watch);
     /// @param primary of this frame, or of another that is submitted before.
     void beginTargets(VkCommandBuffer primary) { recorder().beginTargets(primary, m_reads); }
     void recordDraws(FrameSlot& slot) { recorder().recordDraws(slot); }
     /// Submits what was recorded so far ahead of the rest, and without a fence.
-    void submitDraws(FrameSlot& slot, std::span<const VkSemaphoreSubmitInfo> waits, host::StageWatch& watch);
+    void submitDraws(FrameSlot& slot, std::span<const VkSemaphoreSubmitInfo> waits,
+                     platform::StageWatch& watch);
     /// Records all that follows the draws, and submits it.
-    void finishFrame(FrameSlot& slot, const Delivery& delivery, host::StageWatch& watch);
+    void finishFrame(FrameSlot& slot, const Delivery& delivery, platform::StageWatch& watch);
     /// It was submitted and is the last frame now.
     void commit(FrameSlot& slot) { m_equipment.slots().commit(slot); }
     /// An error ended it: the frame before stays the last one.
@@ -64,7 +65,7 @@ class FrameRunner {
 
     const gpu::Device& device() const { return m_device; }
     const DrawnScene& drawn() const { return m_scene.drawn(); }
-    host::WorkerPool& workers() { return m_workers; }
+    platform::WorkerPool& workers() { return m_workers; }
     const RenderOptions& options() const { return m_equipment.options(); }
     FramePasses& passes() const { return m_equipment.passes(); }
     SlotRing& slots() const { return m_equipment.slots(); }
@@ -78,7 +79,7 @@ class FrameRunner {
 
     const gpu::Device& m_device;
     SceneFollower m_scene;
-    host::WorkerPool m_workers;
+    platform::WorkerPool m_workers;
     FrameEquipment m_equipment;
     FrameDecider m_decider;
     HostReads m_reads = HostReads::none;

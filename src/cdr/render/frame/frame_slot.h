@@ -2,7 +2,7 @@
 
 #include <cdr/gpu/device_clock.h>
 #include <cdr/gpu/vulkan_hpp.h>
-#include <cdr/host/trace.h>
+#include <cdr/platform/trace.h>
 #include <cdr/render/frame/delivery.h>
 #include <cdr/render/frame_view.h>
 #include <cdr/render/output/depth_output.h>
@@ -49,7 +49,7 @@ struct FrameSlot {
     };
     std::optional<Recorded> recorded;
     bool isPending = false; ///< launched, and not waited for yet
-    host::Trace::Clock::time_point submitted;
+    platform::Trace::Clock::time_point submitted;
 
     FrameView view;
     FrameStats stats;

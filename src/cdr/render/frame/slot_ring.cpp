@@ -8,7 +8,7 @@
 namespace cdr::render {
 
 SlotRing::SlotRing(const gpu::Device& device, const RenderOptions& options, const DrawPathFactory& paths,
-                   const FramePasses& passes, host::WorkerPool& workers, std::size_t lightRoom)
+                   const FramePasses& passes, platform::WorkerPool& workers, std::size_t lightRoom)
     : m_device(device),
       m_lightRoom(lightRoom) {
     for (std::size_t slot = 0; slot < options.framesInFlight; ++slot) {
@@ -49,14 +49,14 @@ void SlotRing::giveLightRoom(const FramePasses& passes, std::size_t room) {
 }
 
 void SlotRing::submitDraws(FrameSlot& slot, std::span<const VkSemaphoreSubmitInfo> waits) const {
-    slot.submitted = host::Trace::Clock::now();
+    slot.submitted = platform::Trace::Clock::now();
     gpu::submit(m_device, slot.commands, {}, waits);
     slot.commands.clear();
 }
 
 void SlotRing::submit(FrameSlot& slot, const Delivery& delivery) {
     if (delivery.draws == DrawsSubmitted::withRest) {
-        slot.submitted = host::Trace::Clock::now();
+        slot.submitted = platform::Trace::Clock::now();
     }
     slot.recorded.reset();
     if (delivery.host != nullptr) {

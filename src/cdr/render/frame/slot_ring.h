@@ -13,7 +13,7 @@ class SlotRing {
   public:
     /// All must outlive the ring, but options.
     SlotRing(const gpu::Device& device, const RenderOptions& options, const DrawPathFactory& paths,
-             const FramePasses& passes, host::WorkerPool& workers, std::size_t lightRoom);
+             const FramePasses& passes, platform::WorkerPool& workers, std::size_t lightRoom);
 
     /// That the next frame takes.
     FrameSlot& next() { return slotOf(m_frames); }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 
 #include <cstddef>
 
@@ -9,7 +9,7 @@ namespace cdr::render {
 /// A contiguous range of one cascade's draws.
 struct DrawJob {
     std::size_t cascade = 0;
-    host::IndexRange draws; ///< into visibility::DrawLists::instance
+    platform::IndexRange draws; ///< into visibility::DrawLists::instance
 };
 
 } // namespace cdr::render

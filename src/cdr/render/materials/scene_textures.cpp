@@ -1,7 +1,7 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/upload.h>
-#include <cdr/host/worker_pool.h>
 #include <cdr/image/levels.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/render/materials/scene_textures.h>
 #include <cdr/shaders/shared.h>
 
@@ -147,7 +147,7 @@ SceneTextures::SceneTextures(const gpu::Device& device, std::size_t threads)
       m_white(upload({.name = "white", .pixels = image::ImageRgba8(1, 1, {255, 255, 255, 255})}, nullptr)) {}
 
 SceneTextures::Uploaded SceneTextures::upload(const scene::Texture& texture,
-                                              host::WorkerPool* workers) const {
+                                              platform::WorkerPool* workers) const {
     const image::ImageRgba8& pixels = texture.pixels;
     const vk::Format format = texture.content == scene::TextureContent::color ? vk::Format::eR8G8B8A8Srgb
                                                                               : vk::Format::eR8G8B8A8Unorm;
@@ -172,10 +172,10 @@ void SceneTextures::follow(const scene::Scene& scene, const Changed& changed, gp
     for (; m_textures.size() > scene.textures.size(); m_textures.pop_back()) {
         retired.add(std::move(m_textures.back()));
     }
-    std::optional<host::WorkerPool> workers; // for large textures alone: starting threads takes time too
+    std::optional<platform::WorkerPool> workers; // for large textures alone: starting threads takes time too
     const auto uploadWith = [&](const scene::Texture& texture) {
         if (!workers && hasDividedLevels(texture)) {
-            workers.emplace(std::min(m_threads, host::WorkerPool::kMaxThreads));
+            workers.emplace(std::min(m_threads, platform::WorkerPool::kMaxThreads));
         }
         return upload(texture, workers ? &*workers : nullptr);
     };

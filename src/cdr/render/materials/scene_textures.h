@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace cdr::host {
+namespace cdr::platform {
 class WorkerPool;
 }
 
@@ -57,7 +57,7 @@ class SceneTextures {
         vk::DescriptorSet set;
     };
     /// @param workers make its levels; null: the calling thread.
-    Uploaded upload(const scene::Texture& texture, host::WorkerPool* workers) const;
+    Uploaded upload(const scene::Texture& texture, platform::WorkerPool* workers) const;
     Detail makeDetail(const scene::Material& material) const;
 
     const gpu::Device& m_device;

@@ -1,4 +1,4 @@
-#include <cdr/host/vector_clones.h>
+#include <cdr/platform/vector_clones.h>
 #include <cdr/render/occluders/depth_reduction.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ void leastOfTiles(const float* zNdc, std::size_t width, std::size_t rows, std::s
 } // namespace
 
 void reduceDepth(std::span<const float> zNdc, std::uint32_t width, double nearView, const OrderMargin& margin,
-                 host::WorkerPool& workers, DepthTiles& tiles) {
+                 platform::WorkerPool& workers, DepthTiles& tiles) {
     const std::size_t height = zNdc.size() / width;
     const std::span<double> hiddenBeyond = tiles.hiddenBeyond();
     workers.run(tiles.rows(), [&](std::size_t row, std::size_t) {

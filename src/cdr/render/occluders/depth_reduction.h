@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/render/occluders/order_margin.h>
 #include <cdr/visibility/depth_tiles.h>
 
@@ -13,6 +13,6 @@ namespace cdr::render {
 /// @param zNdc row by row, `width` of them.
 /// @param margin by which what is farther than a surface is hidden by it.
 void reduceDepth(std::span<const float> zNdc, std::uint32_t width, double nearView, const OrderMargin& margin,
-                 host::WorkerPool& workers, visibility::DepthTiles& tiles);
+                 platform::WorkerPool& workers, visibility::DepthTiles& tiles);
 
 } // namespace cdr::render

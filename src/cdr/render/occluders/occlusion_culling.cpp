@@ -49,7 +49,7 @@ void OcclusionCulling::drawDepth(const FrameView& view, const visibility::Visibl
     m_copy.invalidate();
 }
 
-OccluderStats OcclusionCulling::drop(const FrameView& view, host::WorkerPool& workers,
+OccluderStats OcclusionCulling::drop(const FrameView& view, platform::WorkerPool& workers,
                                      visibility::VisibleCells& visible) {
     OccluderStats stats;
     const visibility::VisibleCells& occluders = m_occluders.choose(m_drawn.scene, view.frustum, visible);

@@ -23,7 +23,8 @@ class OcclusionCulling {
     /// @param view whose cascades are cut.
     /// @param visible what was culled for it.
     /// @return what was drawn first.
-    OccluderStats drop(const FrameView& view, host::WorkerPool& workers, visibility::VisibleCells& visible);
+    OccluderStats drop(const FrameView& view, platform::WorkerPool& workers,
+                       visibility::VisibleCells& visible);
     /// The next frame is culled as a first one.
     void forget() { m_occluders.forget(); }
 

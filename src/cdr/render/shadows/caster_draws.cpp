@@ -23,7 +23,7 @@ CasterDraws::CasterDraws(const gpu::Device& device, const DrawnScene& scene)
     : m_device(device),
       m_scene(scene) {}
 
-void CasterDraws::prepare(std::vector<LightView>& views, host::WorkerPool& workers) {
+void CasterDraws::prepare(std::vector<LightView>& views, platform::WorkerPool& workers) {
     std::vector<std::vector<std::uint32_t>> casters(views.size());
     const visibility::InstanceCells& cells = m_scene.uploaded.cells(workers);
     const std::vector<DrawSource>& sources = m_scene.uploaded.sources();

@@ -2,7 +2,7 @@
 
 #include <cdr/gpu/memory.h>
 #include <cdr/gpu/vulkan_hpp.h>
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/render/drawn_scene.h>
 #include <cdr/render/shadows/light_view.h>
 
@@ -20,7 +20,7 @@ class CasterDraws {
 
     /// Finds the casters of each view, gives each LightView::nearAhead, and writes what they are drawn from. The last frame
     /// that drew them must have finished. base::RunError, with both figures, when that needs more memory than there is.
-    void prepare(std::vector<LightView>& views, host::WorkerPool& workers);
+    void prepare(std::vector<LightView>& views, platform::WorkerPool& workers);
 
     std::size_t draws() const { return m_casters.size(); }
     /// Draws those of a view. `commands` is inside a rendering scope, with pipeline and push constants set.

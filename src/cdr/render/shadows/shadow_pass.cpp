@@ -82,7 +82,7 @@ ShadowPass::Slot ShadowPass::makeSlot(const ShadingInputs& shading) const {
 }
 
 void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::VisibleCells& visible,
-                         std::uint32_t subPixelBits, host::WorkerPool& workers) const {
+                         std::uint32_t subPixelBits, platform::WorkerPool& workers) const {
     const bool isPlain = m_options.method == ShadowMethod::plain;
     const std::vector<SeenSphere> spheres = seenSpheres(view.camera, visible);
     const std::vector<ReceiverSlice> slices = isPlain ? practicalSlices(view.camera, view.frustum, spheres)

@@ -43,7 +43,7 @@ class ShadowPass {
 
     /// @param visible what the camera sees.
     void prepare(Slot& slot, const FrameView& view, const visibility::VisibleCells& visible,
-                 std::uint32_t subPixelBits, host::WorkerPool& workers) const;
+                 std::uint32_t subPixelBits, platform::WorkerPool& workers) const;
     /// Reads the G-buffer in the shader read layout, and leaves mask() in it.
     void record(vk::CommandBuffer primary, const Slot& slot) const;
 

@@ -96,7 +96,7 @@ const FacetMeshes* DrawPathFactory::facets() const {
     return pass != nullptr ? &pass->meshes() : nullptr;
 }
 
-std::unique_ptr<HostDraws> DrawPathFactory::makeOccluders(host::WorkerPool& workers) const {
+std::unique_ptr<HostDraws> DrawPathFactory::makeOccluders(platform::WorkerPool& workers) const {
     return makeDraws(m_occluders, workers);
 }
 
@@ -107,7 +107,7 @@ std::unique_ptr<DeviceOcclusion> DrawPathFactory::makeDeviceOcclusion(const dept
 }
 
 std::unique_ptr<HostDraws> DrawPathFactory::makeDraws(const HostPasses& passes,
-                                                      host::WorkerPool& workers) const {
+                                                      platform::WorkerPool& workers) const {
     const HostDrawsContext context{
         .device = m_device, .scene = m_scene.scene, .workers = workers, .trace = m_trace};
     if (auto* facets = findIn<FacetPass>(passes)) {
@@ -116,7 +116,8 @@ std::unique_ptr<HostDraws> DrawPathFactory::makeDraws(const HostPasses& passes,
     return std::make_unique<RecordDraws>(context, *findIn<GeometryPass>(passes));
 }
 
-std::unique_ptr<DrawPath> DrawPathFactory::makeRecorded(const HostPasses& passes, host::WorkerPool& workers,
+std::unique_ptr<DrawPath> DrawPathFactory::makeRecorded(const HostPasses& passes,
+                                                        platform::WorkerPool& workers,
                                                         const std::string& name) const {
     if (m_submission == Submission::primaries) {
         return std::make_unique<PrimaryPath>(m_device, makeDraws(passes, workers), name);
@@ -124,7 +125,7 @@ std::unique_ptr<DrawPath> DrawPathFactory::makeRecorded(const HostPasses& passes
     return std::make_unique<SecondaryPath>(m_device, makeDraws(passes, workers), name);
 }
 
-std::unique_ptr<DrawPath> DrawPathFactory::make(host::WorkerPool& workers, DeviceOcclusion* occlusion,
+std::unique_ptr<DrawPath> DrawPathFactory::make(platform::WorkerPool& workers, DeviceOcclusion* occlusion,
                                                 const std::string& name) const {
     if (m_submission == Submission::gpuDriven) {
         return std::make_unique<GpuDrivenPath>(m_device, *m_binning, *findIn<GeometryPass>(m_surfaces),
@@ -133,7 +134,8 @@ std::unique_ptr<DrawPath> DrawPathFactory::make(host::WorkerPool& workers, Devic
     return makeRecorded(m_surfaces, workers, name);
 }
 
-std::unique_ptr<DrawPath> DrawPathFactory::makeLit(host::WorkerPool& workers, const std::string& name) const {
+std::unique_ptr<DrawPath> DrawPathFactory::makeLit(platform::WorkerPool& workers,
+                                                   const std::string& name) const {
     return makeRecorded(m_lit, workers, name);
 }
 

@@ -35,14 +35,14 @@ class DrawPathFactory {
     /// The factory and the workers must outlive the path.
     /// @param name that captures show.
     /// @param occlusion of gpu-driven draws with RenderOptions::occlusionCulling, else null. It must outlive the path.
-    std::unique_ptr<DrawPath> make(host::WorkerPool& workers, DeviceOcclusion* occlusion,
+    std::unique_ptr<DrawPath> make(platform::WorkerPool& workers, DeviceOcclusion* occlusion,
                                    const std::string& name) const;
 
     /// With SurfacePath::lit: a path whose draws are lit, into the picture. Those of make() fill a visibility buffer.
-    std::unique_ptr<DrawPath> makeLit(host::WorkerPool& workers, const std::string& name) const;
+    std::unique_ptr<DrawPath> makeLit(platform::WorkerPool& workers, const std::string& name) const;
 
     /// With RenderOptions::occlusionCulling: the draws of occluders by the CPU, or culling by the device.
-    std::unique_ptr<HostDraws> makeOccluders(host::WorkerPool& workers) const;
+    std::unique_ptr<HostDraws> makeOccluders(platform::WorkerPool& workers) const;
     std::unique_ptr<DeviceOcclusion> makeDeviceOcclusion(const depth::Technique& technique,
                                                          vk::Extent2D extent) const;
 
@@ -58,15 +58,15 @@ class DrawPathFactory {
     /// picture.
     using HostPasses = OneOf<GeometryPass, FacetPass>;
     HostPasses makePasses(std::optional<FacetMeshes> facets, const GeometryOptions& options) const;
-    std::unique_ptr<HostDraws> makeDraws(const HostPasses& passes, host::WorkerPool& workers) const;
+    std::unique_ptr<HostDraws> makeDraws(const HostPasses& passes, platform::WorkerPool& workers) const;
     /// Not gpu-driven.
-    std::unique_ptr<DrawPath> makeRecorded(const HostPasses& passes, host::WorkerPool& workers,
+    std::unique_ptr<DrawPath> makeRecorded(const HostPasses& passes, platform::WorkerPool& workers,
                                            const std::string& name) const;
 
     const gpu::Device& m_device;
     DrawnScene m_scene;
     Submission m_submission;
-    host::Trace* m_trace;
+    platform::Trace* m_trace;
     gpu::SetLayout m_occlusionLayout;       ///< for Submission::gpuDriven with occlusion culling
     std::unique_ptr<BinningPass> m_binning; ///< for Submission::gpuDriven
     HostPasses m_surfaces;

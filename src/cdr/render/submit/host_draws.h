@@ -11,8 +11,8 @@ namespace cdr::render {
 struct HostDrawsContext {
     const gpu::Device& device;
     const scene::Scene& scene;
-    host::WorkerPool& workers;
-    host::Trace* trace = nullptr;
+    platform::WorkerPool& workers;
+    platform::Trace* trace = nullptr;
 };
 
 /// Draws that the CPU bins and writes for the device: what both recorded paths share. What is written depends on
@@ -38,8 +38,8 @@ class HostDraws {
     virtual vk::BufferView facets() const { return {}; }
 
     const visibility::DrawLists& lists() const { return m_lists; }
-    host::WorkerPool& workers() const { return m_context.workers; }
-    host::Trace* trace() const { return m_context.trace; }
+    platform::WorkerPool& workers() const { return m_context.workers; }
+    platform::Trace* trace() const { return m_context.trace; }
 
   protected:
     const gpu::Device& device() const { return m_context.device; }

@@ -70,7 +70,7 @@ std::span<const vk::CommandBuffer> PrimaryPath::endDraws(const FrameView& view) 
         for (const std::size_t cascade : part.cascades) {
             draws += lists.range(cascade).size();
         }
-        const host::JobSpan span(m_draws->trace(), worker, job, part.cascades.front(), draws);
+        const platform::JobSpan span(m_draws->trace(), worker, job, part.cascades.front(), draws);
         m_commands[part.slot] = m_pools.next(worker);
         recordPart(m_commands[part.slot], part, view);
     });

@@ -44,11 +44,11 @@ std::vector<DrawJob> makeJobs(const visibility::DrawLists& lists, std::size_t th
     const std::size_t grain = std::max((lists.draws() + wanted - 1) / wanted, kMinDrawsPerJob);
     std::vector<DrawJob> jobs;
     for (std::size_t cascade = 0; cascade < lists.cascades(); ++cascade) {
-        const host::IndexRange all = lists.range(cascade);
+        const platform::IndexRange all = lists.range(cascade);
         const std::size_t parts =
             threads == 1 ? std::min<std::size_t>(all.size(), 1) : (all.size() + grain - 1) / grain;
         for (std::size_t part = 0; part < parts; ++part) {
-            const host::IndexRange range = host::evenRange(all.size(), part, parts);
+            const platform::IndexRange range = platform::evenRange(all.size(), part, parts);
             jobs.push_back({.cascade = cascade, .draws = {all.begin + range.begin, all.begin + range.end}});
         }
     }
@@ -103,7 +103,7 @@ void SecondaryPath::recordJobs(const FrameView& view) {
     const SecondaryBegin begin(*m_draws);
     m_draws->workers().run(m_jobs.size(), [&](std::size_t job, std::size_t worker) {
         const DrawJob& work = m_jobs[job];
-        const host::JobSpan span(m_draws->trace(), worker, job, work.cascade, work.draws.size());
+        const platform::JobSpan span(m_draws->trace(), worker, job, work.cascade, work.draws.size());
         const vk::CommandBuffer commands = m_pools.next(worker);
         commands.begin(begin.info);
         m_draws->record(commands, work, view);
@@ -125,7 +125,7 @@ void SecondaryPath::drawScope(const GBufferScope& scope, std::span<const std::si
     m_device.endLabel(m_primary);
 }
 
-void SecondaryPath::drawInside(host::IndexRange cascades) {
+void SecondaryPath::drawInside(platform::IndexRange cascades) {
     const auto execute = [&](std::size_t begin, std::size_t end) {
         if (end > begin) {
             m_primary.executeCommands(static_cast<std::uint32_t>(end - begin), &m_commands[begin]);

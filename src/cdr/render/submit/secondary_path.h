@@ -32,7 +32,7 @@ class SecondaryPath final : public DrawPath {
     }
     vk::CommandBuffer primary() override { return m_primary; }
     /// Draws inside a rendering scope that the caller began in primary(), for secondaries.
-    void drawInside(host::IndexRange cascades);
+    void drawInside(platform::IndexRange cascades);
     void drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) override;
     std::span<const vk::CommandBuffer> endDraws(const FrameView& view) override;
     std::span<const vk::CommandBuffer> end(const FrameView& view) override;

@@ -78,7 +78,7 @@ TranslucentDraws::TranslucentDraws(const gpu::Device& device, const DrawnScene& 
     : m_device(device),
       m_scene(scene) {}
 
-void TranslucentDraws::prepare(const FrameView& view, Translucency method, host::WorkerPool& workers) {
+void TranslucentDraws::prepare(const FrameView& view, Translucency method, platform::WorkerPool& workers) {
     m_ranges = translucentRanges(view, method);
     m_frustum = view.frustum;
     m_nearView = view.camera.nearView;
@@ -115,7 +115,7 @@ void TranslucentDraws::writeRecords(const scene::Camera& camera) {
     DrawRecordMaker maker(camera, 0.0);
     m_extents.resize(m_lists.draws());
     for (std::size_t range = 0; range < m_ranges.size(); ++range) {
-        const host::IndexRange draws = m_lists.range(range);
+        const platform::IndexRange draws = m_lists.range(range);
         for (std::size_t i = draws.begin; i < draws.end; ++i) {
             const DrawSource& source = m_scene.uploaded.sources()[m_lists.instance[i]];
             const shaders::DrawRecord record =
@@ -176,7 +176,7 @@ void TranslucentDraws::record(vk::CommandBuffer commands, std::size_t range,
     }
     Binder binder(pipelines, commands, layerSlope(m_device.info().subPixelBits));
     const auto kindOf = [&](std::size_t draw) { return scene.sources()[m_lists.instance[draw]].kind; };
-    const host::IndexRange draws = m_lists.range(range);
+    const platform::IndexRange draws = m_lists.range(range);
     for (std::size_t first = draws.begin; first < draws.end;) {
         std::size_t end = first + 1;
         if (!isIn(first, slice)) {

@@ -31,7 +31,7 @@ class TranslucentDraws {
 
     /// Overwrites the lists and records. The last frame that drew them must have finished. base::RunError,
     /// with both figures, when the records need more memory than there is.
-    void prepare(const FrameView& view, Translucency method, host::WorkerPool& workers);
+    void prepare(const FrameView& view, Translucency method, platform::WorkerPool& workers);
 
     std::size_t ranges() const { return m_ranges.size(); }
     bool isEmpty(std::size_t range) const { return m_lists.range(range).size() == 0; }

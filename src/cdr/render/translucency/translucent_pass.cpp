@@ -81,7 +81,7 @@ TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) co
 }
 
 void TranslucentPass::prepare(Slot& slot, const FrameView& view, AfterRefusal afterRefusal,
-                              std::uint32_t subPixelBits, host::WorkerPool& workers) const {
+                              std::uint32_t subPixelBits, platform::WorkerPool& workers) const {
     slot.revision = m_scene.uploaded.revision();
     slot.refusal = m_refusal;
     if (afterRefusal == AfterRefusal::weighted && m_noRoom && m_noRoom->revision == slot.revision) {
@@ -97,7 +97,7 @@ void TranslucentPass::prepare(Slot& slot, const FrameView& view, AfterRefusal af
     }
 }
 
-void TranslucentPass::prepareAgain(Slot& slot, const FrameView& view, host::WorkerPool& workers) const {
+void TranslucentPass::prepareAgain(Slot& slot, const FrameView& view, platform::WorkerPool& workers) const {
     if (methodOf(slot) != m_options.method) {
         slot.draws.prepare(view, methodOf(slot), workers);
     }

@@ -47,11 +47,11 @@ class TranslucentPass {
     };
     /// Decides what a frame draws; the slot's last frame must have finished.
     void prepare(Slot& slot, const FrameView& view, AfterRefusal afterRefusal, std::uint32_t subPixelBits,
-                 host::WorkerPool& workers) const;
+                 platform::WorkerPool& workers) const;
     /// The next frame is tried sorted.
     void forget() { m_noRoom.reset(); }
     /// Before a frame is drawn again, for what settle() changed. The scene must be that of prepare().
-    void prepareAgain(Slot& slot, const FrameView& view, host::WorkerPool& workers) const;
+    void prepareAgain(Slot& slot, const FrameView& view, platform::WorkerPool& workers) const;
     /// After shading; the lit image stays a colour attachment.
     void record(vk::CommandBuffer primary, Slot& slot) const;
     /// After the frame ran. False when its fragments found no room; draw it again.

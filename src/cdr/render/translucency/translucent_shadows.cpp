@@ -64,7 +64,7 @@ std::uint32_t TranslucentShadows::maxTexels(std::span<const ReceiverSlice> slice
 }
 
 void TranslucentShadows::prepare(const FrameView& view, const visibility::VisibleList& seen,
-                                 std::uint32_t subPixelBits, host::WorkerPool& workers) {
+                                 std::uint32_t subPixelBits, platform::WorkerPool& workers) {
     const bool isPlain = m_options.method == ShadowMethod::plain;
     const std::vector<SeenSphere> spheres = spheresOf(m_scene.scene, view.camera, seen);
     const std::vector<ReceiverSlice> slices = isPlain ? practicalSlices(view.camera, view.frustum, spheres)

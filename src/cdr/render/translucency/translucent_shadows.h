@@ -27,7 +27,7 @@ class TranslucentShadows {
     /// figures, when they need more memory than there is.
     /// @param seen the visible translucent instances.
     void prepare(const FrameView& view, const visibility::VisibleList& seen, std::uint32_t subPixelBits,
-                 host::WorkerPool& workers);
+                 platform::WorkerPool& workers);
     /// Points the set's bindings from `first` on at the map's two images and at the receivers. After each prepare().
     void bind(vk::DescriptorSet set, std::uint32_t first, vk::Sampler sampler) const;
 

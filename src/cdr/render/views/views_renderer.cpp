@@ -1,7 +1,7 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
-#include <cdr/host/stage_watch.h>
-#include <cdr/host/stopwatch.h>
+#include <cdr/platform/stage_watch.h>
+#include <cdr/platform/stopwatch.h>
 #include <cdr/render/frame/frame_output.h>
 #include <cdr/render/frame/frame_runner.h>
 #include <cdr/render/frame_split.h>
@@ -134,7 +134,7 @@ void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
     for (const auto& view : m_views) {
         view->settle(view->slots().next());
     }
-    const host::Stopwatch watch;
+    const platform::Stopwatch watch;
     depth::Cascades before = m_split->previous();
     const depth::Cascades cascades = look(cameras, occupiedBy(how.hosts));
     const double lookMs = watch.milliseconds();
@@ -181,7 +181,7 @@ void ViewsRenderer::launchTogether(Cameras cameras, std::span<Delivery> deliveri
             FrameRunner& view = *m_views[i];
             FrameSlot& slot = view.prepare(cameras[i], deliveries[i]);
             begun.push_back(&slot);
-            host::StageWatch watch(options().trace);
+            platform::StageWatch watch(options().trace);
             view.begin(slot, deliveries[i], watch);
             if (i == 0) {
                 for (const auto& each : m_views) {
@@ -197,7 +197,7 @@ void ViewsRenderer::launchTogether(Cameras cameras, std::span<Delivery> deliveri
             }
         }
         for (std::size_t i = 0; i < cameras.size(); ++i) {
-            host::StageWatch watch(options().trace);
+            platform::StageWatch watch(options().trace);
             m_views[i]->finishFrame(*begun[i], deliveries[i], watch);
             m_views[i]->commit(*begun[i]);
             ++committed;

@@ -87,7 +87,7 @@ std::vector<MeshPose> posesAt(const Moved& moved, std::uint32_t frame) {
     return poses;
 }
 
-std::vector<MeshVertices> verticesAt(const Moved& moved, std::uint32_t frame, host::WorkerPool& workers) {
+std::vector<MeshVertices> verticesAt(const Moved& moved, std::uint32_t frame, platform::WorkerPool& workers) {
     const std::vector<MeshPose> poses = posesAt(moved, frame);
     struct Job {
         std::size_t mesh; ///< into the result
@@ -158,13 +158,13 @@ SceneMotion motionOf(const std::shared_ptr<const SceneAnimation>& animation,
     }
     motion.transforms = [moved](std::uint32_t frame) { return transformsAt(*moved, frame); };
     motion.poses = [moved](std::uint32_t frame) { return posesAt(*moved, frame); };
-    motion.vertices = [moved](std::uint32_t frame, host::WorkerPool& workers) {
+    motion.vertices = [moved](std::uint32_t frame, platform::WorkerPool& workers) {
         return verticesAt(*moved, frame, workers);
     };
     return motion;
 }
 
-void show(Scene& scene, const SceneMotion& motion, std::uint32_t frame, host::WorkerPool& workers) {
+void show(Scene& scene, const SceneMotion& motion, std::uint32_t frame, platform::WorkerPool& workers) {
     if (!motion) {
         return;
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/animation/deform.h>
 #include <cdr/scene/animation/pose.h>
 #include <cdr/scene/scene.h>
@@ -68,7 +68,7 @@ SceneMotion motionOf(const std::shared_ptr<const SceneAnimation>& animation,
                      std::optional<std::size_t> chosen, const FrameClock& clock);
 
 /// Brings a scene to a frame, with the least bounds. base::InputError where a frame puts something where nothing can be drawn.
-void show(Scene& scene, const SceneMotion& motion, std::uint32_t frame, host::WorkerPool& workers);
+void show(Scene& scene, const SceneMotion& motion, std::uint32_t frame, platform::WorkerPool& workers);
 
 /// Gives what deforms the bounds of its poses, which contain the least ones. So the scene is as a frame of its motion.
 void boundByPoses(Scene& scene, const SceneMotion& motion, std::uint32_t frame);

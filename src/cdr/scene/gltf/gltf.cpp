@@ -15,7 +15,7 @@
 #include "part_names.h"
 #include "solids/solids.h"
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 #include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/lod/mesh_pieces.h>
 
@@ -440,7 +440,7 @@ GltfImport importGltf(const ByteSource& file, const std::filesystem::path& path,
     try {
         return importParts(file, path, limits, scene);
     } catch (const base::InputError& error) {
-        throw base::InputError(fmt::format("{}: {}", host::oneLine(path), oneLine(error.what())));
+        throw base::InputError(fmt::format("{}: {}", platform::oneLine(path), oneLine(error.what())));
     }
 }
 

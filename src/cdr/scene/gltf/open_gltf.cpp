@@ -3,8 +3,8 @@
 
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/file.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/animation/node_camera.h>
 #include <cdr/scene/animation/scene_animation.h>
 #include <cdr/scene/gltf/gltf.h>
@@ -125,7 +125,7 @@ std::optional<GltfCamera> chosenCamera(const std::filesystem::path& path, const 
         names += fmt::format("{} {} '{}'", i == 0 ? ":" : ",", i, import.cameras[i].name);
     }
     throw base::InputError(fmt::format("{}: camera {} does not exist, the scene has {}{}",
-                                       host::oneLine(path), *choice, import.cameras.size(), names));
+                                       platform::oneLine(path), *choice, import.cameras.size(), names));
 }
 
 constexpr base::EnumNames<ModelLight, kModelLights.size()> kLightNames{"light", {"lamps", "sky", "file"}};
@@ -146,7 +146,7 @@ std::optional<std::size_t> chosenAnimation(const std::filesystem::path& path, co
     }
     if (import.animation == nullptr || import.animation->animations.empty()) {
         throw base::InputError(fmt::format(
-            "{}: it has no animations, which --animation, --time and --fps play", host::oneLine(path)));
+            "{}: it has no animations, which --animation, --time and --fps play", platform::oneLine(path)));
     }
     const std::vector<Animation>& animations = import.animation->animations;
     const std::string asked = choice.animation.value_or("0");
@@ -165,7 +165,8 @@ std::optional<std::size_t> chosenAnimation(const std::filesystem::path& path, co
         names += fmt::format("{} {} '{}'", i == 0 ? ":" : ",", i, animations[i].name);
     }
     throw base::InputError(fmt::format("{}: animation '{}' does not exist, the file has {}{}",
-                                       host::oneLine(path), asked.substr(0, 60), animations.size(), names));
+                                       platform::oneLine(path), asked.substr(0, 60), animations.size(),
+                                       names));
 }
 
 std::string animationsNote(const std::vector<Animation>& animations) {
@@ -178,7 +179,7 @@ std::string animationsNote(const std::vector<Animation>& animations) {
 /// Says what of a file's lights is not shown. Without any, ModelLight::file would show next to nothing.
 void noteLights(const std::filesystem::path& path, GltfImport& import, std::optional<ModelLight> light) {
     if (light == ModelLight::file && import.lights.empty()) {
-        throw base::InputError(host::oneLine(path) +
+        throw base::InputError(platform::oneLine(path) +
                                ": it has no lights of its own, which --light file shows");
     }
     if (light != ModelLight::file && !import.lights.empty()) {
@@ -238,7 +239,7 @@ ModelLight parseModelLight(std::string_view name) {
 }
 
 bool isGltfPath(const std::filesystem::path& path) {
-    const std::string extension = host::lowerExtension(path);
+    const std::string extension = platform::lowerExtension(path);
     return extension == ".gltf" || extension == ".glb";
 }
 
@@ -298,7 +299,7 @@ OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice
     std::optional<gltf::MovingLights> movingLights;
     if (chosen) {
         motion = motionOf(import.animation, chosen, clockOf(choice));
-        host::WorkerPool workers(1);
+        platform::WorkerPool workers(1);
         show(import.scene, motion, 0, workers);
         movingLights.emplace(import, *chosen, clockOf(choice));
         movingLights->place(import.lights, 0);

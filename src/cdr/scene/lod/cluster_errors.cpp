@@ -18,7 +18,7 @@ struct FoundError {
 
 /// From each vertex of the mesh to the surface.
 std::vector<FoundError> toSurface(const SharedMesh& mesh, std::span<const LooseCluster> surface,
-                                  host::WorkerPool& workers) {
+                                  platform::WorkerPool& workers) {
     std::vector<std::uint32_t> indices;
     std::vector<std::uint32_t> groups; // by triangle
     for (const LooseCluster& cluster : surface) {
@@ -29,7 +29,7 @@ std::vector<FoundError> toSurface(const SharedMesh& mesh, std::span<const LooseC
     std::vector<FoundError> found(mesh.positions.size());
     const std::size_t jobs = (found.size() + kJobPoints - 1) / kJobPoints;
     workers.run(jobs, [&](std::size_t job, std::size_t) {
-        const host::IndexRange range = host::evenRange(found.size(), job, jobs);
+        const platform::IndexRange range = platform::evenRange(found.size(), job, jobs);
         for (std::size_t i = range.begin; i < range.end; ++i) {
             const SurfaceDistance::Nearest nearest = distance.nearestTo(glm::dvec3(mesh.positions[i]));
             found[i] = {.group = groups[nearest.triangle], .squared = nearest.squared};
@@ -40,8 +40,8 @@ std::vector<FoundError> toSurface(const SharedMesh& mesh, std::span<const LooseC
 
 /// From each cluster of the surface to the mesh.
 std::vector<FoundError> fromSurface(const SharedMesh& mesh, const SurfaceDistance& toMesh,
-                                    std::span<const LooseCluster> surface, host::IndexRange groups,
-                                    host::WorkerPool& workers) {
+                                    std::span<const LooseCluster> surface, platform::IndexRange groups,
+                                    platform::WorkerPool& workers) {
     std::size_t indices = 0;
     for (const LooseCluster& cluster : surface) {
         indices += cluster.indices.size();
@@ -68,8 +68,8 @@ std::vector<FoundError> fromSurface(const SharedMesh& mesh, const SurfaceDistanc
 } // namespace
 
 std::vector<double> measureErrors(const SharedMesh& mesh, const SurfaceDistance& toMesh,
-                                  std::span<const LooseCluster> surface, host::IndexRange groups,
-                                  host::WorkerPool& workers) {
+                                  std::span<const LooseCluster> surface, platform::IndexRange groups,
+                                  platform::WorkerPool& workers) {
     std::vector<double> errors(groups.end);
     for (const auto& found :
          {toSurface(mesh, surface, workers), fromSurface(mesh, toMesh, surface, groups, workers)}) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/cluster_tree.h>
 #include <cdr/scene/lod/shared_mesh.h>
 #include <cdr/scene/lod/surface_distance.h>
@@ -22,7 +22,7 @@ struct LooseCluster {
 /// @param surface clusters that stand for all of the mesh.
 /// @param groups that are measured; 0 for those before.
 std::vector<double> measureErrors(const SharedMesh& mesh, const SurfaceDistance& toMesh,
-                                  std::span<const LooseCluster> surface, host::IndexRange groups,
-                                  host::WorkerPool& workers);
+                                  std::span<const LooseCluster> surface, platform::IndexRange groups,
+                                  platform::WorkerPool& workers);
 
 } // namespace cdr::scene

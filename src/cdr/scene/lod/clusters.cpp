@@ -192,7 +192,7 @@ std::size_t mostAround(const SharedMesh& mesh, const Indices& places) {
 
 /// One level coarser: groups that get coarser go into the tree, and what is loose afterwards is returned.
 std::vector<LooseCluster> coarsened(const SharedMesh& mesh, const Indices& places,
-                                    std::vector<LooseCluster> loose, host::WorkerPool& workers,
+                                    std::vector<LooseCluster> loose, platform::WorkerPool& workers,
                                     TreeBuilder& tree) {
     std::vector<Indices> clusters;
     for (const LooseCluster& cluster : loose) {
@@ -229,7 +229,7 @@ std::vector<LooseCluster> coarsened(const SharedMesh& mesh, const Indices& place
 
 } // namespace
 
-ClusterTree makeClusters(const Mesh& mesh, host::WorkerPool& workers) {
+ClusterTree makeClusters(const Mesh& mesh, platform::WorkerPool& workers) {
     const SharedMesh shared = sharedBy(mesh);
     const Indices places = placesOf(shared);
     if (mostAround(shared, places) > kMaxAround) {
@@ -255,7 +255,7 @@ ClusterTree makeClusters(const Mesh& mesh, host::WorkerPool& workers) {
     return tree.finish();
 }
 
-void makeClusters(Scene& scene, host::WorkerPool& workers) {
+void makeClusters(Scene& scene, platform::WorkerPool& workers) {
     for (Mesh& mesh : scene.meshes) {
         if (mesh.clusters.clusters.empty() && mesh.indices.size() / 3 >= kMinClusteredTriangles) {
             mesh.clusters = makeClusters(mesh, workers);

@@ -4,7 +4,7 @@
 /// @errors None.
 
 #include <cdr/base/export.h>
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/scene.h>
 
 #include <cstddef>
@@ -22,9 +22,9 @@ inline constexpr std::size_t kMinClusteredTriangles = 8192;
 /// After Ponchio, Cignoni, Ganovelli, Gobbetti, Marton and Scopigno (Batched Multi Triangulation, 2005) and Karis, Stubbe
 /// and Wihlidal (A Deep Dive into Nanite, 2021).
 /// @param mesh that requireUsable() lets pass, which is not checked, of a triangle at least.
-CDR_EXPORT ClusterTree makeClusters(const Mesh& mesh, host::WorkerPool& workers);
+CDR_EXPORT ClusterTree makeClusters(const Mesh& mesh, platform::WorkerPool& workers);
 
 /// Makes those of each mesh of kMinClusteredTriangles or more that has none.
-CDR_EXPORT void makeClusters(Scene& scene, host::WorkerPool& workers);
+CDR_EXPORT void makeClusters(Scene& scene, platform::WorkerPool& workers);
 
 } // namespace cdr::scene

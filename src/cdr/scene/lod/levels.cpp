@@ -61,7 +61,7 @@ std::vector<MeshLevel> makeLevels(const Mesh& mesh, const LevelOptions& options)
     return levels;
 }
 
-void makeLevels(Scene& scene, host::WorkerPool& workers, const LevelOptions& options) {
+void makeLevels(Scene& scene, platform::WorkerPool& workers, const LevelOptions& options) {
     workers.run(scene.meshes.size(), [&](std::size_t job, std::size_t) {
         Mesh& mesh = scene.meshes[job];
         if (mesh.levels.empty() && mesh.clusters.clusters.empty()) {

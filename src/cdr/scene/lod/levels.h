@@ -4,7 +4,7 @@
 /// @errors None but those that a function names.
 
 #include <cdr/base/export.h>
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/scene.h>
 
 #include <cstddef>
@@ -34,6 +34,6 @@ CDR_EXPORT std::vector<MeshLevel> makeLevels(const Mesh& mesh, const LevelOption
 /// Makes the levels of every mesh that has none, and no clusters; those the scene's maker gave stay. The same levels for any
 /// number of workers.
 /// @throws base::InputError for unusable options, where a mesh has no levels.
-CDR_EXPORT void makeLevels(Scene& scene, host::WorkerPool& workers, const LevelOptions& options = {});
+CDR_EXPORT void makeLevels(Scene& scene, platform::WorkerPool& workers, const LevelOptions& options = {});
 
 } // namespace cdr::scene

@@ -12,7 +12,7 @@ namespace cdr::viewer {
 namespace {
 
 std::vector<std::shared_ptr<const measure::Shape>> shapesOf(const scene::Scene& scene,
-                                                            host::WorkerPool& workers) {
+                                                            platform::WorkerPool& workers) {
     std::vector<std::shared_ptr<const measure::Shape>> shapes(scene.meshes.size());
     workers.run(shapes.size(), [&](std::size_t mesh, std::size_t) {
         shapes[mesh] = std::make_shared<const measure::Shape>(scene.meshes[mesh]);
@@ -42,7 +42,7 @@ struct Obstacles::Way {
     }
 };
 
-Obstacles::Obstacles(const scene::Scene& scene, host::WorkerPool& workers)
+Obstacles::Obstacles(const scene::Scene& scene, platform::WorkerPool& workers)
     : m_scene(scene),
       m_instances(std::shared_ptr<void>(), &scene.instances),
       m_shapes(shapesOf(scene, workers)) {
@@ -50,7 +50,7 @@ Obstacles::Obstacles(const scene::Scene& scene, host::WorkerPool& workers)
 }
 
 Obstacles Obstacles::moved(const scene::Scene& shown, std::span<const std::uint32_t> deformed,
-                           host::WorkerPool& workers) const {
+                           platform::WorkerPool& workers) const {
     Obstacles there(*this);
     workers.run(deformed.size(), [&](std::size_t i, std::size_t) {
         there.m_shapes[deformed[i]] = std::make_shared<const measure::Shape>(shown.meshes[deformed[i]]);

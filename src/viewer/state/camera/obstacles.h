@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
 #include <cdr/measure/truth/shape.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 #include <cdr/visibility/instance_cells.h>
@@ -17,12 +17,12 @@ namespace cdr::viewer {
 class Obstacles {
   public:
     /// @param scene must outlive the obstacles, its meshes unchanged.
-    Obstacles(const scene::Scene& scene, host::WorkerPool& workers);
+    Obstacles(const scene::Scene& scene, platform::WorkerPool& workers);
 
     /// The same meshes where `shown` has them now, which may move on at once.
     /// @param deformed meshes that have other vertices than at first
     Obstacles moved(const scene::Scene& shown, std::span<const std::uint32_t> deformed,
-                    host::WorkerPool& workers) const;
+                    platform::WorkerPool& workers) const;
 
     /// Of the scene, where they are now. They live no longer than the scene and the obstacles.
     const scene::Instances& instances() const { return *m_instances; }

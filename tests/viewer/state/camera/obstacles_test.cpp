@@ -34,7 +34,7 @@ bool isInACube(const scene::Instances& cubes, const glm::dvec3& place) {
 /// In every direction, by steps that would leap over a cube, and without any picture.
 TEST(Obstacles, StopAFlightInEveryDirection) {
     const scene::SceneSetup setup = scenes::makeAfc(2013);
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     const Obstacles obstacles(setup.scene, workers);
     std::mt19937_64 random(2013);
     scene::Camera camera = cameraWith(60.0, {0.0, 0.0, 40.0}, {0.0, 0.0, 0.0});
@@ -66,7 +66,7 @@ TEST(Obstacles, MoveWithTheScene) {
     scene.meshes.push_back(scene::makeBox(glm::vec3(0.5f)));
     scene.materials.push_back({.name = "white"});
     scene::addInstance(scene, 0, 0, 0, {0.0, 0.0, -5.0}, glm::mat3(1.0f));
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     const Obstacles before(scene, workers);
     scene::Scene shown = scene;
     shown.instances = {};
@@ -88,7 +88,7 @@ TEST(Obstacles, MoveWithTheScene) {
 TEST(Obstacles, AreMetAsIfEachWereLookedAt) {
     const scene::Scene scene = scenes::makeTraffic(2013, 2000).scene;
     const scene::Instances& cubes = scene.instances;
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     const Obstacles obstacles(scene, workers);
     const measure::Shape box(scene.meshes[0]);
     std::size_t met = 0;
@@ -116,7 +116,7 @@ TEST(Obstacles, StopTwoNearPlanesBeforeASurface) {
     const glm::dvec3 far(1e6, 0.0, 0.0);
     scene::addInstance(scene, 0, 0, 0, far, glm::mat3(1.0f));
     scene::addInstance(scene, 1, 1, 1, far + glm::dvec3(0.0, 0.0, 2.0), glm::mat3(1.0f));
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     const Obstacles obstacles(scene, workers);
     const scene::Camera before = cameraWith(60.0, far + glm::dvec3(0.0, 0.0, 3.0), far);
     scene::Camera after = before;

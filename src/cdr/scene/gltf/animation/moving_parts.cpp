@@ -4,7 +4,7 @@
 #include "animations.h"
 #include "skins.h"
 
-#include <cdr/host/worker_pool.h>
+#include <cdr/platform/worker_pool.h>
 
 #include <nlohmann/json.hpp>
 
@@ -124,7 +124,7 @@ std::shared_ptr<const SceneAnimation> MovingParts::finish(Scene& scene) {
     if (m_made->animations.empty() && m_made->deformed.empty()) {
         return nullptr;
     }
-    host::WorkerPool workers(1);
+    platform::WorkerPool workers(1);
     show(scene, motionOf(m_made, std::nullopt, {}), 0, workers);
     return m_made;
 }

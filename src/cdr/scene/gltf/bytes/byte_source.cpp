@@ -16,8 +16,8 @@ void readOpen(const OpenFile& file, std::uint64_t offset, std::span<std::uint8_t
 
 ByteSource::ByteSource(std::span<const std::uint8_t> bytes) : m_first(bytes.data()), m_size(bytes.size()) {}
 
-ByteSource::ByteSource(host::Bytes bytes)
-    : m_owned(std::make_shared<const host::Bytes>(std::move(bytes))),
+ByteSource::ByteSource(platform::Bytes bytes)
+    : m_owned(std::make_shared<const platform::Bytes>(std::move(bytes))),
       m_first(m_owned->data()),
       m_size(m_owned->size()) {}
 
@@ -44,8 +44,8 @@ void ByteSource::read(std::size_t offset, std::span<std::uint8_t> into) const {
     }
 }
 
-host::Bytes ByteSource::read() const {
-    host::Bytes bytes(m_size);
+platform::Bytes ByteSource::read() const {
+    platform::Bytes bytes(m_size);
     read(0, bytes);
     return bytes;
 }

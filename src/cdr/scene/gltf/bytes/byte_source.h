@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/host/file.h>
-#include <cdr/host/input_file.h>
+#include <cdr/platform/file.h>
+#include <cdr/platform/input_file.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +20,7 @@ struct OpenFile {
         : file(path, maxBytes),
           name(std::move(nameInMessages)) {}
 
-    host::InputFile file;
+    platform::InputFile file;
     std::string name; ///< how messages name it; empty for the file that is imported
 };
 
@@ -33,7 +33,7 @@ class ByteSource {
     ByteSource() = default;
     /// Bytes that outlive this.
     explicit ByteSource(std::span<const std::uint8_t> bytes);
-    explicit ByteSource(host::Bytes bytes);
+    explicit ByteSource(platform::Bytes bytes);
     explicit ByteSource(std::shared_ptr<const OpenFile> file);
 
     std::size_t size() const { return m_size; }
@@ -42,7 +42,7 @@ class ByteSource {
     /// Copies some of them; all must be inside.
     void read(std::size_t offset, std::span<std::uint8_t> into) const;
     /// A copy of all of them.
-    host::Bytes read() const;
+    platform::Bytes read() const;
 
     /// The first one, if they are in memory; else null.
     const std::uint8_t* inMemory() const { return m_first; }
@@ -52,7 +52,7 @@ class ByteSource {
     std::uint64_t offsetInFile() const { return m_offset; }
 
   private:
-    std::shared_ptr<const host::Bytes> m_owned; ///< that `m_first` is in, unless others own it
+    std::shared_ptr<const platform::Bytes> m_owned; ///< that `m_first` is in, unless others own it
     const std::uint8_t* m_first = nullptr;
     std::shared_ptr<const OpenFile> m_file;
     std::uint64_t m_offset = 0; ///< in the file

@@ -42,7 +42,7 @@ class HeaderReader {
 
     const ByteSource& m_file;
     std::size_t m_begin = 0;
-    host::Bytes m_ahead;
+    platform::Bytes m_ahead;
 };
 
 /// Walks the chunks of a GLB and keeps its first JSON and BIN chunk; the format says to skip other ones.

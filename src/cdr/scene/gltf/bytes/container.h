@@ -2,7 +2,7 @@
 
 #include "byte_source.h"
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <optional>
 #include <string_view>
@@ -11,7 +11,7 @@ namespace cdr::scene::gltf {
 
 /// The parts of a `.gltf` or `.glb` file.
 struct Container {
-    host::Bytes json;
+    platform::Bytes json;
     std::optional<ByteSource> bin; ///< the BIN chunk of a GLB, which stays where it is
 
     std::string_view text() const { return {reinterpret_cast<const char*>(json.data()), json.size()}; }

@@ -1,6 +1,6 @@
 #include "data_uri.h"
 
-#include <cdr/host/base64.h>
+#include <cdr/platform/base64.h>
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 7> kMediaTypes{"application/octet-stream"
 
 } // namespace
 
-std::optional<host::Bytes> decodeDataUri(std::string_view uri) {
+std::optional<platform::Bytes> decodeDataUri(std::string_view uri) {
     constexpr std::string_view kScheme = "data:";
     constexpr std::string_view kEncoding = ";base64,";
     const std::size_t end = uri.find(kEncoding);
@@ -31,7 +31,7 @@ std::optional<host::Bytes> decodeDataUri(std::string_view uri) {
     if (std::find(kMediaTypes.begin(), kMediaTypes.end(), mediaType) == kMediaTypes.end()) {
         return {};
     }
-    std::optional<host::Bytes> bytes = host::fromBase64(uri.substr(end + kEncoding.size()));
+    std::optional<platform::Bytes> bytes = platform::fromBase64(uri.substr(end + kEncoding.size()));
     return bytes && !bytes->empty() ? bytes : std::nullopt;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <optional>
 #include <string_view>
@@ -9,6 +9,6 @@ namespace cdr::scene::gltf {
 
 /// The bytes of a base64 `data:` URI; nothing when it is malformed, empty, or of a media type that glTF does
 /// not use.
-std::optional<host::Bytes> decodeDataUri(std::string_view uri);
+std::optional<platform::Bytes> decodeDataUri(std::string_view uri);
 
 } // namespace cdr::scene::gltf

@@ -76,7 +76,7 @@ ByteSource Files::openWithin(const std::string& uri, std::uintmax_t maxBytes) co
         return ByteSource(std::make_shared<const OpenFile>(
             resolve(uri), maxBytes, fmt::format("'{}'", oneLine(uri, kMaxNameLength))));
     }
-    std::optional<host::Bytes> bytes = decodeDataUri(uri);
+    std::optional<platform::Bytes> bytes = decodeDataUri(uri);
     if (!bytes) {
         refuse("data URI '{}...' cannot be decoded", oneLine(uri.substr(0, 40)));
     }
@@ -89,7 +89,7 @@ ByteSource Files::open(const std::string& uri) {
     return bytes;
 }
 
-host::Bytes Files::readAgain(const std::string& uri) const {
+platform::Bytes Files::readAgain(const std::string& uri) const {
     return openWithin(uri, m_maxFileBytes).read();
 }
 

@@ -3,7 +3,7 @@
 #include "block_cache.h"
 #include "byte_source.h"
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 #include <cdr/scene/gltf/gltf.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -26,7 +26,7 @@ class Files {
     /// The bytes of a `data:` URI or of the file that a relative, percent-encoded URI names. A file counts each time.
     ByteSource open(const std::string& uri);
     /// The bytes of a URI that was opened, as they are now. They count no more. Threads may share this.
-    host::Bytes readAgain(const std::string& uri) const;
+    platform::Bytes readAgain(const std::string& uri) const;
 
     /// The file that a URI names, which is no `data:` URI; refuses one outside the folder.
     std::filesystem::path resolve(const std::string& uri) const;

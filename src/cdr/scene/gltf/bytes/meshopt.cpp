@@ -58,7 +58,7 @@ bool isStrideRight(const MeshoptView& view) {
     }
 }
 
-void unfilter(const MeshoptView& view, host::Bytes& bytes) {
+void unfilter(const MeshoptView& view, platform::Bytes& bytes) {
     switch (view.filter) {
     case Filter::none:
         break;
@@ -100,9 +100,9 @@ MeshoptView readMeshoptView(const json& extension, std::size_t bytes, const std:
     return view;
 }
 
-host::Bytes decodeMeshopt(const MeshoptView& view, std::span<const std::uint8_t> compressed,
-                          const std::string& where) {
-    host::Bytes bytes(view.count * view.stride);
+platform::Bytes decodeMeshopt(const MeshoptView& view, std::span<const std::uint8_t> compressed,
+                              const std::string& where) {
+    platform::Bytes bytes(view.count * view.stride);
     using Decode = int (*)(void*, std::size_t, std::size_t, const unsigned char*, std::size_t);
     const Decode decode = view.mode == Mode::attributes  ? Decode{meshopt_decodeVertexBuffer}
                           : view.mode == Mode::triangles ? Decode{meshopt_decodeIndexBuffer}

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -32,7 +32,7 @@ struct MeshoptView {
 MeshoptView readMeshoptView(const nlohmann::json& extension, std::size_t bytes, const std::string& where);
 
 /// The bytes of a view. Refuses compressed ones that are not sound.
-host::Bytes decodeMeshopt(const MeshoptView& view, std::span<const std::uint8_t> compressed,
-                          const std::string& where);
+platform::Bytes decodeMeshopt(const MeshoptView& view, std::span<const std::uint8_t> compressed,
+                              const std::string& where);
 
 } // namespace cdr::scene::gltf

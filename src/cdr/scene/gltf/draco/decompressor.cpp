@@ -63,7 +63,7 @@ void addAttribute(DecodedPrimitive& decoded, const std::string& name, int index,
                where, kDraco, oneLine(name, kMaxNameLength), vertices, found.components, found.componentType,
                index, declared.count(), declared.components(), declared.componentType());
     }
-    const host::Bytes& bytes = decoded.values.emplace_back(found.bytes);
+    const platform::Bytes& bytes = decoded.values.emplace_back(found.bytes);
     decoded.attributes.emplace(
         name, Accessor(declared, {bytes.data(), static_cast<std::size_t>(declared.components()) *
                                                     componentBytes(declared.componentType())}));
@@ -71,7 +71,7 @@ void addAttribute(DecodedPrimitive& decoded, const std::string& name, int index,
 
 std::uint64_t bytesOf(const DecodedPrimitive& decoded) {
     std::uint64_t bytes = decoded.indexList.size() * sizeof(std::uint32_t);
-    for (const host::Bytes& values : decoded.values) {
+    for (const platform::Bytes& values : decoded.values) {
         bytes += values.size();
     }
     return bytes;

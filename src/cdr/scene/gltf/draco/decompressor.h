@@ -3,7 +3,7 @@
 #include "../accessor.h"
 #include "../primitive.h"
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <cstdint>
 #include <map>
@@ -16,7 +16,7 @@ namespace cdr::scene::gltf {
 /// What of a primitive was compressed. Its accessors are those of the file over the decoded bytes.
 struct DecodedPrimitive {
     std::vector<std::uint32_t> indexList;
-    std::vector<host::Bytes> values;
+    std::vector<platform::Bytes> values;
     std::optional<Accessor> indices;
     std::map<std::string, Accessor> attributes; ///< by name; others are not compressed
 };

@@ -2,7 +2,7 @@
 
 #include "stream.h"
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -32,7 +32,7 @@ std::optional<DracoPrimitive> dracoOf(const nlohmann::json& root, const nlohmann
 struct DracoAttribute {
     int componentType = 0; ///< glTF's number; 0: glTF has no such type
     int components = 0;
-    host::Bytes bytes;
+    platform::Bytes bytes;
 };
 
 /// A decoded mesh.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/host/file.h>
+#include <cdr/platform/file.h>
 
 #include <cstdint>
 #include <span>
@@ -25,7 +25,7 @@ struct DracoBounds {
 /// within bounds. Not to be copied: `bytes` may be those that it holds.
 struct DracoStream {
     std::span<const std::uint8_t> bytes; ///< without metadata, which glTF has no use for
-    host::Bytes withoutMetadata;         ///< what `bytes` are in, if there was some
+    platform::Bytes withoutMetadata;     ///< what `bytes` are in, if there was some
     bool isEdgebreaker = false;          ///< else sequential
     std::uint32_t triangles = 0;
     std::uint64_t connectivityBytes = 0; ///< that decoding takes at most, except for attributes

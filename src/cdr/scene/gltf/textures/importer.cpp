@@ -3,8 +3,8 @@
 #include "../checks.h"
 #include "../json.h"
 
-#include <cdr/host/worker_pool.h>
 #include <cdr/image/levels.h>
+#include <cdr/platform/worker_pool.h>
 
 #include <algorithm>
 #include <atomic>
@@ -155,8 +155,8 @@ void TextureImporter::decode(const GltfLimits& limits, ReadProgress& progress) {
     const std::vector<std::uint32_t> dropped = dropLevels(limits.textureMemory);
     const std::size_t most =
         limits.threads != 0 ? limits.threads : std::max(1u, std::thread::hardware_concurrency());
-    host::WorkerPool workers(
-        std::clamp<std::size_t>(m_shown.size(), 1, std::min(most, host::WorkerPool::kMaxThreads)));
+    platform::WorkerPool workers(
+        std::clamp<std::size_t>(m_shown.size(), 1, std::min(most, platform::WorkerPool::kMaxThreads)));
     std::atomic<std::size_t> decoded = 0; // and not yet told
     workers.run(m_shown.size(), [&](std::size_t i, std::size_t worker) {
         fill(m_shown[i], dropped);

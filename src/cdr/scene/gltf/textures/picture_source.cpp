@@ -20,7 +20,7 @@ PictureSource readPictureSource(const Sources& sources, int image) {
     if (!uri) {
         source.inBuffer = sources.buffers.view(*bufferView).bytes;
     }
-    const host::Bytes encoded = uri ? sources.files.open(*uri).read() : source.inBuffer->read();
+    const platform::Bytes encoded = uri ? sources.files.open(*uri).read() : source.inBuffer->read();
     source.size = image::sizeOfEncoded(encoded, source.label());
     return source;
 }
@@ -30,7 +30,8 @@ image::ImageRgba8 decodePicture(const Sources& sources, const PictureSource& pic
         const nlohmann::json& json = itemAt(sources.document.root, "images", picture.image, "image");
         return stringMember(json, "uri").value_or("");
     };
-    const host::Bytes encoded = picture.inBuffer ? picture.inBuffer->read() : sources.files.readAgain(uri());
+    const platform::Bytes encoded =
+        picture.inBuffer ? picture.inBuffer->read() : sources.files.readAgain(uri());
     image::ImageRgba8 pixels = image::decodeImage(encoded, picture.label());
     if (image::PictureSize{.width = pixels.width, .height = pixels.height} != picture.size) {
         refuse("{} changed while the file was imported", picture.label());

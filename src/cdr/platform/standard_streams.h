@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+namespace cdr::platform {
+
+/// Prints on standard output. RunError when that could not be written.
+void printOutput(const std::string& text);
+
+/// Writes out what was printed on standard output. RunError when some of it could not be written, now or
+/// before.
+void flushStandardOutput();
+
+/// Prints a line on standard error. Does nothing if that fails, since there is no other place for an error.
+void printError(const std::string& line) noexcept;
+
+} // namespace cdr::platform

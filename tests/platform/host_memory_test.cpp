@@ -1,0 +1,37 @@
+#include "../support/address_limit.h"
+
+#include <cdr/base/error.h>
+#include <cdr/platform/host_memory.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+
+namespace {
+
+using namespace cdr;
+using test::AddressLimit;
+
+constexpr std::uint64_t kMebibyte = 1 << 20;
+
+TEST(HostMemory, MoreThanTheSystemHasIsRefused) {
+    ASSERT_TRUE(platform::freeHostBytes().has_value());
+    EXPECT_THROW(platform::requireHostBytes(std::uint64_t{1} << 60, "a picture"), base::RunError);
+    EXPECT_NO_THROW(platform::requireHostBytes(1, "a pixel"));
+}
+
+TEST(HostMemory, TheLimitOfTheProcessCounts) {
+    const AddressLimit limit(256 * kMebibyte);
+    EXPECT_LE(platform::freeHostBytes().value_or(0), 257 * kMebibyte); // pages are returned meanwhile
+    try {
+        platform::requireHostBytes(512 * kMebibyte, "a picture");
+        ADD_FAILURE() << "not refused";
+    } catch (const base::RunError& error) {
+        const std::string line = error.what();
+        EXPECT_NE(line.find("a picture needs 512.0 MiB of memory, "), std::string::npos) << line;
+        EXPECT_NE(line.find(" MiB are free"), std::string::npos) << line;
+    }
+}
+
+} // namespace
