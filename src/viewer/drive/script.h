@@ -59,7 +59,7 @@ using ScriptStep = std::variant<InputEvent, ClickItem, WindowSize, WaitFrame, Wa
 ///     move X Y, press [B], release [B], scroll N
 ///     click NAME                   the interface's item of that name, scrolled into view where it is not
 ///     type TEXT                    its letters, into what has the keyboard
-///     drop FILE, resize W H, minimise, restore
+///     drop FILE, drop-all FILE... (names without spaces), resize W H, minimise, restore
 ///     wait-frame [N], wait-ui N, window FILE, picture FILE, where NAME, state, quit
 ///                                  wait-frame also ends if nothing changes any more
 ///     wait-state TEXT              until the line that `state` prints holds it

@@ -18,7 +18,7 @@ namespace {
 
 constexpr image::Rgba8 kBlack{0, 0, 0, 255};
 
-/// The tints of experiments' cascade picture at every lightness.
+/// output::cascadeTint() at every lightness.
 struct TintTable {
     std::array<std::array<image::Rgba8, 256>, depth::kMaxCascades> at;
 
