@@ -66,15 +66,13 @@ vec4 covering(vec3 color, float ahead) { return vec4(color, 1.0); }
 layout(location = 0) out vec4 outColor;
 
 vec2 anchorOf(uvec4 texel) {
-#ifdef FLAT_LIGHTING
-    if (kAnchored == 3u) {
-        return flatAnchorOfFirst();
-    }
-#endif
     uint cascade = (texel.w >> kIdBits) & kCascadeMask;
 #ifdef FLAT_LIGHTING
     if (kAnchored == 2u) {
         return flatAnchor(cascade);
+    }
+    if (kAnchored == 3u) {
+        return flatAnchorOfFirst();
     }
 #endif
     return kAnchored != 0u ? header.anchors[cascade] : vec2(0.0);

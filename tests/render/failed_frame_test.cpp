@@ -33,6 +33,13 @@ scene::Camera otherCamera(double x) {
     return camera;
 }
 
+/// One whose distance to the scene is larger by `distance`.
+scene::Camera cameraBehind(double distance) {
+    scene::Camera camera = cameraAt(0.0);
+    camera.position.z = distance;
+    return camera;
+}
+
 /// After an error all is as the last frame that was drawn left it.
 class FailedFrameTest : public RenderTest {
   protected:
@@ -97,6 +104,22 @@ TEST_F(FailedFrameTest, WhatIsNotSubmittedLeavesTheLastFrame) {
     const render::Frame next = renderer.render(cameraAt(1.0));
     EXPECT_EQ(hashOf(next), hashOf(first));
     EXPECT_EQ(next.motion, first.motion);
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+/// A little motion keeps the cascades of the last frame that was drawn, not of the one that failed.
+TEST_F(FailedFrameTest, AFittedSplitKeepsToTheLastFrame) {
+    render::Renderer renderer(device(), m_scene, *m_onDevice,
+                              thumbnailOptions(depth::parseTechnique("anchored")));
+    const render::Frame first = renderer.render(cameraBehind(0.0));
+    ASSERT_NE(renderer.render(cameraBehind(30.0)).anchorsView, first.anchorsView);
+    ASSERT_EQ(renderer.render(cameraBehind(0.0)).anchorsView, first.anchorsView);
+    {
+        const FailingCall failing("vkQueueSubmit2");
+        EXPECT_THROW(renderer.draw(cameraBehind(30.0)), std::exception);
+        ASSERT_TRUE(FailingCall::hasFailed());
+    }
+    EXPECT_EQ(renderer.render(cameraBehind(0.001)).anchorsView, first.anchorsView);
     EXPECT_EQ(messageCount(), 0u);
 }
 

@@ -121,7 +121,7 @@ ShadingPass::ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, c
                       ? std::make_unique<OcclusionPass>(device, gbuffer, OcclusionOptions{options.anchored})
                       : nullptr),
       m_options(options) {
-    // Frames of a fitted split have now one cascade and now a few, so both forms are made.
+    // A fitted split gives a frame one cascade or several, so both forms are made.
     passFor({.lights = options.lightForm, .anchors = anchorFormOf(options.anchored, 1)});
     passFor({.lights = options.lightForm, .anchors = anchorFormOf(options.anchored, shaders::kFlatLights)});
     if (options.preparedLights > 0) {
