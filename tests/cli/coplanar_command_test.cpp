@@ -45,6 +45,26 @@ TEST(CoplanarCommand, CountsWhichOfTwoFacesIsSeen) {
     EXPECT_NE(result.out.find("through a wall"), std::string::npos);
 }
 
+/// One setting that does nothing draws what no method draws.
+TEST(CoplanarCommand, SearchesTheSettingsThatAreGiven) {
+    const TemporaryFolder folder;
+    const std::string command =
+        "coplanar --frames 1 --search-views 1 --size 64x36 --techniques reversed --json c.json --slopes ";
+    const ProgramResult result = runProgram("--validate " + command + "0 --constants 0", folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("the best of 1 settings"), std::string::npos) << result.out;
+    const json document = json::parse(readText(folder.path() / "c.json"));
+    EXPECT_EQ(document.at("options").at("slopes"), json::array({0.0}));
+    const json& rows = document.at("results");
+    EXPECT_GT(rows.at(0).at("wrong").get<int>(), 0);
+    EXPECT_EQ(rows.at(1).at("wrong"), rows.at(0).at("wrong"));
+    ASSERT_EQ(runProgram(command + "0.25,0.5 --constants 0,4", folder.path()).status, 0);
+    const json chosen = json::parse(readText(folder.path() / "c.json")).at("results").at(1);
+    EXPECT_LT(chosen.at("wrong"), rows.at(0).at("wrong"));
+    EXPECT_GE(chosen.at("slope_factor"), 0.25);
+    EXPECT_EQ(runProgram(command + "1e7", folder.path()).status, 2);
+}
+
 /// Vertices that are rounded to halves of a pixel cover pixels that no ray meets them in, and some of these flip.
 TEST(CoplanarCommand, TellsFlipsByCoverageFromOthers) {
     const TemporaryFolder folder;

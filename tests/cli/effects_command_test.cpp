@@ -34,6 +34,18 @@ TEST(EffectsCommand, LooksAlikeUnderEveryTechniqueAndLosesPerLayer) {
     EXPECT_GT(document.at("lost_per_layer").get<double>(), 0.0);
 }
 
+TEST(EffectsCommand, ComparesTheTechniquesThatAreGiven) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        "--validate effects --frames 1 --size 32x18 --techniques log --json e.json", folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(readText(folder.path() / "e.json"));
+    EXPECT_EQ(document.at("options").at("techniques"), json::array({"log"}));
+    for (const json& row : document.at("results")) {
+        EXPECT_EQ(row.at("least_alike"), "log");
+    }
+}
+
 /// One byte of a surface is either how it shines or its occlusion per layer.
 TEST(EffectsCommand, OcclusionPerLayerDrawsShinyScenesMattAndSaysSo) {
     const TemporaryFolder folder;

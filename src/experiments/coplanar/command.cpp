@@ -4,6 +4,7 @@
 #include <experiments/coplanar/coplanar.h>
 
 #include <fmt/format.h>
+#include <options/number_checks.h>
 #include <output/columns.h>
 #include <program/build_info.h>
 
@@ -72,14 +73,17 @@ void run(Command& command, CoplanarArguments& arguments) {
     const auto columns = coplanarColumns();
     command.console().table(output::tableOf(columns, results));
     command.console().line(fmt::format(
-        "\n{}; {} pairs of views of the scene coplanar, {}x{}; polygon offset is the best of 40 settings over {} "
+        "\n{}; {} pairs of views of the scene coplanar, {}x{}; polygon offset is the best of {} settings over {} "
         "other views; commit {}",
-        command.opened().text(), options.views, options.width, options.height, options.searchViews,
+        command.opened().text(), options.views, options.width, options.height,
+        options.offsets.slopes.size() * options.offsets.constants.size(), options.searchViews,
         program::buildInfo().commit));
     auto document = command.makeDocument({{"width", options.width},
                                           {"height", options.height},
                                           {"views", options.views},
                                           {"search_views", options.searchViews},
+                                          {"slopes", options.offsets.slopes},
+                                          {"constants", options.offsets.constants},
                                           {"threads", options.threads},
                                           {"seed", options.seed},
                                           {"snap_bits", options.snapBits}});
@@ -94,6 +98,15 @@ void run(Command& command, CoplanarArguments& arguments) {
     command.writeDocument(document);
 }
 
+/// A list of factors of polygon offset.
+void addFactors(CLI::App& command, const char* name, std::vector<float>& factors, const char* help) {
+    constexpr double kMost = 1e6;
+    command.add_option(name, factors, help)
+        ->delimiter(',')
+        ->check(options::numberFrom(-kMost, kMost))
+        ->capture_default_str();
+}
+
 void addOptions(CLI::App& command, CoplanarArguments& arguments) {
     experiments::CoplanarOptions& options = arguments.options;
     addFrames(command, options.views, "Random views, each with a second one from 0.01 aside");
@@ -102,6 +115,10 @@ void addOptions(CLI::App& command, CoplanarArguments& arguments) {
                     "Views that settings of polygon offset are compared over")
         ->check(CLI::Range(1u, 10'000u))
         ->capture_default_str();
+    addFactors(command, "--slopes", options.offsets.slopes,
+               "Slope factors of polygon offset that are compared, separated by commas");
+    addFactors(command, "--constants", options.offsets.constants,
+               "Constant factors that each is compared with, separated by commas");
     addSize(command, options.width, options.height);
     addThreads(command, options.threads, "Threads that render and cast the truth");
     addSeed(command, options.seed, "Seed of the views");

@@ -21,9 +21,6 @@ namespace cdr::experiments {
 
 namespace {
 
-/// What polygon offset is searched over: all pairs.
-constexpr std::array kSlopes{0.0f, 0.25f, 1.0f, 2.0f, 4.0f};
-constexpr std::array kConstants{0.0f, 1.0f, 4.0f, 16.0f, 64.0f, 256.0f, 1024.0f, 4096.0f};
 constexpr render::LayerOptions kNoOffset{.method = render::LayerMethod::polygonOffset};
 
 constexpr base::EnumNames<CoplanarMethod, kCoplanarMethods.size()> kCoplanarMethodNames{
@@ -69,8 +66,8 @@ class CoplanarComparison {
     /// The setting with the fewest wrong pixels, over a few views.
     render::LayerOptions bestOffset(const depth::Technique& technique) {
         std::pair<std::uint64_t, render::LayerOptions> best{UINT64_MAX, {}};
-        for (const float slope : kSlopes) {
-            for (const float constant : kConstants) {
+        for (const float slope : m_options.offsets.slopes) {
+            for (const float constant : m_options.offsets.constants) {
                 const render::LayerOptions layers{render::LayerMethod::polygonOffset, slope, constant};
                 const std::uint64_t wrong = wrongOver(technique, layers);
                 if (wrong < best.first) {
@@ -244,6 +241,9 @@ std::vector<CoplanarResult> runCoplanar(const gpu::Device& device, const Coplana
                                         const CoplanarProgress& progress, ranks::Ranks& ranks) {
     if (options.views < 1 || options.searchViews < 1) {
         throw base::InputError("coplanar needs a view to measure and a view to search settings by");
+    }
+    if (options.offsets.slopes.empty() || options.offsets.constants.empty()) {
+        throw base::InputError("coplanar needs a setting of polygon offset");
     }
     const std::span<const depth::NamedTechnique> techniques =
         options.techniques.empty() ? depth::presets() : std::span(options.techniques);

@@ -17,6 +17,12 @@
 
 namespace cdr::experiments {
 
+/// What polygon offset is searched over: all pairs of a slope factor and a constant factor.
+struct OffsetSettings {
+    std::vector<float> slopes{0.0f, 0.25f, 1.0f, 2.0f, 4.0f};
+    std::vector<float> constants{0.0f, 1.0f, 4.0f, 16.0f, 64.0f, 256.0f, 1024.0f, 4096.0f};
+};
+
 /// Which of two faces at the same place is seen, over random views of the scene `coplanar`. Three ways are compared:
 /// nothing is done; Vulkan's depth bias (polygon offset) at the best of many settings; layers in scene units.
 struct CoplanarOptions {
@@ -25,6 +31,7 @@ struct CoplanarOptions {
     std::uint32_t height = 180;
     std::uint32_t views = 500;      ///< each with a second one from 0.01 aside
     std::uint32_t searchViews = 24; ///< that settings of polygon offset are compared over
+    OffsetSettings offsets;
     std::size_t threads = 1;
     std::uint32_t snapBits = 0;                    ///< render::RenderOptions::snapBits
     std::vector<depth::NamedTechnique> techniques; ///< none: all presets
@@ -62,7 +69,7 @@ struct CoplanarResult {
 using CoplanarProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// By technique, then by method; counts and pictures are the first rank's, which share techniques and then views.
-/// base::InputError for no views.
+/// base::InputError for no views or no setting of polygon offset.
 std::vector<CoplanarResult> runCoplanar(const gpu::Device& device, const CoplanarOptions& options,
                                         const CoplanarProgress& progress, ranks::Ranks& ranks);
 

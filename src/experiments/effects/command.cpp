@@ -57,11 +57,17 @@ void run(Command& command, EffectsArguments& arguments) {
                                        output::percent(report.lostPerLayer)));
     command.console().line(fmt::format(
         "{}; {}, {} frames, {}x{}, radius {}, visibility {}, {} threads; differing: by "
-        "more than {} of 255 from anchored, which preset most",
+        "more than {} of 255 from anchored, which technique most",
         command.opened().text(), options.scene, options.frames, options.width, options.height,
         options.occlusionRadius, options.visibility, options.threads, experiments::kEffectTolerance));
     nlohmann::ordered_json settings = settingsOf(options);
     settings.update({{"occlusion_radius", options.occlusionRadius}, {"visibility", options.visibility}});
+    if (!options.techniques.empty()) {
+        auto& techniques = settings["techniques"];
+        for (const depth::NamedTechnique& named : options.techniques) {
+            techniques.push_back(named.name);
+        }
+    }
     auto document = command.makeDocument(std::move(settings));
     for (const auto& result : report.results) {
         auto& row = document["results"].emplace_back(output::jsonOf(columns, result));
@@ -75,6 +81,7 @@ void run(Command& command, EffectsArguments& arguments) {
 void addOptions(CLI::App& command, EffectsArguments& arguments) {
     experiments::EffectsOptions& options = arguments.options;
     addComparison(command, options, arguments.folder);
+    addTechniques(command, options.techniques);
     command.add_option("--occlusion", options.occlusionRadius, "Radius of ambient occlusion, scene units")
         ->capture_default_str();
     command.add_option("--fog", options.visibility, "Visibility in fog, scene units")->capture_default_str();

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace cdr::experiments {
 
@@ -96,7 +97,9 @@ class EffectsComparison {
                              .leastAlike = {},
                              .picture = m_renderers[mode]->render(m_camera).color};
         std::optional<double> most;
-        for (const auto& [name, technique] : depth::presets()) {
+        const std::span<const depth::NamedTechnique> techniques =
+            m_options.techniques.empty() ? depth::presets() : std::span(m_options.techniques);
+        for (const auto& [name, technique] : techniques) {
             const double share = shareApart(makeRenderer(effect, technique)->render(m_camera).color,
                                             result.picture, Apart::either);
             if (!most || share > *most) {

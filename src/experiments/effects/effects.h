@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/statistics/statistics.h>
@@ -25,8 +26,9 @@ struct EffectsOptions {
     std::uint32_t height = 720;
     std::uint32_t frames = 20; ///< timed, of every mode, all of the scene's first camera
     std::size_t threads = 1;
-    double occlusionRadius = 1.0; ///< scene units
-    double visibility = 100.0;    ///< in fog, scene units
+    double occlusionRadius = 1.0;                  ///< scene units
+    double visibility = 100.0;                     ///< in fog, scene units
+    std::vector<depth::NamedTechnique> techniques; ///< that are compared; none: all presets
 };
 
 /// Which effect a mode has.
@@ -48,7 +50,7 @@ struct EffectsResult {
     double executeMs = 0.0;
     double ratio = 1.0;        ///< of execute to "plain": the median of the ratios frame by frame
     measure::Interval ratio95; ///< bootstrapped
-    /// Of the presets, the one whose picture differs most from anchored's with the same effect.
+    /// Of the techniques compared, the one whose picture differs most from anchored's with the same effect.
     std::string leastAlike;
     double differing = 0.0;    ///< share of its pixels that differ by more than kEffectTolerance
     image::ImageRgba8 picture; ///< under anchored, in twelve cascades of one ratio
@@ -65,7 +67,7 @@ struct EffectsReport {
 /// Called before each step with how many of all are done.
 using EffectsProgress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// Every mode draws a frame, in a newly shuffled order, before the next; then each is drawn by every preset.
+/// Every mode draws a frame, in a newly shuffled order, before the next; then each is drawn by every technique.
 /// base::InputError for no frames.
 /// @param setup what options.scene names.
 /// @param ranks that share the timed frames; the first one does the rest, and alone has results.
