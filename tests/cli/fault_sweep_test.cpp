@@ -25,6 +25,9 @@ using test::Fault;
 constexpr std::array<long, 3> kErrors{VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_OF_DEVICE_MEMORY,
                                       VK_ERROR_DEVICE_LOST};
 
+/// Mesa's layer that sorts devices is not tried: in 22.3.6 it reads a list of extensions that it did not get, and may crash.
+const std::string kOthersOff = "NODEVICE_SELECT=1";
+
 /// Which errors a command is tried with where not all cases are.
 enum class Sample { eachError, oneError };
 
@@ -53,8 +56,8 @@ class FaultSweep : public testing::TestWithParam<Swept> {
     Run runUnder(const Fault& fault, const TemporaryFolder& folder) const {
         const std::filesystem::path log = folder.path().string() + ".fault";
         Run run{.result = runProgram(std::string(GetParam().command) + " --validate", folder.path(),
-                                     "CDR_FAULT_LOG='" + log.string() + "' " + fault.environment() +
-                                         " timeout 1000"),
+                                     "CDR_FAULT_LOG='" + log.string() + "' " + fault.environment() + " " +
+                                         kOthersOff + " timeout 1000"),
                 .failed = {}};
         std::istringstream(readText(log)) >> run.calls >> run.failed;
         std::filesystem::remove(log);
@@ -197,10 +200,13 @@ INSTANTIATE_TEST_SUITE_P(
             "scaling --draws 1 --threads 1 --cascades 1 --repeats 1 --size 16x16 --targets single --csv s.csv",
             "Scaling", Sample::oneError},
         Swept{"detail cubes --frames 1 --size 16x16 --json d.json", "Detail", Sample::oneError},
-        Swept{"coplanar --frames 1 --search-views 1 --size 16x16 --techniques reversed --json c.json",
-              "Coplanar", Sample::oneError},
+        Swept{
+            "coplanar --frames 1 --search-views 1 --slopes 0 --constants 0,1 --size 16x16 --techniques reversed "
+            "--json c.json",
+            "Coplanar", Sample::oneError},
         Swept{"shadows cubes --size 16x16 --json s.json", "ShadowsOfMaps", Sample::oneError},
-        Swept{"effects --frames 1 --size 16x16 --json e.json", "EffectsOfPresets", Sample::oneError},
+        Swept{"effects cubes --frames 1 --size 16x16 --techniques reversed --json e.json", "EffectsOfPresets",
+              Sample::oneError},
         Swept{"focus --frames 1 --cameras 2 --size 16x16 --json f.json", "FocusOfCameras", Sample::oneError},
         Swept{"inspect cubes --frames 1 --size 16x16 --techniques standard --json i.json", "Inspect",
               Sample::oneError},
