@@ -40,7 +40,9 @@ CDR_CONST kDetailEmits = 16u;            // it emits light, textured or not
 CDR_CONST kDetailMoved = 32u;            // some of its textures are read elsewhere than at a vertex' places
 CDR_CONST kDetailShared =
     64u; // occlusion is the red of the texture of metallic and roughness, at the same place
-CDR_CONST kDetailMasks = 128u; // how many sums there are
+CDR_CONST kDetailPacked =
+    128u; // alpha of the base colour's texture is occlusion, of the normal texture metallic, of the emissive one roughness
+CDR_CONST kDetailMasks = 256u; // how many sums there are
 
 // Textures of a material's detail: those of the first parts above, in their order.
 CDR_CONST kDetailTextures = 4u;

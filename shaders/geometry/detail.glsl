@@ -1,4 +1,5 @@
-// What a material has beside its factors, read from its textures. Define DETAIL_SET and DETAIL_CONSTANT first.
+// What a material has beside its factors, read from its textures. Define DETAIL_SET, DETAIL_CONSTANT and baseColorTexture first.
+// With kDetailPacked three textures hold all five. The compiler merges reads of one texture at one place.
 #ifndef CDR_SHADERS_DETAIL_GLSL
 #define CDR_SHADERS_DETAIL_GLSL
 
@@ -16,6 +17,9 @@ bool has(uint part) { return (kDetail & part) != 0u; }
 
 // Where a texture is read, of both places of a vertex.
 vec2 placeOf(uint part, vec4 places) {
+    if (has(kDetailPacked)) {
+        return places.xy;
+    }
     vec2 place = (detail.secondPlaces & part) != 0u ? places.zw : places.xy;
     if (has(kDetailMoved)) {
         uint texture = part == kDetailMetallicRoughness ? 0u : part == kDetailNormal ? 1u : part == kDetailOcclusion ? 2u : 3u;
@@ -43,6 +47,9 @@ vec2 detailMetallicRoughness(vec4 places) {
     if (!has(kDetailMetallicRoughness)) {
         return metallicRoughness;
     }
+    if (has(kDetailPacked)) {
+        return metallicRoughness * vec2(texture(normalTexture, places.xy).a, texture(emissiveTexture, places.xy).a);
+    }
     return metallicRoughness * texture(metallicRoughnessTexture, placeOf(kDetailMetallicRoughness, places)).bg;
 }
 
@@ -57,9 +64,9 @@ float detailOpenness(vec4 places) {
     if (!has(kDetailOcclusion)) {
         return 1.0;
     }
-    // The compiler merges two reads of one texture at one place.
-    float share = has(kDetailShared) ? texture(metallicRoughnessTexture, placeOf(kDetailMetallicRoughness, places)).r
-                                     : texture(occlusionTexture, placeOf(kDetailOcclusion, places)).r;
+    float share = has(kDetailPacked)   ? texture(baseColorTexture, places.xy).a
+                  : has(kDetailShared) ? texture(metallicRoughnessTexture, placeOf(kDetailMetallicRoughness, places)).r
+                                       : texture(occlusionTexture, placeOf(kDetailOcclusion, places)).r;
     return mix(1.0, share, detail.metallicRoughnessAndOcclusion.z);
 }
 

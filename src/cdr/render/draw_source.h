@@ -52,7 +52,8 @@ inline constexpr std::uint32_t kDetailStep = 32;
 inline constexpr std::size_t kPipelineVariants = std::size_t{kDetailStep} * shaders::kDetailMasks;
 
 /// Of a material on a mesh.
-std::uint32_t variantOf(bool isFaceted, const scene::Material& material);
+/// @param detailParts of the material: SceneTextures::detailParts(), or detailPartsOf() it.
+std::uint32_t variantOf(bool isFaceted, const scene::Material& material, std::uint32_t detailParts);
 /// Of materials on meshes with facets and without, each once.
 std::vector<std::uint32_t> variantsOf(std::span<const scene::Material> materials);
 

@@ -295,8 +295,11 @@ void GpuScene::State::replaceTables() {
     } else {
         followVertices();
     }
-    m_textures.follow(*m_scene, changes.textures.since(m_followed.textures), m_retired);
-    m_textures.followMaterials(*m_scene, changes.materials.since(m_followed.materials), m_retired);
+    const auto textures = changes.textures.since(m_followed.textures);
+    m_textures.follow(*m_scene, textures, m_retired);
+    // Where all textures are uploaded anew, each material reads another one.
+    const auto materials = changes.materials.since(m_followed.materials);
+    m_textures.followMaterials(*m_scene, textures ? materials : std::nullopt, m_retired);
     m_meshes.followDetails(*m_scene, m_retired);
     if (areMeshesOthers || m_meshes.details().handle() != detailsBefore) {
         followPoses(); // what was uploaded anew is as the CPU has it
@@ -406,11 +409,12 @@ DrawKind GpuScene::State::kindOf(const KindKey& key) const {
     const scene::Material& material = m_scene->materials[materialIndex];
     return {.meshIndex = mesh,
             .mesh = m_meshes.ranges()[mesh],
-            .variant = variantOf(m_meshes.ranges()[mesh].isFaceted, material),
+            .variant = variantOf(m_meshes.ranges()[mesh].isFaceted, material,
+                                 m_textures.detailParts(*m_scene, materialIndex)),
             .doubleSided = material.doubleSided,
             .mirrored = mirrored,
             .layer = m_layers[materialIndex],
-            .textureSet = m_textures.baseColorSet(material),
+            .textureSet = m_textures.baseColorSet(*m_scene, materialIndex),
             .detailSet = m_textures.detailSet(materialIndex)};
 }
 

@@ -3,9 +3,12 @@
 
 #include <cdr/measure/truth/layered_truth.h>
 #include <cdr/render/materials/scene_textures.h>
+#include <cdr/render/materials/texture_packing.h>
 #include <cdr/shaders/shared.h>
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 namespace cdr::render_test {
 
@@ -96,6 +99,73 @@ TEST_F(PlacesTest, ATextureOfTwoUsesLooksAsTwoTextures) {
         EXPECT_EQ(once.color, twice.color);
         EXPECT_NE(once.color, bright.color);
     }
+}
+
+/// Five textures of one size and sampler are read as three; a sampler that differs, in a way that does not show, parts them.
+TEST_F(PlacesTest, FivePackedTexturesLookAsFive) {
+    scene::Scene scene = squareWith(&scene::MaterialDetail::metallicRoughness, {});
+    scene.ambient = glm::vec3(0.6f);
+    scene.meshes[0].details.assign(scene.meshes[0].vertices.size(),
+                                   {.tangent = glm::vec4(1.0f, 0.0f, 0.0f, 1.0f)});
+    for (scene::Vertex& vertex : scene.meshes[0].vertices) {
+        vertex.uv = 0.25f + 0.5f * (0.5f + 0.5f * vertex.uv); // nowhere near an edge of a texture
+    }
+    scene.textures.assign(5, scene.textures[0]);
+    for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+        for (image::Rgba8& pixel : scene.textures[i].pixels.pixels) {
+            std::rotate(pixel.begin(), pixel.begin() + static_cast<std::ptrdiff_t>(i % 3), pixel.begin() + 3);
+            pixel[3] = 7; // of no meaning here
+        }
+    }
+    scene.textures[0].content = scene::TextureContent::color;
+    scene.textures[4].content = scene::TextureContent::color;
+    scene::Material& material = scene.materials[0];
+    material.baseColorTexture = 0;
+    material.detail.emission = glm::vec3(0.5f);
+    for (std::uint32_t i = 0; i < kUses.size(); ++i) {
+        material.detail.*kUses[i] = scene::TextureUse{.texture = i + 1};
+    }
+    EXPECT_TRUE(render::isPackable(material, scene.textures));
+    const image::ImageRgba8 packed = draw(scene, camera(), options()).color;
+    scene.textures[3].wrapU = scene::WrapMode::clampToEdge;
+    EXPECT_FALSE(render::isPackable(material, scene.textures));
+    const image::ImageRgba8 apart = draw(scene, camera(), options()).color;
+    EXPECT_LT(meanSteps(packed, apart), 0.1);
+    EXPECT_GT(meanSteps(packed, image::ImageRgba8(packed.width, packed.height, packed.pixels[0])), 5.0);
+    for (std::uint32_t i = 0; i < kUses.size(); ++i) { // each of them is seen
+        scene::Scene other = scene;
+        other.textures[3].wrapU = scene::WrapMode::repeat;
+        other.textures[i + 1].pixels = image::ImageRgba8(16, 16, {40, 90, 200, 255});
+        EXPECT_GT(meanSteps(draw(other, camera(), options()).color, packed), 1.0) << i;
+    }
+}
+
+/// What blends needs alpha, and a texture elsewhere is read by itself.
+TEST(TexturePackingTest, TakesOpaqueMaterialsAlikeAlone) {
+    std::vector<scene::Texture> textures(5);
+    for (scene::Texture& texture : textures) {
+        texture.pixels = image::ImageRgba8(4, 4);
+    }
+    scene::Material packable{.baseColorTexture = 0};
+    for (std::uint32_t i = 0; i < kUses.size(); ++i) {
+        packable.detail.*kUses[i] = scene::TextureUse{.texture = i + 1};
+    }
+    EXPECT_TRUE(render::isPackable(packable, textures));
+    scene::Material blended = packable;
+    blended.alphaMode = scene::AlphaMode::blend;
+    EXPECT_FALSE(render::isPackable(blended, textures));
+    scene::Material moved = packable;
+    moved.detail.emissive->transform = kWay;
+    EXPECT_FALSE(render::isPackable(moved, textures));
+    scene::Material bare = packable;
+    bare.detail.occlusion.reset();
+    EXPECT_FALSE(render::isPackable(bare, textures));
+    std::vector<scene::Texture> larger = textures;
+    larger[2].pixels = image::ImageRgba8(8, 8);
+    EXPECT_FALSE(render::isPackable(packable, larger));
+    std::vector<scene::Texture> weighed = textures;
+    weighed[0].alphaWeighs = true;
+    EXPECT_FALSE(render::isPackable(packable, weighed));
 }
 
 /// What a transform leads to looks as what vertices say, with every texture, opaque and blended.

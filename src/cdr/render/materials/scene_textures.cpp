@@ -1,12 +1,13 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/upload.h>
-#include <cdr/image/levels.h>
 #include <cdr/platform/worker_pool.h>
+#include <cdr/image/levels.h>
 #include <cdr/render/materials/scene_textures.h>
 #include <cdr/shaders/shared.h>
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <span>
 #include <thread>
 #include <utility>
@@ -74,13 +75,6 @@ vk::UniqueSampler makeSampler(const gpu::Device& device, const scene::Texture& t
              .maxLod = texture.levels == scene::TextureLevels::none ? kFirstLevelAlone : VK_LOD_CLAMP_NONE});
 }
 
-/// Levels that a device has of a texture.
-std::uint32_t levelsOf(const scene::Texture& texture) {
-    return texture.levels == scene::TextureLevels::none
-               ? 1
-               : image::levelCount(texture.pixels.width, texture.pixels.height);
-}
-
 shaders::DetailRecord recordOf(const scene::Material& material) {
     const scene::MaterialDetail& detail = material.detail;
     const scene::MetallicRoughness metallicRoughness =
@@ -120,7 +114,39 @@ std::vector<bool> flagsOf(const SceneTextures::Changed& changed, std::size_t pla
     return flags;
 }
 
+/// Of one texture with its levels.
+std::uint64_t bytesOf(const scene::Texture& texture) {
+    return image::levelPixels(texture.pixels.width, texture.pixels.height, levelsOf(texture)) *
+           sizeof(image::Rgba8);
+}
+
+/// The textures that a material reads, each by itself.
+std::vector<std::uint32_t> texturesOf(const scene::Material& material) {
+    std::vector<std::uint32_t> textures;
+    if (material.baseColorTexture) {
+        textures.push_back(*material.baseColorTexture);
+    }
+    for (const DetailPart& part : kDetailParts) {
+        if (const auto& use = material.detail.*part.use; use) {
+            textures.push_back(use->texture);
+        }
+    }
+    return textures;
+}
+
 } // namespace
+
+struct SceneTextures::Workers {
+    std::size_t threads = 1;
+    std::optional<platform::WorkerPool> pool{};
+
+    std::vector<image::ImageRgba8> levelsOf(const scene::Texture& texture) {
+        if (!pool && hasDividedLevels(texture)) {
+            pool.emplace(std::min(threads, platform::WorkerPool::kMaxThreads));
+        }
+        return allLevels(texture, pool ? &*pool : nullptr);
+    }
+};
 
 std::uint32_t detailPartsOf(const scene::Material& material) {
     if (!scene::hasDetail(material)) {
@@ -144,21 +170,18 @@ SceneTextures::SceneTextures(const gpu::Device& device, std::size_t threads)
           gpu::makeSetLayout(device, {{kTextureType}, vk::ShaderStageFlagBits::eFragment}, "texture set")),
       m_detailLayout(
           gpu::makeSetLayout(device, {kDetailTypes, vk::ShaderStageFlagBits::eFragment}, "detail set")),
-      m_white(upload({.name = "white", .pixels = image::ImageRgba8(1, 1, {255, 255, 255, 255})}, nullptr)) {}
+      m_white(upload({.name = "white"}, std::vector{image::ImageRgba8(1, 1, {255, 255, 255, 255})})) {}
 
 SceneTextures::Uploaded SceneTextures::upload(const scene::Texture& texture,
-                                              platform::WorkerPool* workers) const {
-    const image::ImageRgba8& pixels = texture.pixels;
+                                              std::span<const image::ImageRgba8> levels) const {
     const vk::Format format = texture.content == scene::TextureContent::color ? vk::Format::eR8G8B8A8Srgb
                                                                               : vk::Format::eR8G8B8A8Unorm;
-    const std::vector<image::ImageRgba8> smaller =
-        image::smallerLevels(pixels, scene::levelRulesOf(texture), levelsOf(texture) - 1, workers);
-    std::vector<std::span<const std::byte>> levels{std::as_bytes(std::span(pixels.pixels))};
-    for (const image::ImageRgba8& level : smaller) {
-        levels.push_back(std::as_bytes(std::span(level.pixels)));
+    std::vector<std::span<const std::byte>> bytes;
+    for (const image::ImageRgba8& level : levels) {
+        bytes.push_back(std::as_bytes(std::span(level.pixels)));
     }
-    Uploaded uploaded{.image = gpu::uploadImage(m_device, {pixels.width, pixels.height}, format, levels,
-                                                "texture " + texture.name),
+    Uploaded uploaded{.image = gpu::uploadImage(m_device, {levels.front().width, levels.front().height},
+                                                format, bytes, "texture " + texture.name),
                       .sampler = makeSampler(m_device, texture),
                       .pool = gpu::makeDescriptorPool(m_device, 1, 1, {kTextureType}),
                       .set = {}};
@@ -168,24 +191,44 @@ SceneTextures::Uploaded SceneTextures::upload(const scene::Texture& texture,
 }
 
 void SceneTextures::follow(const scene::Scene& scene, const Changed& changed, gpu::Retired& retired) {
-    const std::vector<bool> isOther = flagsOf(changed, scene.textures.size());
-    for (; m_textures.size() > scene.textures.size(); m_textures.pop_back()) {
-        retired.add(std::move(m_textures.back()));
-    }
-    std::optional<platform::WorkerPool> workers; // for large textures alone: starting threads takes time too
-    const auto uploadWith = [&](const scene::Texture& texture) {
-        if (!workers && hasDividedLevels(texture)) {
-            workers.emplace(std::min(m_threads, platform::WorkerPool::kMaxThreads));
+    const std::vector<bool> isOther = flagsOf(changed, std::max(scene.textures.size(), m_textures.size()));
+    for (std::size_t i = 0; i < m_textures.size(); ++i) {
+        if (m_textures[i] && (isOther[i] || i >= scene.textures.size())) {
+            retired.add(*std::exchange(m_textures[i], std::nullopt));
         }
-        return upload(texture, workers ? &*workers : nullptr);
+    }
+    m_textures.resize(scene.textures.size());
+    std::erase_if(m_packs, [&](const auto& pack) {
+        return std::any_of(pack.first.begin(), pack.first.end(), [&](std::uint32_t i) { return isOther[i]; });
+    });
+}
+
+void SceneTextures::uploadTexturesOf(const scene::Scene& scene, const scene::Material& material,
+                                     Workers& workers) {
+    for (const std::uint32_t i : texturesOf(material)) {
+        if (!m_textures[i]) {
+            m_textures[i] = upload(scene.textures[i], workers.levelsOf(scene.textures[i]));
+        }
+    }
+}
+
+std::shared_ptr<const SceneTextures::Packed> SceneTextures::pack(const scene::Scene& scene,
+                                                                 const PackKey& key, Workers& workers) {
+    if (std::shared_ptr<const Packed> there = m_packs[key].lock()) {
+        return there;
+    }
+    const auto host = [&](std::uint32_t of, std::uint32_t guest, std::size_t channel) {
+        std::vector<image::ImageRgba8> levels = workers.levelsOf(scene.textures[of]);
+        putIntoAlpha(levels, workers.levelsOf(scene.textures[guest]), channel);
+        return upload(scene.textures[of], levels);
     };
-    for (std::size_t i = 0; i < scene.textures.size(); ++i) {
-        if (i >= m_textures.size()) {
-            m_textures.push_back(uploadWith(scene.textures[i]));
-        } else if (isOther[i]) {
-            retired.add(std::exchange(m_textures[i], uploadWith(scene.textures[i])));
-        }
-    }
+    const auto [base, normal, emissive, occlusion, metallicRoughness] = key;
+    // As shaders/geometry/detail.glsl reads them. Metallic has the coarsest steps, so it stays in a texture of the same kind.
+    auto made = std::make_shared<const Packed>(Packed{.base = host(base, occlusion, 0),
+                                                      .normal = host(normal, metallicRoughness, 2),
+                                                      .emissive = host(emissive, metallicRoughness, 1)});
+    m_packs[key] = made;
+    return made;
 }
 
 void SceneTextures::followMaterials(const scene::Scene& scene, const Changed& changed,
@@ -196,6 +239,7 @@ void SceneTextures::followMaterials(const scene::Scene& scene, const Changed& ch
             retired.add(std::move(m_details.back()));
         }
     }
+    Workers workers{.threads = m_threads};
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         if (i >= m_details.size()) {
             m_details.emplace_back();
@@ -203,15 +247,23 @@ void SceneTextures::followMaterials(const scene::Scene& scene, const Changed& ch
             continue;
         }
         const scene::Material& material = scene.materials[i];
-        Detail made = scene::hasDetail(material) ? makeDetail(material) : Detail{};
+        std::shared_ptr<const Packed> packed;
+        if (isPackable(material, scene.textures)) {
+            packed = pack(scene, packKeyOf(material), workers);
+        } else {
+            uploadTexturesOf(scene, material, workers);
+        }
+        Detail made = scene::hasDetail(material) ? makeDetail(material, std::move(packed)) : Detail{};
         if (Detail before = std::exchange(m_details[i], std::move(made)); before.set) {
             retired.add(std::move(before));
         }
     }
 }
 
-SceneTextures::Detail SceneTextures::makeDetail(const scene::Material& material) const {
-    Detail made{.record = {m_device, sizeof(shaders::DetailRecord), vk::BufferUsageFlagBits::eUniformBuffer,
+SceneTextures::Detail SceneTextures::makeDetail(const scene::Material& material,
+                                                std::shared_ptr<const Packed> packed) const {
+    Detail made{.packed = std::move(packed),
+                .record = {m_device, sizeof(shaders::DetailRecord), vk::BufferUsageFlagBits::eUniformBuffer,
                            gpu::MemoryUse::hostWrites, "detail of " + material.name},
                 .pool = gpu::makeDescriptorPool(m_device, 1, 4, kDetailTypes),
                 .set = {}};
@@ -221,24 +273,52 @@ SceneTextures::Detail SceneTextures::makeDetail(const scene::Material& material)
     std::uint32_t binding = 0;
     for (const DetailPart& part : kDetailParts) {
         const auto& use = material.detail.*part.use;
-        const Uploaded& texture = use ? m_textures[use->texture] : m_white;
-        gpu::writeImageBinding(m_device, made.set, binding++, kTextureType, texture.image.view(),
-                               *texture.sampler);
+        const Uploaded* texture = &m_white;
+        if (made.packed) {
+            texture = part.part == shaders::kDetailNormal     ? &made.packed->normal
+                      : part.part == shaders::kDetailEmissive ? &made.packed->emissive
+                                                              : texture; // not read
+        } else if (use) {
+            texture = &*m_textures[use->texture];
+        }
+        gpu::writeImageBinding(m_device, made.set, binding++, kTextureType, texture->image.view(),
+                               *texture->sampler);
     }
     gpu::writeBufferBinding(m_device, made.set, binding, vk::DescriptorType::eUniformBuffer,
                             made.record.handle());
     return made;
 }
 
-vk::DescriptorSet SceneTextures::baseColorSet(const scene::Material& material) const {
-    return material.baseColorTexture ? m_textures[*material.baseColorTexture].set : m_white.set;
+vk::DescriptorSet SceneTextures::baseColorSet(const scene::Scene& scene, std::size_t material) const {
+    const std::optional<std::uint32_t>& texture = scene.materials[material].baseColorTexture;
+    if (const auto& packed = m_details[material].packed) {
+        return packed->base.set;
+    }
+    return texture ? m_textures[*texture]->set : m_white.set;
+}
+
+std::uint32_t SceneTextures::detailParts(const scene::Scene& scene, std::size_t material) const {
+    return detailPartsOf(scene.materials[material]) |
+           (m_details[material].packed ? shaders::kDetailPacked : 0u);
 }
 
 std::uint64_t SceneTextures::predictBytes(const scene::Scene& scene) {
+    std::set<std::uint32_t> alone;
+    std::set<PackKey> packs;
+    for (const scene::Material& material : scene.materials) {
+        if (isPackable(material, scene.textures)) {
+            packs.insert(packKeyOf(material));
+        } else {
+            const std::vector<std::uint32_t> textures = texturesOf(material);
+            alone.insert(textures.begin(), textures.end());
+        }
+    }
     std::uint64_t bytes = 0;
-    for (const scene::Texture& texture : scene.textures) {
-        bytes += image::levelPixels(texture.pixels.width, texture.pixels.height, levelsOf(texture)) *
-                 sizeof(image::Rgba8);
+    for (const std::uint32_t texture : alone) {
+        bytes += bytesOf(scene.textures[texture]);
+    }
+    for (const PackKey& key : packs) {
+        bytes += 3 * bytesOf(scene.textures[key[0]]);
     }
     return bytes;
 }

@@ -4,15 +4,19 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/retired.h>
 #include <cdr/gpu/vulkan_hpp.h>
+#include <cdr/image/image.h>
+#include <cdr/render/materials/texture_packing.h>
 #include <cdr/scene/scene.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-namespace cdr::platform {
+namespace cdr::host {
 class WorkerPool;
 }
 
@@ -26,10 +30,10 @@ class SceneTextures {
 
     using Changed = std::optional<std::span<const std::uint32_t>>; ///< places; nothing: all may have changed
 
-    /// Uploads what came, and what of those that were there changed.
+    /// Forgets what changed and what is gone.
     void follow(const scene::Scene& scene, const Changed& changed, gpu::Retired& retired);
-    /// Makes the sets of materials with detail, of those that came or changed, of textures that are there. A texture that
-    /// a material has stays as it is, so no other material has to be looked at.
+    /// Uploads the textures of materials that came or changed, and makes the sets of those with detail. A texture that a material
+    /// has stays as it is, so no other material has to be looked at.
     void followMaterials(const scene::Scene& scene, const Changed& changed, gpu::Retired& retired);
 
     /// Of baseColorSet().
@@ -37,11 +41,13 @@ class SceneTextures {
     /// Of detailSet(): four textures and a shaders::DetailRecord, as shaders/geometry/detail.glsl reads them.
     const gpu::SetLayout& detailLayout() const { return m_detailLayout; }
     /// A material's base colour texture; a white pixel for one without, so that every pipeline has a valid set.
-    vk::DescriptorSet baseColorSet(const scene::Material& material) const;
+    vk::DescriptorSet baseColorSet(const scene::Scene& scene, std::size_t material) const;
+    /// detailPartsOf() it, and whether it is drawn from packed textures.
+    std::uint32_t detailParts(const scene::Scene& scene, std::size_t material) const;
     /// Null for a material without detail.
     vk::DescriptorSet detailSet(std::size_t material) const { return m_details[material].set; }
 
-    /// Of all textures with their levels.
+    /// Of all textures that materials read, with their levels.
     static std::uint64_t predictBytes(const scene::Scene& scene);
 
   private:
@@ -51,22 +57,34 @@ class SceneTextures {
         vk::UniqueDescriptorPool pool;
         vk::DescriptorSet set;
     };
+    /// The textures of a material that isPackable().
+    struct Packed {
+        Uploaded base;
+        Uploaded normal;
+        Uploaded emissive;
+    };
     struct Detail {
+        std::shared_ptr<const Packed> packed; ///< null: each texture is read by itself
         gpu::Buffer record;
         vk::UniqueDescriptorPool pool;
         vk::DescriptorSet set;
     };
-    /// @param workers make its levels; null: the calling thread.
-    Uploaded upload(const scene::Texture& texture, platform::WorkerPool* workers) const;
-    Detail makeDetail(const scene::Material& material) const;
+    /// Threads that make levels, started for large textures alone: starting them takes time too.
+    struct Workers;
+    Uploaded upload(const scene::Texture& texture, std::span<const image::ImageRgba8> levels) const;
+    void uploadTexturesOf(const scene::Scene& scene, const scene::Material& material, Workers& workers);
+    std::shared_ptr<const Packed> pack(const scene::Scene& scene, const PackKey& key, Workers& workers);
+    Detail makeDetail(const scene::Material& material, std::shared_ptr<const Packed> packed) const;
 
     const gpu::Device& m_device;
     std::size_t m_threads;
     gpu::SetLayout m_baseColorLayout;
     gpu::SetLayout m_detailLayout;
     Uploaded m_white;
-    std::vector<Uploaded> m_textures; ///< the scene's
-    std::vector<Detail> m_details;    ///< by material
+    std::vector<std::optional<Uploaded>>
+        m_textures; ///< the scene's; nothing where no material reads it by itself
+    std::map<PackKey, std::weak_ptr<const Packed>> m_packs;
+    std::vector<Detail> m_details; ///< by material
 };
 
 /// Which parts of a material's detail its pipelines read: a sum of shaders::kDetailMetallicRoughness and its siblings; 0 for a
