@@ -8,11 +8,14 @@
 namespace cdr::cli {
 
 /// Adds the options of the commands that draw a scene in several ways, frame by frame (detail, effects and focus). They are
-/// the positional scene, --frames, --size, --threads, --seed and --out.
+/// the positional scene, what of a glTF file is shown, --frames, --size, --threads, --seed and --out.
 template <typename Options>
-void addComparison(CLI::App& command, Options& options, std::filesystem::path& folder) {
+void addComparison(CLI::App& command, Options& options, scene::GltfChoice& choice,
+                   std::filesystem::path& folder) {
     command.add_option("scene", options.scene, options.scene + ", or any scene that render takes")
         ->capture_default_str();
+    options::addStillChoice(command, choice);
+    options::addLight(command, choice, scene::ModelLight::lamps);
     addFrames(command, options.frames, "Measured frames of every mode");
     addSize(command, options.width, options.height);
     addThreads(command, options.threads, "Threads that cull, bin and record");
@@ -22,9 +25,12 @@ void addComparison(CLI::App& command, Options& options, std::filesystem::path& f
 
 /// What their documents say of how they were made; the command adds its own.
 template <typename Options>
-nlohmann::ordered_json settingsOf(const Options& options) {
-    return {{"scene", options.scene},   {"width", options.width},     {"height", options.height},
-            {"frames", options.frames}, {"threads", options.threads}, {"seed", options.seed}};
+nlohmann::ordered_json settingsOf(const Options& options, const scene::GltfChoice& choice) {
+    nlohmann::ordered_json settings{{"scene", options.scene},     {"width", options.width},
+                                    {"height", options.height},   {"frames", options.frames},
+                                    {"threads", options.threads}, {"seed", options.seed}};
+    options::addChoiceJson(settings, choice);
+    return settings;
 }
 
 } // namespace cdr::cli

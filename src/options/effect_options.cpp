@@ -1,6 +1,7 @@
 #include "effect_options.h"
 
 #include "parsed_option.h"
+#include "scene_options.h"
 
 #include <CLI/CLI.hpp>
 #include <cdr/base/error.h>
@@ -106,8 +107,7 @@ void addTranslucency(CLI::App& command, render::TranslucencyOptions& translucenc
 
 void addEffectOptions(CLI::App& command, render::RenderOptions& options, scene::GltfChoice& choice) {
     addPictureEffects(command, options.effects);
-    addParsed(command, "--light", choice.light, scene::parseModelLight,
-              "Of a glTF file: sky (a computed one, default), lamps or file (its own lights)");
+    addLight(command, choice, scene::ModelLight::sky);
     addParsed(command, "--focus", options.focus, focusOf,
               "A lens sharp at view distance DISTANCE, as DISTANCE:APERTURE in scene units: cascades "
               "out of focus are drawn in fewer pixels, for --targets layers; with :blend they fade "

@@ -5,6 +5,10 @@
 #include "parsed_option.h"
 
 #include <CLI/CLI.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 namespace cdr::options {
 
 void addSeed(CLI::App& command, std::uint64_t& seed, const std::string& help) {
@@ -59,12 +63,39 @@ void addMoment(CLI::App& command, scene::GltfChoice& choice) {
     command.add_option("--time", choice.seconds, "Seconds of the animation; else 0");
 }
 
+void addLight(CLI::App& command, scene::GltfChoice& choice, scene::ModelLight otherwise) {
+    addParsed(command, "--light", choice.light, scene::parseModelLight,
+              fmt::format("Of a glTF file: sky (a computed one), lamps or file (its own lights); else {}",
+                          nameOf(otherwise)));
+}
+
+void addStillChoice(CLI::App& command, scene::GltfChoice& choice) {
+    addSceneChoice(command, choice);
+    addMoment(command, choice);
+}
+
 void addAnimationChoice(CLI::App& command, scene::GltfChoice& choice) {
     command.add_option("--animation", choice.animation,
                        "Animation of a glTF file, by name or from 0; with --time or --fps the first");
     command.add_option("--time", choice.seconds, "Seconds of the animation at frame 0");
     command.add_option("--fps", choice.framesPerSecond,
                        "Frames of --frames to a second of the animation; else all show one moment");
+}
+
+void addChoiceJson(nlohmann::ordered_json& options, const scene::GltfChoice& choice) {
+    const auto add = [&](const char* key, const auto& value) {
+        if (value) {
+            options[key] = *value;
+        }
+    };
+    add("gltf_scene", choice.scene);
+    add("camera", choice.camera);
+    if (choice.light) {
+        options["light"] = nameOf(*choice.light);
+    }
+    add("animation", choice.animation);
+    add("time", choice.seconds);
+    add("fps", choice.framesPerSecond);
 }
 
 } // namespace cdr::options

@@ -42,14 +42,7 @@ nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth
                                    {"aov", nameOf(arguments.aov)},
                                    {"snap_bits", arguments.drawing.snapBits},
                                    {"snapping", nameOf(arguments.drawing.snapping)}};
-    const auto add = [&](const char* key, const auto& value) {
-        if (value) {
-            options[key] = *value;
-        }
-    };
-    add("animation", arguments.choice.animation);
-    add("time", arguments.choice.seconds);
-    add("fps", arguments.choice.framesPerSecond);
+    options::addChoiceJson(options, arguments.choice);
     if (arguments.deform) {
         options["deform"] = nameOf(*arguments.deform);
     }

@@ -13,6 +13,7 @@ namespace {
 
 struct DetailArguments {
     experiments::DetailOptions options;
+    scene::GltfChoice choice;
     std::string depth = "standard";
     std::string split = "count:5";
     std::filesystem::path folder;
@@ -51,7 +52,7 @@ void run(Command& command, DetailArguments& arguments) {
     visibility::requireUsable(
         visibility::Detail{.mode = visibility::DetailMode::perObject, .pixels = options.pixels});
     const PictureFolder folder(arguments.folder, command.files());
-    scene::SceneSetup setup = command.openScene(options.scene, options.seed);
+    scene::SceneSetup setup = command.openScene(options.scene, options.seed, arguments.choice);
     command.keepUnits(arguments.state);
     const experiments::DetailReport report =
         experiments::runDetail(command.device(), std::move(setup), options,
@@ -69,7 +70,7 @@ void run(Command& command, DetailArguments& arguments) {
         command.opened().text(), options.scene, report.sceneTriangles, report.meshLevels, report.clusters,
         output::Readable{report.makeMs}, options.frames, options.width, options.height, options.pixels,
         arguments.depth, arguments.split, options.threads, program::buildInfo().commit));
-    nlohmann::ordered_json settings = settingsOf(options);
+    nlohmann::ordered_json settings = settingsOf(options, arguments.choice);
     settings.update({{"mapping", nameOf(options.technique.mapping)},
                      {"split", nameOf(options.technique.split)},
                      {"error_pixels", options.pixels}});
@@ -88,7 +89,7 @@ void run(Command& command, DetailArguments& arguments) {
 
 void addOptions(CLI::App& command, DetailArguments& arguments) {
     experiments::DetailOptions& options = arguments.options;
-    addComparison(command, options, arguments.folder);
+    addComparison(command, options, arguments.choice, arguments.folder);
     addState(command, arguments.state);
     command.add_option("--pixels", options.pixels, "Largest error of a level on screen, in pixels")
         ->capture_default_str();

@@ -14,6 +14,7 @@ namespace {
 
 struct EffectsArguments {
     experiments::EffectsOptions options;
+    scene::GltfChoice choice;
     std::filesystem::path folder;
 };
 
@@ -42,7 +43,7 @@ void run(Command& command, EffectsArguments& arguments) {
             "--occlusion and --fog must be above 0: without an effect there is nothing to compare");
     }
     const PictureFolder folder(arguments.folder, command.files());
-    const scene::SceneSetup setup = command.openScene(options.scene, options.seed);
+    const scene::SceneSetup setup = command.openScene(options.scene, options.seed, arguments.choice);
     runs::TimedRanks ranks(command.ranks());
     const experiments::EffectsReport report = experiments::runEffects(
         command.device(), setup, options, command.progressOf("frames with effects"), ranks);
@@ -60,7 +61,7 @@ void run(Command& command, EffectsArguments& arguments) {
         "more than {} of 255 from anchored, which technique most",
         command.opened().text(), options.scene, options.frames, options.width, options.height,
         options.occlusionRadius, options.visibility, options.threads, experiments::kEffectTolerance));
-    nlohmann::ordered_json settings = settingsOf(options);
+    nlohmann::ordered_json settings = settingsOf(options, arguments.choice);
     settings.update({{"occlusion_radius", options.occlusionRadius}, {"visibility", options.visibility}});
     if (!options.techniques.empty()) {
         auto& techniques = settings["techniques"];
@@ -80,7 +81,7 @@ void run(Command& command, EffectsArguments& arguments) {
 
 void addOptions(CLI::App& command, EffectsArguments& arguments) {
     experiments::EffectsOptions& options = arguments.options;
-    addComparison(command, options, arguments.folder);
+    addComparison(command, options, arguments.choice, arguments.folder);
     addTechniques(command, options.techniques);
     command.add_option("--occlusion", options.occlusionRadius, "Radius of ambient occlusion, scene units")
         ->capture_default_str();

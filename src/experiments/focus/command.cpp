@@ -14,6 +14,7 @@ namespace {
 
 struct FocusArguments {
     experiments::FocusOptions options;
+    scene::GltfChoice choice;
     std::filesystem::path folder;
 };
 
@@ -47,7 +48,7 @@ void run(Command& command, FocusArguments& arguments) {
     experiments::FocusOptions& options = arguments.options;
     requireUsable(options.lens);
     const PictureFolder folder(arguments.folder, command.files());
-    const scene::SceneSetup setup = command.openScene(options.scene, options.seed);
+    const scene::SceneSetup setup = command.openScene(options.scene, options.seed, arguments.choice);
     runs::TimedRanks ranks(command.ranks());
     const experiments::FocusReport report = experiments::runFocus(
         command.device(), setup, options, command.progressOf("frames through the lens"), ranks);
@@ -69,7 +70,7 @@ void run(Command& command, FocusArguments& arguments) {
                     command.opened().text(), options.scene, options.frames, options.width, options.height,
                     options.lens.distance, options.lens.aperture, options.cameras, nameOf(options.mapping),
                     options.threads, program::buildInfo().commit));
-    nlohmann::ordered_json settings = settingsOf(options);
+    nlohmann::ordered_json settings = settingsOf(options, arguments.choice);
     settings.update({{"mapping", nameOf(options.mapping)},
                      {"split", options.split ? nameOf(*options.split) : "circles"},
                      {"distance", options.lens.distance},
@@ -87,7 +88,7 @@ void run(Command& command, FocusArguments& arguments) {
 
 void addOptions(CLI::App& command, FocusArguments& arguments) {
     experiments::FocusOptions& options = arguments.options;
-    addComparison(command, options, arguments.folder);
+    addComparison(command, options, arguments.choice, arguments.folder);
     command.add_option("--distance", options.lens.distance, "View distance that is sharp")
         ->capture_default_str();
     command.add_option("--aperture", options.lens.aperture, "Diameter of the lens, scene units")

@@ -178,6 +178,7 @@ void run(Command& command, InspectArguments& arguments) {
                                           {"snapping", nameOf(options.snapping)},
                                           {"technique", options.judged.name},
                                           {"format", nameOf(options.judged.technique.format)}});
+    options::addChoiceJson(document["options"], arguments.choice);
     document["results"] = output::jsonOf(techniqueColumns(), inspection.techniques);
     std::vector<experiments::ObjectPair> written = inspection.pairs;
     written.resize(std::min(written.size(), kPairsWritten));
@@ -212,7 +213,7 @@ void addOptions(CLI::App& command, InspectArguments& arguments) {
         ->check(CLI::Range(1u, kMaxViews))
         ->capture_default_str();
     options::addCameraOptions(command, arguments.camera);
-    options::addSceneChoice(command, arguments.choice);
+    options::addStillChoice(command, arguments.choice);
     command
         .add_option("--fail-above", arguments.failAbove,
                     "End with status 3 where a larger share of the pixels, 0 to 1, is wrong or coplanar")

@@ -20,6 +20,7 @@ struct ShadowArguments {
     std::uint64_t seed = scenes::kDefaultSeed;
     std::string surface = "gbuffer";
     options::CameraOptions camera;
+    scene::GltfChoice choice;
     std::filesystem::path folder;
 };
 
@@ -67,7 +68,7 @@ void run(Command& command, ShadowArguments& arguments) {
     }
     const options::FrameCameras cameras(arguments.camera);
     const PictureFolder folder(arguments.folder, command.files());
-    const scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed);
+    const scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed, arguments.choice);
     const auto columns = shadowColumns();
     output::Table table = output::tableOf(columns, std::vector<experiments::ShadowResult>());
     auto document = command.makeDocument({{"scene", arguments.scene},
@@ -77,6 +78,7 @@ void run(Command& command, ShadowArguments& arguments) {
                                           {"surface", arguments.surface},
                                           {"snap_bits", experiment.options.snapBits},
                                           {"threads", experiment.options.threads}});
+    options::addChoiceJson(document["options"], arguments.choice);
     experiments::runShadows(command.device(), setup, cameras, experiment, command.progressOf(arguments.scene),
                             [&](const experiments::ShadowResult& result) {
                                 nlohmann::ordered_json row = output::jsonOf(columns, result);
@@ -115,6 +117,8 @@ void addOptions(CLI::App& command, ShadowArguments& arguments) {
     command.add_option("--surface", arguments.surface, "gbuffer or visibility")->capture_default_str();
     options::addFrameOptions(command, arguments.camera);
     options::addCameraOptions(command, arguments.camera);
+    options::addStillChoice(command, arguments.choice);
+    options::addLight(command, arguments.choice, scene::ModelLight::lamps);
     addSize(command, experiment.options.width, experiment.options.height);
     addSnapBits(command, experiment.options.snapBits);
     addThreads(command, experiment.options.threads, "Threads that cull, bin, record and cast the truth");

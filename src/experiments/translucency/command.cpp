@@ -77,16 +77,6 @@ void writePictures(const PictureFolder& folder, const experiments::TranslucencyR
     }
 }
 
-/// What the options of the JSON have of a moment, where one is chosen.
-void addMomentJson(nlohmann::ordered_json& options, const scene::GltfChoice& choice) {
-    if (choice.animation) {
-        options["animation"] = *choice.animation;
-    }
-    if (choice.seconds) {
-        options["time"] = *choice.seconds;
-    }
-}
-
 void run(Command& command, TranslucencyArguments& arguments) {
     command.measuresTime();
     experiments::TranslucencyExperiment& experiment = arguments.experiment;
@@ -126,7 +116,7 @@ void run(Command& command, TranslucencyArguments& arguments) {
                                           {"threads", experiment.threads},
                                           {"repeats", experiment.repeats},
                                           {"seed", experiment.seed}});
-    addMomentJson(document["options"], arguments.choice);
+    options::addChoiceJson(document["options"], arguments.choice);
     for (const experiments::TranslucencyResult& result : all.results) {
         document["results"].push_back(output::jsonOf(columns, result));
         if (folder.isWanted()) {
