@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace cdr::visibility {
@@ -30,7 +31,8 @@ class InstanceSets {
     void merge(InstanceSets& other, std::size_t bucket, platform::IndexRange words);
     std::size_t count(std::size_t bucket, platform::IndexRange words) const;
     /// Writes the instances of a range of words in ascending order, and empties it.
-    void drain(std::size_t bucket, platform::IndexRange words, std::uint32_t* out);
+    /// @param out as many as count() says.
+    void drain(std::size_t bucket, platform::IndexRange words, std::span<std::uint32_t> out);
 
     std::uint64_t bytes() const; ///< of main memory
 
