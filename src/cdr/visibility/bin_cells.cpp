@@ -60,14 +60,18 @@ class Lander {
     /// Lands a range of parts. Returns how many instances land anywhere.
     std::size_t land(platform::IndexRange parts) {
         std::size_t landed = 0;
+        std::optional<CellLanding> next = landingOf(parts.begin, parts);
         for (std::size_t i = parts.begin; i < parts.end; ++i) {
-            landed += land(m_visible.parts[i]);
+            const std::optional<CellLanding> landing = next;
+            next = landingOf(i + 1, parts);
+            const VisibleCells::Part& part = m_visible.parts[i];
+            landed += landing ? landAll(part, *landing) : landEach(part);
         }
         return landed;
     }
 
   private:
-    std::optional<CellLanding> landingOf(std::size_t level, std::size_t node) const {
+    std::optional<CellLanding> boxLanding(std::size_t level, std::size_t node) const {
         const InstanceCells::Box& box = m_visible.cells->levels()[level][node];
         const ViewRange centres = m_boxes.rangeOf(box);
         const double rounding = box.radius * 0x1p-50;
@@ -75,14 +79,22 @@ class Lander {
                              {centres.low, centres.high + box.radius + rounding});
     }
 
-    std::size_t land(const VisibleCells::Part& part) {
-        const std::size_t parent = part.cell / InstanceCells::kFan;
+    /// Where all of a part lands; none where its spheres have to be examined, or behind `parts`.
+    std::optional<CellLanding> landingOf(std::size_t part, platform::IndexRange parts) {
+        if (part >= parts.end) {
+            return std::nullopt;
+        }
+        const std::size_t cell = m_visible.parts[part].cell;
+        const std::size_t parent = cell / InstanceCells::kFan;
         if (parent != m_parent && m_visible.cells->levels().size() > 1) {
             m_parent = parent;
-            m_common = landingOf(1, parent);
+            m_common = boxLanding(1, parent);
         }
-        const std::optional<CellLanding> landing = m_common ? m_common : landingOf(0, part.cell);
-        return landing ? landAll(part, *landing) : landEach(part);
+        const std::optional<CellLanding> landing = m_common ? m_common : boxLanding(0, cell);
+        if (!landing) {
+            m_visible.cells->fetchSpheres(cell);
+        }
+        return landing;
     }
 
     std::size_t landAll(const VisibleCells::Part& part, const CellLanding& landing) {

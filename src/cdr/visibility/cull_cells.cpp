@@ -103,23 +103,6 @@ std::uint64_t passing(const InstanceCells& cells, std::size_t cell, const Sphere
     return bitsOf(tested) & cells.held(cell);
 }
 
-/// Has the processor fetch a cell's spheres: cells that are tested lie apart, so it does not know to do so by itself.
-void fetchAhead(const InstanceCells& cells, std::size_t cell) {
-#if defined(__GNUC__)
-    constexpr std::size_t kDoublesPerLine = 8;
-    const Spheres spheres = cells.spheres(cell);
-    for (std::size_t i = 0; i < InstanceCells::kCellSlots; i += kDoublesPerLine) {
-        __builtin_prefetch(spheres.x + i);
-        __builtin_prefetch(spheres.y + i);
-        __builtin_prefetch(spheres.z + i);
-        __builtin_prefetch(spheres.radius + i);
-    }
-#else
-    static_cast<void>(cells);
-    static_cast<void>(cell);
-#endif
-}
-
 } // namespace
 
 std::size_t VisibleCells::count() const {
@@ -162,7 +145,7 @@ void cullCells(const InstanceCells& cells, std::span<const SphereTest> tests, pl
         const platform::IndexRange range = platform::evenRange(across.size(), job, jobs);
         for (std::size_t i = range.begin; i < range.end; ++i) {
             if (i + kFetchedAhead < range.end) {
-                fetchAhead(cells, partOf(across[i + kFetchedAhead]).cell);
+                cells.fetchSpheres(partOf(across[i + kFetchedAhead]).cell);
             }
             VisibleCells::Part& part = partOf(across[i]);
             part.slots = passing(cells, part.cell, tests[across[i].camera]);

@@ -44,6 +44,20 @@ class InstanceCells {
         const CellSpheres& spheres = m_spheres[cell];
         return {spheres.x.data(), spheres.y.data(), spheres.z.data(), spheres.radius.data()};
     }
+    /// Has the processor fetch a cell's spheres: cells that are tested lie apart, so it does not know to do so by itself.
+    void fetchSpheres(std::size_t cell) const {
+#if defined(__GNUC__)
+        const Spheres spheres = this->spheres(cell);
+        for (std::size_t i = 0; i < kCellSlots; i += 8) { // a line of doubles
+            __builtin_prefetch(spheres.x + i);
+            __builtin_prefetch(spheres.y + i);
+            __builtin_prefetch(spheres.z + i);
+            __builtin_prefetch(spheres.radius + i);
+        }
+#else
+        static_cast<void>(cell);
+#endif
+    }
     /// The instances in a cell's slots.
     const std::uint32_t* instancesOf(std::size_t cell) const { return &m_instance[cell * kCellSlots]; }
     /// Lowest level first; the last has kFan nodes at most. None where nothing is held.
