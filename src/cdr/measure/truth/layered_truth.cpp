@@ -116,7 +116,7 @@ bool isInner(const Window& window, std::uint32_t x, std::uint32_t y) {
 }
 
 /// Rows that one job casts: few enough to keep workers busy, many beside the two around them that are cast again.
-constexpr std::size_t kBandRows = 32;
+constexpr std::size_t kLayeredBandRows = 32;
 
 /// Fills in a band of rows. Keeps what three rows show, since that of a large picture would take gigabytes.
 void castBand(const View& view, const platform::IndexRange& band, LayeredTruth& truth) {
@@ -163,7 +163,7 @@ LayeredTruth castView(const scene::Scene& scene, const scene::Camera& camera, co
                     .textures = textures,
                     .shadows = shadows ? &*shadows : nullptr};
     LayeredTruth truth(size.x, size.y);
-    const std::size_t bands = (std::size_t{size.y} + kBandRows - 1) / kBandRows;
+    const std::size_t bands = (std::size_t{size.y} + kLayeredBandRows - 1) / kLayeredBandRows;
     workers.run(bands, [&](std::size_t band, std::size_t) {
         castBand(view, platform::evenRange(size.y, band, bands), truth);
     });

@@ -88,7 +88,7 @@ image::Rgba8 shade(const scene::Scene& scene, const scene::Camera& camera, const
 }
 
 template <typename A, typename B>
-void requireSameSize(const image::Raster<A>& a, const image::Raster<B>& b) {
+void requireShadedSize(const image::Raster<A>& a, const image::Raster<B>& b) {
     if (a.width != b.width || a.height != b.height) {
         throw base::InputError(
             fmt::format("truth picture: {}x{} differs from {}x{}", a.width, a.height, b.width, b.height));
@@ -122,9 +122,9 @@ image::ImageRgba8 shadeTruth(const scene::Scene& scene, const scene::Camera& cam
 
 image::ImageRgba8 orderByTruth(const image::ImageRgba8& picture, const image::ImageU32& ids,
                                const TruthImage& truth, const image::ImageRgba8& shaded) {
-    requireSameSize(picture, ids);
-    requireSameSize(picture, truth);
-    requireSameSize(picture, shaded);
+    requireShadedSize(picture, ids);
+    requireShadedSize(picture, truth);
+    requireShadedSize(picture, shaded);
     image::ImageRgba8 ordered = picture;
     for (std::size_t i = 0; i < ordered.pixels.size(); ++i) {
         if (ids.pixels[i] != truth.pixels[i].id) {

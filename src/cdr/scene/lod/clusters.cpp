@@ -88,7 +88,7 @@ std::vector<Indices> coarserFormOf(const SharedMesh& mesh, const Indices& indice
     return clusters;
 }
 
-float roundedUp(double value) {
+float floatAbove(double value) {
     return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
 }
 
@@ -111,7 +111,7 @@ class TreeBuilder {
              .indexCount = static_cast<std::uint32_t>(cluster.indices.size()),
              .madeBy = cluster.madeBy,
              .coarserBy = coarserBy,
-             .bounds = {.centre = centre, .radius = roundedUp(radius * kSphereMargin)},
+             .bounds = {.centre = centre, .radius = floatAbove(radius * kSphereMargin)},
              .coneAxis = {bounds.cone_axis[0], bounds.cone_axis[1], bounds.cone_axis[2]},
              .coneCutoff = bounds.cone_cutoff});
         for (const std::uint32_t index : cluster.indices) {
@@ -145,7 +145,7 @@ class TreeBuilder {
     void setErrors(std::size_t first, std::span<const double> errors) {
         for (std::size_t group = first; group < m_tree.groups.size(); ++group) {
             float& error = m_tree.groups[group].error;
-            error = std::max(error, roundedUp(errors[group]));
+            error = std::max(error, floatAbove(errors[group]));
         }
     }
 
@@ -166,7 +166,7 @@ class TreeBuilder {
             radius = std::max(radius, glm::distance(glm::dvec3(centre), glm::dvec3(sphere.centre)) +
                                           static_cast<double>(sphere.radius));
         }
-        return {.centre = centre, .radius = roundedUp(radius * kSphereMargin)};
+        return {.centre = centre, .radius = floatAbove(radius * kSphereMargin)};
     }
 
     const SharedMesh& m_mesh;

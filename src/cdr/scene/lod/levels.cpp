@@ -12,7 +12,7 @@ namespace cdr::scene {
 
 namespace {
 
-void requireUsable(const LevelOptions& options) {
+void requireUsableLevels(const LevelOptions& options) {
     if (!(options.ratio > 0.0 && options.ratio < 1.0)) {
         throw base::InputError(
             fmt::format("levels: the ratio must lie between 0 and 1, not {}", options.ratio));
@@ -30,7 +30,7 @@ void requireUsable(const LevelOptions& options) {
 } // namespace
 
 std::vector<MeshLevel> makeLevels(const Mesh& mesh, const LevelOptions& options) {
-    requireUsable(options);
+    requireUsableLevels(options);
     std::vector<MeshLevel> levels;
     if (mesh.indices.empty()) {
         return levels;

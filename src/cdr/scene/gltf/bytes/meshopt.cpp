@@ -14,7 +14,7 @@ namespace cdr::scene::gltf {
 namespace {
 
 using nlohmann::json;
-using Filter = MeshoptView::Filter;
+using MeshoptFilter = MeshoptView::Filter;
 using Mode = MeshoptView::Mode;
 
 constexpr std::size_t kMaxVertexBytes = 256;
@@ -36,11 +36,12 @@ Mode modeOf(const json& extension, const std::string& where) {
     return named(kModes, stringMember(extension, "mode").value_or(""), where);
 }
 
-Filter filterOf(const json& extension, const std::string& where) {
-    constexpr std::array<std::pair<const char*, Filter>, 4> kFilters{{{"NONE", Filter::none},
-                                                                      {"OCTAHEDRAL", Filter::octahedral},
-                                                                      {"QUATERNION", Filter::quaternion},
-                                                                      {"EXPONENTIAL", Filter::exponential}}};
+MeshoptFilter filterOf(const json& extension, const std::string& where) {
+    constexpr std::array<std::pair<const char*, MeshoptFilter>, 4> kFilters{
+        {{"NONE", MeshoptFilter::none},
+         {"OCTAHEDRAL", MeshoptFilter::octahedral},
+         {"QUATERNION", MeshoptFilter::quaternion},
+         {"EXPONENTIAL", MeshoptFilter::exponential}}};
     return named(kFilters, stringMember(extension, "filter").value_or("NONE"), where);
 }
 
@@ -49,9 +50,9 @@ bool isStrideRight(const MeshoptView& view) {
         return view.stride == 2 || view.stride == 4;
     }
     switch (view.filter) {
-    case Filter::octahedral:
+    case MeshoptFilter::octahedral:
         return view.stride == 4 || view.stride == 8;
-    case Filter::quaternion:
+    case MeshoptFilter::quaternion:
         return view.stride == 8;
     default:
         return view.stride > 0 && view.stride % 4 == 0 && view.stride <= kMaxVertexBytes;
@@ -60,15 +61,15 @@ bool isStrideRight(const MeshoptView& view) {
 
 void unfilter(const MeshoptView& view, platform::Bytes& bytes) {
     switch (view.filter) {
-    case Filter::none:
+    case MeshoptFilter::none:
         break;
-    case Filter::octahedral:
+    case MeshoptFilter::octahedral:
         meshopt_decodeFilterOct(bytes.data(), view.count, view.stride);
         break;
-    case Filter::quaternion:
+    case MeshoptFilter::quaternion:
         meshopt_decodeFilterQuat(bytes.data(), view.count, view.stride);
         break;
-    case Filter::exponential:
+    case MeshoptFilter::exponential:
         meshopt_decodeFilterExp(bytes.data(), view.count, view.stride);
         break;
     }
@@ -88,7 +89,7 @@ MeshoptView readMeshoptView(const json& extension, std::size_t bytes, const std:
                            .count = number("count"),
                            .mode = modeOf(extension, where),
                            .filter = filterOf(extension, where)};
-    if (!isStrideRight(view) || (view.mode != Mode::attributes && view.filter != Filter::none)) {
+    if (!isStrideRight(view) || (view.mode != Mode::attributes && view.filter != MeshoptFilter::none)) {
         refuse("{}: {} has no elements of {} bytes in that mode and filter", where, kMeshopt, view.stride);
     }
     if (view.mode == Mode::triangles && view.count % 3 != 0) {

@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint32_t kNoVariant = std::numeric_limits<std::uint32_t>::max();
 
 /// Bytes for each corner of the tables here.
-constexpr std::uint64_t kTableBytes = 64;
+constexpr std::uint64_t kCornerTableBytes = 64;
 
 /// MikkTSpace compares triangles that meet at a vertex with each other. Usually six do.
 constexpr std::uint64_t kMeetingsPerCorner = 64;
@@ -143,7 +143,7 @@ glm::vec4 usable(const glm::vec4& tangent, const glm::vec3& normal) {
 
 std::optional<std::string> deriveMikkTSpaceTangents(SourceMesh& mesh, UvPlaces::Tangents along,
                                                     std::uint64_t bytes) {
-    const std::uint64_t tables = kTableBytes * mesh.indices.size();
+    const std::uint64_t tables = kCornerTableBytes * mesh.indices.size();
     if (!hasMikkTSpace()) {
         return "cdr was built without MikkTSpace";
     }
