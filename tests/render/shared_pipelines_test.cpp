@@ -172,7 +172,10 @@ TEST_F(SharedPipelinesTest, APreparedRendererKeepsItsPasses) {
 TEST_F(SharedPipelinesTest, ARendererThatIsPreparedForMaterialsMakesNone) {
     scene::Scene scene = boxScene();
     scene.textures.push_back({.name = "white", .pixels = image::ImageRgba8(2, 2, {255, 255, 255, 255})});
+    scene.textures.push_back(scene.textures[0]);
+    scene.textures[1].content = scene::TextureContent::data;
     const scene::TextureUse use{.texture = 0, .second = false};
+    const scene::TextureUse data{.texture = 1, .second = false};
     const std::vector<scene::Material> materials{
         {.name = "plain"},
         {.name = "both sides", .doubleSided = true},
@@ -184,7 +187,10 @@ TEST_F(SharedPipelinesTest, ARendererThatIsPreparedForMaterialsMakesNone) {
         {.name = "shining glass",
          .metallicRoughness = scene::MetallicRoughness{.metallic = 0.5f, .roughness = 0.4f},
          .alphaMode = scene::AlphaMode::blend,
-         .detail = {.normal = use}}};
+         .detail = {.normal = use}},
+        {.name = "packed",
+         .baseColorTexture = 0,
+         .detail = {.metallicRoughness = data, .normal = data, .occlusion = data, .emissive = use}}};
     scene::Mesh round = scene::makeBox(glm::vec3(0.3f));
     for (scene::Vertex& vertex : round.vertices) {
         vertex.normal = glm::normalize(vertex.position);

@@ -18,11 +18,17 @@ std::uint32_t variantOf(bool isFaceted, const scene::Material& material, std::ui
 
 std::vector<std::uint32_t> variantsOf(std::span<const scene::Material> materials) {
     std::vector<std::uint32_t> variants;
+    const auto add = [&](std::uint32_t variant) {
+        if (std::find(variants.begin(), variants.end(), variant) == variants.end()) {
+            variants.push_back(variant);
+        }
+    };
     for (const scene::Material& material : materials) {
         for (const bool isFaceted : {false, true}) {
-            const std::uint32_t variant = variantOf(isFaceted, material, detailPartsOf(material));
-            if (std::find(variants.begin(), variants.end(), variant) == variants.end()) {
-                variants.push_back(variant);
+            const std::uint32_t parts = detailPartsOf(material);
+            add(variantOf(isFaceted, material, parts));
+            if (mayBePacked(material)) {
+                add(variantOf(isFaceted, material, parts | shaders::kDetailPacked));
             }
         }
     }

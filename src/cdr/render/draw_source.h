@@ -54,7 +54,7 @@ inline constexpr std::size_t kPipelineVariants = std::size_t{kDetailStep} * shad
 /// Of a material on a mesh.
 /// @param detailParts of the material: SceneTextures::detailParts(), or detailPartsOf() it.
 std::uint32_t variantOf(bool isFaceted, const scene::Material& material, std::uint32_t detailParts);
-/// Of materials on meshes with facets and without, each once.
+/// Of materials on meshes with facets and without, whatever their textures are. Each once.
 std::vector<std::uint32_t> variantsOf(std::span<const scene::Material> materials);
 
 /// What draws of the same mesh, material and handedness share. Consecutive draws of one kind bind nothing in

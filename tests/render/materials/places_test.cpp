@@ -145,6 +145,7 @@ TEST(TexturePackingTest, TakesOpaqueMaterialsAlikeAlone) {
     std::vector<scene::Texture> textures(5);
     for (scene::Texture& texture : textures) {
         texture.pixels = image::ImageRgba8(4, 4);
+        texture.content = scene::TextureContent::data;
     }
     scene::Material packable{.baseColorTexture = 0};
     for (std::uint32_t i = 0; i < kUses.size(); ++i) {

@@ -1,7 +1,7 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/upload.h>
-#include <cdr/platform/worker_pool.h>
 #include <cdr/image/levels.h>
+#include <cdr/platform/worker_pool.h>
 #include <cdr/render/materials/scene_textures.h>
 #include <cdr/shaders/shared.h>
 
@@ -139,12 +139,20 @@ std::vector<std::uint32_t> texturesOf(const scene::Material& material) {
 struct SceneTextures::Workers {
     std::size_t threads = 1;
     std::optional<platform::WorkerPool> pool{};
+    const scene::Texture* guest = nullptr; ///< whose levels are kept: two pairs of a material have the same
+    std::vector<image::ImageRgba8> guestLevels{};
 
     std::vector<image::ImageRgba8> levelsOf(const scene::Texture& texture) {
         if (!pool && hasDividedLevels(texture)) {
             pool.emplace(std::min(threads, platform::WorkerPool::kMaxThreads));
         }
         return allLevels(texture, pool ? &*pool : nullptr);
+    }
+    const std::vector<image::ImageRgba8>& guestLevelsOf(const scene::Texture& texture) {
+        if (std::exchange(guest, &texture) != &texture) {
+            guestLevels = levelsOf(texture);
+        }
+        return guestLevels;
     }
 };
 
@@ -198,8 +206,8 @@ void SceneTextures::follow(const scene::Scene& scene, const Changed& changed, gp
         }
     }
     m_textures.resize(scene.textures.size());
-    std::erase_if(m_packs, [&](const auto& pack) {
-        return std::any_of(pack.first.begin(), pack.first.end(), [&](std::uint32_t i) { return isOther[i]; });
+    std::erase_if(m_pairs, [&](const auto& pair) {
+        return pair.second.expired() || isOther[pair.first.host] || isOther[pair.first.guest];
     });
 }
 
@@ -212,23 +220,24 @@ void SceneTextures::uploadTexturesOf(const scene::Scene& scene, const scene::Mat
     }
 }
 
-std::shared_ptr<const SceneTextures::Packed> SceneTextures::pack(const scene::Scene& scene,
-                                                                 const PackKey& key, Workers& workers) {
-    if (std::shared_ptr<const Packed> there = m_packs[key].lock()) {
+std::shared_ptr<const SceneTextures::Uploaded>
+SceneTextures::uploadPair(const scene::Scene& scene, const PackedPair& pair, Workers& workers) {
+    if (std::shared_ptr<const Uploaded> there = m_pairs[pair].lock()) {
         return there;
     }
-    const auto host = [&](std::uint32_t of, std::uint32_t guest, std::size_t channel) {
-        std::vector<image::ImageRgba8> levels = workers.levelsOf(scene.textures[of]);
-        putIntoAlpha(levels, workers.levelsOf(scene.textures[guest]), channel);
-        return upload(scene.textures[of], levels);
-    };
-    const auto [base, normal, emissive, occlusion, metallicRoughness] = key;
-    // As shaders/geometry/detail.glsl reads them. Metallic has the coarsest steps, so it stays in a texture of the same kind.
-    auto made = std::make_shared<const Packed>(Packed{.base = host(base, occlusion, 0),
-                                                      .normal = host(normal, metallicRoughness, 2),
-                                                      .emissive = host(emissive, metallicRoughness, 1)});
-    m_packs[key] = made;
+    std::vector<image::ImageRgba8> levels = workers.levelsOf(scene.textures[pair.host]);
+    putIntoAlpha(levels, workers.guestLevelsOf(scene.textures[pair.guest]), pair.channel);
+    auto made = std::make_shared<const Uploaded>(upload(scene.textures[pair.host], levels));
+    m_pairs[pair] = made;
     return made;
+}
+
+SceneTextures::Packed SceneTextures::pack(const scene::Scene& scene, const scene::Material& material,
+                                          Workers& workers) {
+    const auto [base, normal, emissive] = packedPairsOf(material);
+    return {.base = uploadPair(scene, base, workers),
+            .normal = uploadPair(scene, normal, workers),
+            .emissive = uploadPair(scene, emissive, workers)};
 }
 
 void SceneTextures::followMaterials(const scene::Scene& scene, const Changed& changed,
@@ -247,9 +256,9 @@ void SceneTextures::followMaterials(const scene::Scene& scene, const Changed& ch
             continue;
         }
         const scene::Material& material = scene.materials[i];
-        std::shared_ptr<const Packed> packed;
+        std::optional<Packed> packed;
         if (isPackable(material, scene.textures)) {
-            packed = pack(scene, packKeyOf(material), workers);
+            packed = pack(scene, material, workers);
         } else {
             uploadTexturesOf(scene, material, workers);
         }
@@ -261,7 +270,7 @@ void SceneTextures::followMaterials(const scene::Scene& scene, const Changed& ch
 }
 
 SceneTextures::Detail SceneTextures::makeDetail(const scene::Material& material,
-                                                std::shared_ptr<const Packed> packed) const {
+                                                std::optional<Packed> packed) const {
     Detail made{.packed = std::move(packed),
                 .record = {m_device, sizeof(shaders::DetailRecord), vk::BufferUsageFlagBits::eUniformBuffer,
                            gpu::MemoryUse::hostWrites, "detail of " + material.name},
@@ -275,8 +284,8 @@ SceneTextures::Detail SceneTextures::makeDetail(const scene::Material& material,
         const auto& use = material.detail.*part.use;
         const Uploaded* texture = &m_white;
         if (made.packed) {
-            texture = part.part == shaders::kDetailNormal     ? &made.packed->normal
-                      : part.part == shaders::kDetailEmissive ? &made.packed->emissive
+            texture = part.part == shaders::kDetailNormal     ? made.packed->normal.get()
+                      : part.part == shaders::kDetailEmissive ? made.packed->emissive.get()
                                                               : texture; // not read
         } else if (use) {
             texture = &*m_textures[use->texture];
@@ -292,7 +301,7 @@ SceneTextures::Detail SceneTextures::makeDetail(const scene::Material& material,
 vk::DescriptorSet SceneTextures::baseColorSet(const scene::Scene& scene, std::size_t material) const {
     const std::optional<std::uint32_t>& texture = scene.materials[material].baseColorTexture;
     if (const auto& packed = m_details[material].packed) {
-        return packed->base.set;
+        return packed->base->set;
     }
     return texture ? m_textures[*texture]->set : m_white.set;
 }
@@ -304,10 +313,11 @@ std::uint32_t SceneTextures::detailParts(const scene::Scene& scene, std::size_t 
 
 std::uint64_t SceneTextures::predictBytes(const scene::Scene& scene) {
     std::set<std::uint32_t> alone;
-    std::set<PackKey> packs;
+    std::set<PackedPair> pairs;
     for (const scene::Material& material : scene.materials) {
         if (isPackable(material, scene.textures)) {
-            packs.insert(packKeyOf(material));
+            const std::array<PackedPair, 3> ofMaterial = packedPairsOf(material);
+            pairs.insert(ofMaterial.begin(), ofMaterial.end());
         } else {
             const std::vector<std::uint32_t> textures = texturesOf(material);
             alone.insert(textures.begin(), textures.end());
@@ -317,8 +327,8 @@ std::uint64_t SceneTextures::predictBytes(const scene::Scene& scene) {
     for (const std::uint32_t texture : alone) {
         bytes += bytesOf(scene.textures[texture]);
     }
-    for (const PackKey& key : packs) {
-        bytes += 3 * bytesOf(scene.textures[key[0]]);
+    for (const PackedPair& pair : pairs) {
+        bytes += bytesOf(scene.textures[pair.host]);
     }
     return bytes;
 }

@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-namespace cdr::host {
+namespace cdr::platform {
 class WorkerPool;
 }
 
@@ -59,12 +59,12 @@ class SceneTextures {
     };
     /// The textures of a material that isPackable().
     struct Packed {
-        Uploaded base;
-        Uploaded normal;
-        Uploaded emissive;
+        std::shared_ptr<const Uploaded> base;
+        std::shared_ptr<const Uploaded> normal;
+        std::shared_ptr<const Uploaded> emissive;
     };
     struct Detail {
-        std::shared_ptr<const Packed> packed; ///< null: each texture is read by itself
+        std::optional<Packed> packed; ///< nothing: each texture is read by itself
         gpu::Buffer record;
         vk::UniqueDescriptorPool pool;
         vk::DescriptorSet set;
@@ -73,8 +73,10 @@ class SceneTextures {
     struct Workers;
     Uploaded upload(const scene::Texture& texture, std::span<const image::ImageRgba8> levels) const;
     void uploadTexturesOf(const scene::Scene& scene, const scene::Material& material, Workers& workers);
-    std::shared_ptr<const Packed> pack(const scene::Scene& scene, const PackKey& key, Workers& workers);
-    Detail makeDetail(const scene::Material& material, std::shared_ptr<const Packed> packed) const;
+    std::shared_ptr<const Uploaded> uploadPair(const scene::Scene& scene, const PackedPair& pair,
+                                               Workers& workers);
+    Packed pack(const scene::Scene& scene, const scene::Material& material, Workers& workers);
+    Detail makeDetail(const scene::Material& material, std::optional<Packed> packed) const;
 
     const gpu::Device& m_device;
     std::size_t m_threads;
@@ -83,8 +85,8 @@ class SceneTextures {
     Uploaded m_white;
     std::vector<std::optional<Uploaded>>
         m_textures; ///< the scene's; nothing where no material reads it by itself
-    std::map<PackKey, std::weak_ptr<const Packed>> m_packs;
-    std::vector<Detail> m_details; ///< by material
+    std::map<PackedPair, std::weak_ptr<const Uploaded>> m_pairs; ///< of all materials, which may share them
+    std::vector<Detail> m_details;                               ///< by material
 };
 
 /// Which parts of a material's detail its pipelines read: a sum of shaders::kDetailMetallicRoughness and its siblings; 0 for a

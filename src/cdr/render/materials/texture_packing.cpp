@@ -15,6 +15,11 @@ bool areReadAlike(const scene::Texture& a, const scene::Texture& b) {
            a.levels == b.levels;
 }
 
+/// Smaller levels of colours that count by their alpha, or keep its coverage, are made from that alpha.
+bool isAlphaFree(const scene::Texture& texture) {
+    return !texture.alphaWeighs && !texture.cutoff;
+}
+
 /// Read where a base colour is.
 bool isAtBase(const std::optional<scene::TextureUse>& use) {
     return use && *use == scene::TextureUse{.texture = use->texture};
@@ -22,26 +27,34 @@ bool isAtBase(const std::optional<scene::TextureUse>& use) {
 
 } // namespace
 
-bool isPackable(const scene::Material& material, std::span<const scene::Texture> textures) {
+bool mayBePacked(const scene::Material& material) {
     const scene::MaterialDetail& detail = material.detail;
-    if (material.unlit || material.alphaMode != scene::AlphaMode::opaque || !material.baseColorTexture ||
-        !isAtBase(detail.normal) || !isAtBase(detail.emissive) || !isAtBase(detail.occlusion) ||
-        !isAtBase(detail.metallicRoughness)) {
+    return !material.unlit && material.alphaMode == scene::AlphaMode::opaque && material.baseColorTexture &&
+           isAtBase(detail.normal) && isAtBase(detail.emissive) && isAtBase(detail.occlusion) &&
+           isAtBase(detail.metallicRoughness);
+}
+
+bool isPackable(const scene::Material& material, std::span<const scene::Texture> textures) {
+    if (!mayBePacked(material)) {
         return false;
     }
-    const PackKey key = packKeyOf(material);
-    const scene::Texture& base = textures[key[0]];
-    // Smaller levels of colours that count by their alpha, or keep its coverage, are made from that alpha.
-    return std::all_of(key.begin(), key.end(), [&](std::uint32_t place) {
-        const scene::Texture& texture = textures[place];
-        return areReadAlike(texture, base) && !texture.alphaWeighs && !texture.cutoff;
+    const scene::Texture& base = textures[*material.baseColorTexture];
+    const std::array<PackedPair, 3> pairs = packedPairsOf(material);
+    return std::all_of(pairs.begin(), pairs.end(), [&](const PackedPair& pair) {
+        const scene::Texture& host = textures[pair.host];
+        const scene::Texture& guest = textures[pair.guest];
+        return areReadAlike(host, base) && areReadAlike(guest, base) && isAlphaFree(host) &&
+               isAlphaFree(guest) && guest.content == scene::TextureContent::data; // alpha is always linear
     });
 }
 
-PackKey packKeyOf(const scene::Material& material) {
+std::array<PackedPair, 3> packedPairsOf(const scene::Material& material) {
     const scene::MaterialDetail& detail = material.detail;
-    return {*material.baseColorTexture, detail.normal->texture, detail.emissive->texture,
-            detail.occlusion->texture, detail.metallicRoughness->texture};
+    const std::uint32_t shine = detail.metallicRoughness->texture;
+    // Metallic has the coarsest steps, so it stays in a texture of the same kind.
+    return {PackedPair{.host = *material.baseColorTexture, .guest = detail.occlusion->texture, .channel = 0},
+            PackedPair{.host = detail.normal->texture, .guest = shine, .channel = 2},
+            PackedPair{.host = detail.emissive->texture, .guest = shine, .channel = 1}};
 }
 
 std::uint32_t levelsOf(const scene::Texture& texture) {
@@ -60,7 +73,7 @@ std::vector<image::ImageRgba8> allLevels(const scene::Texture& texture, platform
 }
 
 void putIntoAlpha(std::vector<image::ImageRgba8>& hosts, const std::vector<image::ImageRgba8>& guests,
-                  std::size_t channel) {
+                  std::uint32_t channel) {
     for (std::size_t level = 0; level < hosts.size(); ++level) {
         for (std::size_t i = 0; i < hosts[level].pixels.size(); ++i) {
             hosts[level].pixels[i][3] = guests[level].pixels[i][channel];

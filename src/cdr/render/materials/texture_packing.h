@@ -4,27 +4,36 @@
 #include <cdr/scene/mesh.h>
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-namespace cdr::host {
+namespace cdr::platform {
 class WorkerPool;
 }
 
 namespace cdr::render {
 
-/// The textures that a packed material reads, into Scene::textures: base colour, normal, emission, occlusion, metallic and
-/// roughness.
-using PackKey = std::array<std::uint32_t, 5>;
+/// A texture whose alpha holds a channel of another one. Both are places in Scene::textures.
+struct PackedPair {
+    std::uint32_t host = 0;
+    std::uint32_t guest = 0;
+    std::uint32_t channel = 0; ///< of the guest
+
+    auto operator<=>(const PackedPair&) const = default;
+};
+
+/// Whether there are textures with which a material isPackable().
+bool mayBePacked(const scene::Material& material);
 
 /// Whether three textures can hold all five of a material. Alpha of base colour, normal and emission is free in an opaque one, so
-/// it takes occlusion, metallic and roughness. That needs textures of one size, read at one place by one sampler.
+/// it takes occlusion, metallic and roughness. That needs textures of one size, read at one place by one sampler. Guests are data.
 bool isPackable(const scene::Material& material, std::span<const scene::Texture> textures);
 
-/// Of a material that isPackable().
-PackKey packKeyOf(const scene::Material& material);
+/// Of a material that mayBePacked(): in the alpha of base colour, normal and emission, as shaders/geometry/detail.glsl reads them.
+std::array<PackedPair, 3> packedPairsOf(const scene::Material& material);
 
 /// Levels that a device has of a texture.
 std::uint32_t levelsOf(const scene::Texture& texture);
@@ -35,6 +44,6 @@ std::vector<image::ImageRgba8> allLevels(const scene::Texture& texture, platform
 
 /// Puts a channel of each guest into the alpha of the host of the same size.
 void putIntoAlpha(std::vector<image::ImageRgba8>& hosts, const std::vector<image::ImageRgba8>& guests,
-                  std::size_t channel);
+                  std::uint32_t channel);
 
 } // namespace cdr::render
