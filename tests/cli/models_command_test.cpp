@@ -81,6 +81,27 @@ TEST(ModelsCommand, ModelsUnderASkyAreCloseToTheReferenceWhereTheyCover) {
     }
 }
 
+/// Nothing of it is opaque.
+TEST(ModelsCommand, AModelThatBlendsAloneIsCovered) {
+    const TemporaryFolder folder;
+    json model = json::parse(readText(kAssets + "well.gltf"));
+    for (json& material : model["materials"]) {
+        material["alphaMode"] = "BLEND";
+        material["pbrMetallicRoughness"]["baseColorFactor"] = {0.8, 0.7, 0.6, 0.5};
+    }
+    platform::writeText(folder.path() / "glass.gltf", model.dump());
+    for (const char* name : {"well.bin", "stone.jpg"}) {
+        std::filesystem::copy_file(kAssets + name, folder.path() / name);
+    }
+    const ProgramResult result =
+        runProgram("models glass.gltf --size 240x135 --threads 2 --json m.json", folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json row = json::parse(readText(folder.path() / "m.json"))["results"][0];
+    EXPECT_GT(row["covered_fraction"], 0.1) << row;
+    EXPECT_GT(row["covered_flip"], row["flip"]) << row;
+    EXPECT_LE(row["covered_flip"], 0.05) << row;
+}
+
 TEST(ModelsCommand, TakesAModelsOwnLightsAndCamera) {
     const TemporaryFolder folder;
     const auto reference = [&](const std::string& more) {

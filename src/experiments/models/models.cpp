@@ -30,8 +30,15 @@ render::Frame drawn(const gpu::Device& device, const scene::Scene& scene, const 
                                  .technique = options.technique,
                                  .threads = options.threads};
     chosen.translucency.method = render::Translucency::sorted;
+    chosen.translucency.countsFragments = true;
     render::Renderer renderer(device, scene, onDevice, chosen);
     return renderer.render(camera);
+}
+
+/// Whether a pixel shows a surface, opaque or blended.
+bool isCovered(const render::Frame& frame, std::uint32_t x, std::uint32_t y) {
+    const bool isAnyBlended = !frame.fragmentCounts.pixels.empty();
+    return frame.id(x, y) != 0 || (isAnyBlended && frame.fragmentCounts.at(x, y) != 0);
 }
 
 /// Of a picture's half height and half width: by how much a view may be narrowed that shows these pixels.
@@ -39,7 +46,7 @@ double shareShown(const render::Frame& frame) {
     double share = 0.0;
     for (std::uint32_t y = 0; y < frame.height(); ++y) {
         for (std::uint32_t x = 0; x < frame.width(); ++x) {
-            if (frame.id(x, y) != 0) {
+            if (isCovered(frame, x, y)) {
                 share = std::max({share, std::abs(2.0 * (x + 0.5) / frame.width() - 1.0),
                                   std::abs(2.0 * (y + 0.5) / frame.height() - 1.0)});
             }
@@ -83,10 +90,11 @@ void measureFlip(ModelResult& result, const render::Frame& frame, platform::Work
     std::size_t count = 0;
     result.difference = image::ImageRgba8(map.width, map.height);
     for (std::size_t i = 0; i < map.pixels.size(); ++i) {
-        const bool isCovered = frame.gbuffer.pixels[i].id() != 0;
+        const bool counts = isCovered(frame, static_cast<std::uint32_t>(i % map.width),
+                                      static_cast<std::uint32_t>(i / map.width));
         sum += map.pixels[i];
-        covered += isCovered ? map.pixels[i] : 0.0f;
-        count += isCovered ? 1 : 0;
+        covered += counts ? map.pixels[i] : 0.0f;
+        count += counts ? 1 : 0;
         result.difference.pixels[i] = heatOf(map.pixels[i]);
     }
     const auto all = static_cast<double>(map.pixels.size());

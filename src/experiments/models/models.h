@@ -30,7 +30,7 @@ struct ModelResult {
     std::string light;
     std::uint64_t triangles = 0; ///< of what is drawn, repeats counted
     std::uint64_t textures = 0;
-    double coveredFraction = 0.0; ///< of the pixels: those that show an opaque surface
+    double coveredFraction = 0.0; ///< of the pixels: those that show a surface, opaque or blended
     double flip = 0.0;            ///< mean FLIP over the picture
     double coveredFlip = 0.0;     ///< mean FLIP over the covered pixels
     double meanSteps = 0.0;    ///< over inner pixels: mean of the largest channel's difference, 8-bit steps
