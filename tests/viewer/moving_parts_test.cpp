@@ -41,6 +41,24 @@ TEST_F(MovingPartsOfTheViewer, ArePickedWhereTheyAre) {
     }
 }
 
+/// The same bits, and the camera still keeps away from what is bent.
+TEST_F(MovingPartsOfTheViewer, AreBentByTheDeviceAsByTheCpu) {
+    const std::string bending =
+        CDR_SOURCE_DIR "/tests/assets/machine.glb --animation work --fps 24 --frame 13";
+    const RunResult rendered = runShell(
+        "'" CDR_PROGRAM "' render " + bending + " --size 32x18 --deform device", folder(), environment());
+    if (rendered.status != 0 && rendered.err.find("lacks") != std::string::npos) {
+        GTEST_SKIP() << rendered.err;
+    }
+    for (const std::string who : {"cpu", "device"}) {
+        play("--size 560x300 --technique anchored --deform " + who + " " + bending,
+             "wait-frame\npicture " + who + ".png\nhold W\nwait-ui 8\nlet W\nwait-frame 2\npicture near-" +
+                 who + ".png\nquit\n");
+    }
+    EXPECT_EQ(picture("cpu.png"), picture("device.png"));
+    EXPECT_GT(colors(picture("near-device.png")), 1u);
+}
+
 /// The frame of a camera path, which `cdr render` takes too.
 TEST_F(ViewerTest, BeginsAtTheFrameOfTheScenesPath) {
     const RunResult run =

@@ -68,6 +68,7 @@ void addPlace(CLI::App& program, Arguments& arguments) {
     options::addCameraOptions(program, arguments.camera);
     options::addSceneChoice(program, arguments.choice);
     options::addAnimationChoice(program, arguments.choice);
+    options::addDeform(program, arguments.deform);
     options::addTextureMemory(program, arguments.choice.textureMiB);
     options::addPointRadius(program, arguments.choice.pointRadius);
     program.option_defaults()->group("Options");

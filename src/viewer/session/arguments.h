@@ -5,6 +5,7 @@
 #include <viewer/state/view_settings.h>
 
 #include <options/camera_options.h>
+#include <options/deform_choice.h>
 #include <options/drawing_options.h>
 #include <options/scene_options.h>
 #include <options/views/views_plan.h>
@@ -37,6 +38,7 @@ struct Arguments {
     options::CameraOptions camera;
     std::uint64_t seed = scenes::kDefaultSeed;
     options::LayerArguments layers;
+    std::optional<scenes::Deform> deform;      ///< who bends meshes, as told
     std::optional<scenes::Colours> colours;    ///< else bright, except for a line that renders a picture
     std::optional<depth::Technique> technique; ///< of one picture
     std::array<depth::Technique, 2> compare =

@@ -6,6 +6,8 @@
 #include <cdr/scene/gltf/import_progress.h>
 #include <viewer/state/view_picture.h>
 
+#include <options/deform_choice.h>
+
 #include <utility>
 
 namespace cdr::viewer {
@@ -25,12 +27,13 @@ bool suffices(visibility::DetailMode made, visibility::DetailMode needed) {
 
 /// Of a scene in which something moves, or whose materials have other layers than its own; else null.
 std::unique_ptr<scenes::MovingScene> worldOf(const scene::SceneSetup& setup,
-                                             const std::vector<scenes::LayerChoice>& layers) {
+                                             const std::vector<scenes::LayerChoice>& layers,
+                                             scenes::Deform deform) {
     if (!setup.motion && layers.empty()) {
         return nullptr;
     }
     const std::vector<float> ofMaterials = scenes::layersOf(setup.scene, layers);
-    auto world = std::make_unique<scenes::MovingScene>(setup.scene, setup.motion);
+    auto world = std::make_unique<scenes::MovingScene>(setup.scene, setup.motion, deform);
     world->setLayers(ofMaterials);
     return world;
 }
@@ -51,9 +54,9 @@ scene::OpenedScene SceneRenderer::openNamed(const ViewSettings& settings) const 
 
 void SceneRenderer::open(const ViewSettings& settings) {
     if (m_scene != nullptr && settings.scene == m_sceneName && settings.seed == m_seed &&
-        settings.colours == m_colours && settings.choice == m_choice &&
+        settings.colours == m_colours && settings.choice == m_choice && settings.deform == m_deform &&
         suffices(m_detail, settings.finish.detail.mode)) {
-        followLayers(settings.layers);
+        followLayers(settings);
         return;
     }
     auto opened = std::make_shared<scene::OpenedScene>(openNamed(settings));
@@ -61,7 +64,7 @@ void SceneRenderer::open(const ViewSettings& settings) {
     platform::WorkerPool workers(settings.threads);
     visibility::prepareDetail(opened->setup.scene, settings.finish.detail.mode, workers);
     const scene::SceneSetup& setup = opened->setup;
-    auto moving = worldOf(setup, settings.layers);
+    auto moving = worldOf(setup, settings.layers, deformer(setup.motion, settings));
     render::GpuScene onDevice = moving != nullptr ? render::GpuScene(m_device, moving->world())
                                                   : render::GpuScene(m_device, setup.scene);
     auto next = std::make_unique<OpenScene>(
@@ -75,11 +78,20 @@ void SceneRenderer::open(const ViewSettings& settings) {
     m_seed = settings.seed;
     m_colours = settings.colours;
     m_choice = settings.choice;
+    m_deform = settings.deform;
     m_layers = settings.layers;
     m_detail = settings.finish.detail.mode;
 }
 
-void SceneRenderer::followLayers(const std::vector<scenes::LayerChoice>& layers) {
+scenes::Deform SceneRenderer::deformer(const scene::SceneMotion& motion, const ViewSettings& settings) const {
+    if (motion.meshes.empty()) {
+        return scenes::Deform::cpu;
+    }
+    return options::deformOn(m_device.info(), settings.deform, options::VertexReaders::drawing);
+}
+
+void SceneRenderer::followLayers(const ViewSettings& settings) {
+    const std::vector<scenes::LayerChoice>& layers = settings.layers;
     if (layers == m_layers) {
         return;
     }
@@ -88,7 +100,7 @@ void SceneRenderer::followLayers(const std::vector<scenes::LayerChoice>& layers)
         m_scene->moving->setLayers(scenes::layersOf(setup.scene, layers));
         clearFlips();
     } else {
-        auto world = worldOf(setup, layers);
+        auto world = worldOf(setup, layers, deformer(setup.motion, settings));
         dropRenderers(); // their memory goes before more is asked for
         render::GpuScene onDevice(m_device, world->world());
         m_scene->moving = std::move(world);
@@ -171,6 +183,24 @@ void SceneRenderer::paint(ViewKind view, std::size_t side, const render::Frame* 
     result.picture = std::move(picture);
 }
 
+void SceneRenderer::move(const RenderRequest& request, platform::WorkerPool& workers) {
+    if (m_scene->moving == nullptr) {
+        return;
+    }
+    const scene::World& world = m_scene->moving->world();
+    const std::span<const std::uint32_t> meshes = m_scene->moving->deformedMeshes();
+    if (m_scene->moving->show(request.frame, workers)) {
+        m_scene->areObstaclesBent = world.posedMeshes().empty(); // else the scene lacks their vertices
+        m_scene->obstacles = std::make_shared<const Obstacles>(m_scene->obstacles->moved(
+            world.scene(), m_scene->areObstaclesBent ? meshes : meshes.first(0), workers));
+    }
+    if (request.isSteered && !m_scene->areObstaclesBent) {
+        m_scene->obstacles = std::make_shared<const Obstacles>(m_scene->obstacles->bent(
+            meshes, m_scene->opened->setup.motion.vertices(request.frame, workers), workers));
+        m_scene->areObstaclesBent = true;
+    }
+}
+
 RenderResult SceneRenderer::answer(const RenderRequest& request, const std::stop_token& stop) {
     open(request.settings);
     const auto begin = Clock::now();
@@ -183,10 +213,7 @@ RenderResult SceneRenderer::answer(const RenderRequest& request, const std::stop
                         .scene = m_scene->opened};
     result.frame = request.frame;
     platform::WorkerPool workers(request.settings.threads);
-    if (m_scene->moving != nullptr && m_scene->moving->show(request.frame, workers)) {
-        m_scene->obstacles = std::make_shared<const Obstacles>(m_scene->obstacles->moved(
-            m_scene->moving->world().scene(), m_scene->moving->deformedMeshes(), workers));
-    }
+    move(request, workers);
     result.obstacles = m_scene->obstacles;
     result.camera = request.camera ? *request.camera : m_scene->opened->setup.path.at(0);
     const std::size_t sides = request.settings.second ? 2 : 1;

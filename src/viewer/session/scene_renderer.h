@@ -41,13 +41,17 @@ class SceneRenderer {
         std::shared_ptr<const scene::OpenedScene> opened;
         std::shared_ptr<const Obstacles> obstacles;
         std::unique_ptr<scenes::MovingScene> moving; ///< null until something moves or changes its layer
+        bool areObstaclesBent = true;                ///< as the meshes that are shown
         render::GpuScene onDevice;
     };
     /// A generated scene or a file.
     scene::OpenedScene openNamed(const ViewSettings& settings) const;
     void open(const ViewSettings& settings);
-    /// Brings the materials of the open scene into these layers.
-    void followLayers(const std::vector<scenes::LayerChoice>& layers);
+    /// Brings the materials of the open scene into the layers of the settings.
+    void followLayers(const ViewSettings& settings);
+    scenes::Deform deformer(const scene::SceneMotion& motion, const ViewSettings& settings) const;
+    /// Brings the open scene to the request's frame, and its obstacles, as far as the request needs them.
+    void move(const RenderRequest& request, platform::WorkerPool& workers);
     void dropRenderers();
     void clearFlips();
     SideResult renderSide(const RenderRequest& request, std::size_t side, const scene::Camera& camera);
@@ -64,6 +68,7 @@ class SceneRenderer {
     scenes::Colours m_colours = scenes::Colours::thesis;
     scene::GltfChoice m_choice;
     std::vector<scenes::LayerChoice> m_layers;
+    std::optional<scenes::Deform> m_deform; ///< as told
     visibility::DetailMode m_detail =
         visibility::DetailMode::none; ///< that prepareDetail() made something for
     std::unique_ptr<OpenScene> m_scene;

@@ -143,7 +143,10 @@ void Session::update(const SessionInput& input) {
     }
     readCursor(input.area, input.cursor);
     const auto now = Clock::now();
-    Wanted wanted{.request = wantedRequest(input.area),
+    RenderRequest request = wantedRequest(input.area);
+    request.isSteered = input.isSteered || (m_model.camera.motion == Motion::free && m_asked.has_value() &&
+                                            m_asked->camera != request.camera);
+    Wanted wanted{.request = std::move(request),
                   .isFlying = input.isSteered || m_model.camera.motion != Motion::free ||
                               m_model.camera.playback.isPlaying,
                   .rendersAlways = m_model.performance.rendersAlways,
@@ -151,15 +154,15 @@ void Session::update(const SessionInput& input) {
                                     now - m_surfacesAsked >= kSurfacesEvery,
                   .isThreadReady = m_thread->isReady()};
     const bool changes = wanted.isFlying || wanted.rendersAlways || !wanted.isThreadReady;
-    auto request = decide(m_asked ? &*m_asked : nullptr, std::move(wanted));
-    m_isIdle = !request && !changes;
-    if (!request) {
+    auto next = decide(m_asked ? &*m_asked : nullptr, std::move(wanted));
+    m_isIdle = !next && !changes;
+    if (!next) {
         return;
     }
-    if (request->wantsSurfaces) {
+    if (next->wantsSurfaces) {
         m_surfacesAsked = now;
     }
-    ask(*std::move(request));
+    ask(*std::move(next));
 }
 
 void Session::ask(RenderRequest request) {

@@ -49,6 +49,7 @@ ViewSettings settingsOf(const Arguments& arguments) {
     settings.colours = arguments.colours.value_or(arguments.output.empty() ? scenes::Colours::bright
                                                                            : scenes::Colours::thesis);
     settings.layers = arguments.layers.choices;
+    settings.deform = arguments.deform;
     settings.targets = drawn.targets;
     settings.submission = drawn.submission;
     settings.batching = drawn.batching;

@@ -175,6 +175,7 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
                     fmt::format("{}", settings.choice.seconds.value_or(0.0)));
     words.addUnless(!settings.choice.framesPerSecond, "--fps",
                     fmt::format("{}", settings.choice.framesPerSecond.value_or(0.0)));
+    words.addUnless(!settings.deform, "--deform", nameOf(settings.deform.value_or(scenes::Deform::cpu)));
     words.addUnless(!settings.choice.textureMiB, "--texture-memory",
                     fmt::format("{}", settings.choice.textureMiB.value_or(0)));
     words.addUnless(!settings.choice.pointRadius, "--points",

@@ -5,6 +5,7 @@
 
 #include <cdr/render/renderer.h>
 #include <scenes/colours.h>
+#include <scenes/deform.h>
 #include <scenes/layer_choice.h>
 #include <scenes/open_scene.h>
 
@@ -50,6 +51,8 @@ struct ViewSettings {
     ViewKind view = ViewKind::shaded;
     Finish finish{};
     options::ViewsArguments views{}; ///< one eye, or two
+    /// Who bends skins and morph targets; nothing: the device, if it is a graphics card that can.
+    std::optional<scenes::Deform> deform{};
 
     bool operator==(const ViewSettings&) const = default;
 };

@@ -81,6 +81,13 @@ TEST(RenderCommand, KeepsTheRadiusOfPoints) {
     EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--points"), "0.1");
 }
 
+TEST(RenderCommand, KeepsWhoBendsMeshes) {
+    ReproducedView view = viewWith(kOwn);
+    EXPECT_EQ(renderCommand(view, "a.png").find("--deform"), std::string::npos);
+    view.settings.deform = scenes::Deform::device;
+    EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--deform"), "device");
+}
+
 TEST(RenderCommand, SaysTheLayersThatWereChosen) {
     ReproducedView view = viewWith(kOwn);
     view.settings.layers = {{"paint", 0.002f}, {"road sign", -1.5f}, {"#3", 0.0f}};

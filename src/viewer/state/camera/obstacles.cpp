@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace cdr::viewer {
 
@@ -57,6 +58,18 @@ Obstacles Obstacles::moved(const scene::Scene& shown, std::span<const std::uint3
     });
     there.m_instances = std::make_shared<const scene::Instances>(shown.instances);
     there.m_cells.build(shown, workers);
+    return there;
+}
+
+Obstacles Obstacles::bent(std::span<const std::uint32_t> meshes, std::vector<scene::MeshVertices> vertices,
+                          platform::WorkerPool& workers) const {
+    Obstacles there(*this);
+    workers.run(meshes.size(), [&](std::size_t i, std::size_t) {
+        scene::Mesh mesh;
+        mesh.indices = m_scene.meshes[meshes[i]].indices;
+        mesh.vertices = std::move(vertices[i].vertices);
+        there.m_shapes[meshes[i]] = std::make_shared<const measure::Shape>(mesh);
+    });
     return there;
 }
 

@@ -23,6 +23,9 @@ class Obstacles {
     /// @param deformed meshes that have other vertices than at first
     Obstacles moved(const scene::Scene& shown, std::span<const std::uint32_t> deformed,
                     platform::WorkerPool& workers) const;
+    /// The same with other vertices of some meshes, which the scene lacks where the device makes them.
+    Obstacles bent(std::span<const std::uint32_t> meshes, std::vector<scene::MeshVertices> vertices,
+                   platform::WorkerPool& workers) const;
 
     /// Of the scene, where they are now. They live no longer than the scene and the obstacles.
     const scene::Instances& instances() const { return *m_instances; }

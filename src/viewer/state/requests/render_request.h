@@ -30,6 +30,7 @@ struct RenderRequest {
     /// The camera stays where it was. Fitted splits are then fitted to it alone. So the picture that rests on the
     /// screen is the one that the copied command line renders, whatever frames came before.
     bool isAtRest = false;
+    bool isSteered = false; ///< a person moves the camera, which keeps away from what bends
 };
 
 /// One technique's answer.

@@ -84,6 +84,25 @@ TEST(Obstacles, MoveWithTheScene) {
     EXPECT_EQ(after.instances().position(0), glm::dvec3(20.0, 0.0, 0.0));
 }
 
+/// As a device bends meshes: the scene that is shown has other vertices.
+TEST(Obstacles, BendAsTheyAreTold) {
+    scene::Scene scene;
+    scene.meshes = {scenes::makeSquare(1.0f)};
+    scene.materials = {{.doubleSided = true}};
+    scene::addInstance(scene, 0, 0, 0, {0.0, 0.0, -5.0}, glm::mat3(1.0f));
+    platform::WorkerPool workers(1);
+    const Obstacles before(scene, workers);
+    scene::MeshVertices vertices{.vertices = scene.meshes[0].vertices, .details = {}};
+    for (scene::Vertex& vertex : vertices.vertices) {
+        vertex.position.z += 0.5f;
+    }
+    const std::uint32_t mesh = 0;
+    const Obstacles after = before.bent({&mesh, 1}, {vertices}, workers);
+    const glm::dvec3 ahead(0.0, 0.0, -100.0);
+    EXPECT_NEAR(before.clearWay(glm::dvec3(0.0), ahead), 5.0, 1e-9);
+    EXPECT_NEAR(after.clearWay(glm::dvec3(0.0), ahead), 4.5, 1e-9);
+}
+
 /// What boxes of neighbours leave out changes nothing: ways past each cube, and into it.
 TEST(Obstacles, AreMetAsIfEachWereLookedAt) {
     const scene::Scene scene = scenes::makeTraffic(2013, 2000).scene;
