@@ -1,3 +1,4 @@
+#include "../support/all_cases.h"
 #include "../support/globe.h"
 #include "fixture.h"
 #include "snapping.h"
@@ -100,6 +101,11 @@ const scene::Scene& levelledBoulder() {
     return scene;
 }
 
+/// From how many places cracks are looked for where there are none.
+std::uint32_t placesOfHunt() {
+    return test::takesAllCases() ? 8 : 4;
+}
+
 std::vector<scene::Camera> camerasAround(std::uint32_t count) {
     std::vector<scene::Camera> cameras;
     const scene::Camera lens{.fovY = 1.0, .nearView = 0.5, .farView = 1000.0};
@@ -120,6 +126,7 @@ std::vector<scene::Camera> camerasAlong(const scene::CameraPath& path, std::uint
     return cameras;
 }
 
+/// Of all ways to draw those that meet in pairs, or all with CDR_ALL_CASES.
 TEST_F(DetailRenderTest, IsOneImageHoweverDrawn) {
     const scene::SceneSetup setup = smallBoulders();
     const scene::Camera camera = setup.path.at(100);
@@ -139,11 +146,13 @@ TEST_F(DetailRenderTest, IsOneImageHoweverDrawn) {
             EXPECT_EQ(frame.stats.draws, draws);
         };
         render::RenderOptions options = quarterOf(optionsOf("count:5", detail));
+        std::size_t turn = 0;
         for (const render::Submission submission : submissions()) {
+            ++turn; // the other number of threads with the same targets
             for (const render::TargetsKind targets :
                  {render::TargetsKind::single, render::TargetsKind::accumulate, render::TargetsKind::pool,
                   render::TargetsKind::layers}) {
-                for (const std::size_t threads : {1u, 3u}) {
+                for (const std::size_t threads : test::sampleOf(std::vector<std::size_t>{1, 3}, turn++)) {
                     options.submission = submission;
                     options.targets = targets;
                     options.threads = threads;
@@ -161,6 +170,7 @@ TEST_F(DetailRenderTest, IsOneImageHoweverDrawn) {
     EXPECT_EQ(images.size(), 2u); // who decides does matter
 }
 
+/// With one kind of detail each, or both with CDR_ALL_CASES.
 TEST_F(DetailRenderTest, TheGpuDrivenPathChoosesAlikeWithEveryTechnique) {
     if (!canDrawGpuDriven()) {
         return;
@@ -169,8 +179,9 @@ TEST_F(DetailRenderTest, TheGpuDrivenPathChoosesAlikeWithEveryTechnique) {
     // Neighbours that have nothing to choose stay one run among those that do.
     setup.scene.meshes[1].levels.clear();
     const render::GpuScene gpuScene(device(), setup.scene);
+    std::size_t turn = 0;
     for (const auto& [name, technique] : depth::presets()) {
-        for (const Detail& detail : {kByObject, kByCascade}) {
+        for (const Detail& detail : test::sampleOf(std::vector{kByObject, kByCascade}, turn++)) {
             render::RenderOptions options = quarterOf(optionsOf("none", detail));
             options.technique = technique;
             render::Renderer host(device(), setup.scene, gpuScene, options);
@@ -199,8 +210,8 @@ TEST_F(DetailRenderTest, LevelsNobodyAsksForChangeNoBit) {
 
 TEST_F(DetailRenderTest, OneLevelPerObjectOpensNoCrack) {
     const scene::SceneSetup setup = smallBoulders();
-    EXPECT_EQ(hunt(setup.scene, camerasAlong(setup.path, 8), {kByObject}), 0u);
-    EXPECT_EQ(hunt(levelledBoulder(), camerasAround(8),
+    EXPECT_EQ(hunt(setup.scene, camerasAlong(setup.path, placesOfHunt()), {kByObject}), 0u);
+    EXPECT_EQ(hunt(levelledBoulder(), camerasAround(placesOfHunt()),
                    {{.mode = DetailMode::perObject, .pixels = 2.0},
                     {.mode = DetailMode::perObject, .pixels = 4.0}}),
               0u);
@@ -251,17 +262,21 @@ const scene::SceneSetup& clusteredHills() {
     return setup;
 }
 
+/// Of all ways to draw those that meet in pairs, or all with CDR_ALL_CASES.
 TEST_F(DetailRenderTest, ClustersAreOneImageHoweverDrawn) {
     const scene::SceneSetup& setup = clusteredHills();
     const render::GpuScene gpuScene(device(), setup.scene);
     const Detail detail{.mode = DetailMode::perCluster, .pixels = 1.0};
+    const std::vector<render::Submission> onHost{render::Submission::secondaries,
+                                                 render::Submission::primaries};
     std::string wanted;
+    std::size_t row = 0;
     for (const render::TargetsKind targets : {render::TargetsKind::single, render::TargetsKind::accumulate,
                                               render::TargetsKind::pool, render::TargetsKind::layers}) {
-        for (const render::Submission submission :
-             {render::Submission::secondaries, render::Submission::primaries}) {
-            for (const std::size_t threads : {1u, 3u, 16u}) {
-                for (const bool occlusionCulling : {false, true}) {
+        std::size_t turn = row++;
+        for (const std::size_t threads : {1u, 3u, 16u}) {
+            for (const render::Submission submission : test::sampleOf(onHost, turn)) {
+                for (const bool occlusionCulling : test::sampleOf(std::vector{false, true}, turn / 2)) {
                     render::RenderOptions options = quarterOf(optionsOf("count:5", detail));
                     options.submission = submission;
                     options.targets = targets;
@@ -275,6 +290,7 @@ TEST_F(DetailRenderTest, ClustersAreOneImageHoweverDrawn) {
                                              << threads << " " << occlusionCulling;
                 }
             }
+            ++turn;
         }
     }
 }
@@ -324,14 +340,15 @@ TEST_F(DetailRenderTest, TheFinestClustersAreThePictureInFull) {
 
 TEST_F(DetailRenderTest, ClustersOpenNoCracks) {
     const scene::SceneSetup& setup = clusteredHills();
-    EXPECT_EQ(hunt(setup.scene, camerasAlong(setup.path, 8),
+    EXPECT_EQ(hunt(setup.scene, camerasAlong(setup.path, placesOfHunt()),
                    {{.mode = DetailMode::perCluster, .pixels = 4.0},
                     {.mode = DetailMode::perCluster, .pixels = 12.0}}),
               0u);
     scene::Scene boulder = largeBoulder();
     platform::WorkerPool workers(2);
     scene::makeClusters(boulder, workers);
-    EXPECT_EQ(hunt(boulder, camerasAround(8), {{.mode = DetailMode::perCluster, .pixels = 1.0}}), 0u);
+    EXPECT_EQ(hunt(boulder, camerasAround(placesOfHunt()), {{.mode = DetailMode::perCluster, .pixels = 1.0}}),
+              0u);
 }
 
 TEST_F(DetailRenderTest, ClustersAreRefusedGpuDriven) {

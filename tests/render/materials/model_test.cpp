@@ -96,7 +96,7 @@ TEST_F(ModelTest, EachPartOfMaterialsShows) {
 
 TEST_F(ModelTest, ThePictureIsTheSameForAllTargetsThreadsAndSubmissions) {
     const scene::SceneSetup setup = model(scene::ModelLight::sky);
-    render::RenderOptions first = options();
+    render::RenderOptions first = quarterOf(options());
     first.technique = depth::parseTechnique("cdr");
     const std::string wanted = hashOf(draw(setup.scene, setup.path.at(0), first));
     for (const char* targets : {"accumulate", "pool:2", "layers"}) {
@@ -165,7 +165,7 @@ TEST_F(ModelTest, LayersKeepTheirMaterials) {
 
 TEST_F(ModelTest, WhatCannotKeepEmissionSaysSo) {
     const scene::SceneSetup setup = model(scene::ModelLight::sky);
-    render::RenderOptions layered = options();
+    render::RenderOptions layered = quarterOf(options());
     layered.targets = render::TargetsKind::layers;
     EXPECT_FALSE(draw(setup.scene, setup.path.at(0), layered).stats.lostEmission);
     layered.effects.occlusion = {.radius = 0.2, .perLayer = true};

@@ -138,7 +138,7 @@ TEST_F(TranslucencyTest, SortedDrawsEachInstanceOnce) {
 
 TEST_F(TranslucencyTest, OrderOfInstancesChangesNoBitWhenSorted) {
     const render::RenderOptions options =
-        optionsFor(countOf(depth::Mapping::anchored, 4), Translucency::sorted);
+        quarterOf(optionsFor(countOf(depth::Mapping::anchored, 4), Translucency::sorted));
     const std::string wanted = hashOf(draw(m_sheets.scene, m_camera, options));
     for (const std::uint32_t seed : {1u, 2u, 3u}) {
         scene::Scene shuffled = m_sheets.scene;
@@ -158,7 +158,7 @@ TEST_F(TranslucencyTest, CoincidentSheetsAreOrderedBySortedHoweverDrawn) {
                            scene.instances.basis[i]);
     }
     const render::RenderOptions options =
-        optionsFor(countOf(depth::Mapping::reversed, 4), Translucency::sorted);
+        quarterOf(optionsFor(countOf(depth::Mapping::reversed, 4), Translucency::sorted));
     const std::string wanted = program::sha256Of(draw(scene, m_camera, options).color.pixels);
     for (const std::uint32_t seed : {1u, 2u}) {
         shuffle(scene, seed);
@@ -174,7 +174,8 @@ TEST_F(TranslucencyTest, ThreadsTargetsAndSubmissionsChangeNoBit) {
             for (const render::TargetsKind targets :
                  {render::TargetsKind::single, render::TargetsKind::accumulate, render::TargetsKind::pool,
                   render::TargetsKind::layers}) {
-                render::RenderOptions options = optionsFor(countOf(depth::Mapping::anchored, 4), method);
+                render::RenderOptions options =
+                    quarterOf(optionsFor(countOf(depth::Mapping::anchored, 4), method));
                 options.submission = submission;
                 options.targets = targets;
                 options.threads = targets == render::TargetsKind::single ? 1 : 3;
@@ -194,7 +195,7 @@ TEST_F(TranslucencyTest, TheNumberOfCascadesChangesNoBitWhenSorted) {
     std::string wanted;
     for (unsigned cascades = 1; cascades <= 8; ++cascades) {
         render::RenderOptions options =
-            optionsFor(countOf(depth::Mapping::reversed, cascades), Translucency::sorted);
+            quarterOf(optionsFor(countOf(depth::Mapping::reversed, cascades), Translucency::sorted));
         options.targets = cascades % 2 == 1 ? render::TargetsKind::single : render::TargetsKind::onePass;
         const std::string hash = program::sha256Of(draw(m_sheets.scene, m_camera, options).color.pixels);
         wanted = wanted.empty() ? hash : wanted;
@@ -271,7 +272,7 @@ TEST_F(TranslucencyTest, ListsThatDoNotFitAreDrawnWeightedAndSaySo) {
 TEST_F(TranslucencyTest, FramesInFlightLeaveTheNextFrameAsItIs) {
     const render::GpuScene gpuScene(device(), m_sheets.scene);
     for (const Translucency method : render::kTranslucencies) {
-        render::RenderOptions options = optionsFor(countOf(depth::Mapping::anchored, 4), method);
+        render::RenderOptions options = quarterOf(optionsFor(countOf(depth::Mapping::anchored, 4), method));
         const std::string wanted = hashOf(draw(m_sheets.scene, m_camera, options));
         options.framesInFlight = 3;
         render::Renderer renderer(device(), m_sheets.scene, gpuScene, options);
