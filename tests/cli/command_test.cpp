@@ -4,12 +4,10 @@
 #include <cdr/image/codec.h>
 #include <cdr/platform/file.h>
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <map>
 #include <set>

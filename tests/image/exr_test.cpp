@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <random>

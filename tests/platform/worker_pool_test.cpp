@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <atomic>
 #include <barrier>
-#include <numeric>
 #include <stdexcept>
 #include <thread>
 #include <vector>

@@ -5,7 +5,6 @@
 #include <cdr/scene/world/world.h>
 
 #include <array>
-#include <span>
 #include <system_error>
 
 namespace cdr::render_test {

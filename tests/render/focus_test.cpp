@@ -4,7 +4,6 @@
 #include <cdr/base/error.h>
 #include <cdr/render/focus.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>

@@ -4,7 +4,6 @@
 
 #include <cdr/scene/frustum.h>
 
-#include <array>
 #include <cmath>
 #include <string>
 

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <map>
-#include <numbers>
 
 namespace cdr::render_test {
 

@@ -4,7 +4,6 @@
 #include <cdr/depth/cascade.h>
 #include <cdr/render/effects.h>
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdlib>

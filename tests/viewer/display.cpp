@@ -3,7 +3,6 @@
 #include <signal.h>
 
 #include <array>
-#include <cstdlib>
 #include <stdexcept>
 
 namespace cdr::viewer_test {

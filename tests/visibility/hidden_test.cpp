@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <set>
-#include <vector>
 
 namespace cdr::visibility {
 

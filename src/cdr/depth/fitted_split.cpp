@@ -2,7 +2,6 @@
 #include <cdr/depth/fitted_split.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace cdr::depth {
 

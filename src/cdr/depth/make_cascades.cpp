@@ -2,9 +2,7 @@
 #include <cdr/depth/fitted_split.h>
 #include <cdr/depth/make_cascades.h>
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <variant>
 #include <vector>
 

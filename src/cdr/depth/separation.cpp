@@ -1,4 +1,3 @@
-#include <cdr/base/error.h>
 #include <cdr/depth/separation.h>
 
 #include <algorithm>

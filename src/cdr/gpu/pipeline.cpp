@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <numeric>
 
 namespace cdr::gpu {
 

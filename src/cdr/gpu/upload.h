@@ -3,7 +3,6 @@
 #include <cdr/gpu/memory.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>

@@ -1,4 +1,3 @@
-#include <cdr/gpu/commands.h>
 #include <cdr/gpu/memory.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/retired.h>

@@ -1,7 +1,5 @@
-#include <cdr/visibility/box_test.h>
 #include <cdr/visibility/hidden_cells.h>
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 

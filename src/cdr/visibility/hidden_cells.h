@@ -5,8 +5,6 @@
 #include <cdr/visibility/cull_cells.h>
 #include <cdr/visibility/depth_tiles.h>
 
-#include <cstddef>
-
 namespace cdr::visibility {
 
 /// Takes out of a list what opaque surfaces hide, cell by cell where they hide all of a cell. The same for any number of

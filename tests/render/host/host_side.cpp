@@ -5,7 +5,6 @@
 #include <cdr/render/targets/gbuffer.h>
 
 #include <algorithm>
-#include <vector>
 
 namespace cdr::render_test {
 

@@ -5,7 +5,6 @@
 #include <scenes/city.h>
 #include <scenes/open_scene.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 

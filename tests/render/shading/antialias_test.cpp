@@ -3,7 +3,6 @@
 #include <cdr/base/error.h>
 #include <scenes/cubes.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 

@@ -5,7 +5,6 @@
 #include <cdr/measure/truth/truth_shading.h>
 #include <scenes/cubes.h>
 
-#include <algorithm>
 #include <cstdlib>
 
 namespace cdr::render_test {

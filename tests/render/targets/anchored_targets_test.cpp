@@ -6,7 +6,6 @@
 #include <scenes/mixed.h>
 
 #include <string>
-#include <vector>
 
 namespace cdr::render_test {
 

@@ -9,9 +9,7 @@
 #include <scenes/moving_scene.h>
 #include <scenes/open_scene.h>
 
-#include <cmath>
 #include <list>
-#include <utility>
 
 namespace cdr::render_test {
 

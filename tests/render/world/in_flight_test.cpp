@@ -1,7 +1,6 @@
 #include "../../support/timeline.h"
 #include "../fixture.h"
 
-#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>

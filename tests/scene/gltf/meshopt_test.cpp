@@ -2,8 +2,6 @@
 
 #include <meshoptimizer.h>
 
-#include <cstring>
-
 namespace cdr::scene::test {
 namespace {
 

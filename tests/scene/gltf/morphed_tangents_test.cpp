@@ -3,7 +3,6 @@
 #include <cdr/image/codec.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
-#include <span>
 #include <utility>
 
 namespace cdr::scene::test {

@@ -5,8 +5,6 @@
 #include <cdr/image/image.h>
 #include <cdr/scene/camera.h>
 
-#include <cstdint>
-
 namespace cdr::measure {
 
 /// A drawn picture as a certificate needs it: what each pixel shows, and how it was drawn.

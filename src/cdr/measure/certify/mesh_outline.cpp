@@ -1,6 +1,5 @@
 #include <cdr/measure/certify/mesh_outline.h>
 
-#include <algorithm>
 #include <map>
 #include <unordered_map>
 

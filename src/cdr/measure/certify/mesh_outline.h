@@ -5,7 +5,6 @@
 #include <glm/glm.hpp>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

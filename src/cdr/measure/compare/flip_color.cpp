@@ -3,7 +3,6 @@
 
 #include <glm/glm.hpp>
 
-#include <array>
 #include <cmath>
 
 namespace cdr::measure {

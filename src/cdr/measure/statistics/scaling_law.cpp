@@ -1,7 +1,6 @@
 #include <cdr/measure/statistics/scaling_law.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace cdr::measure {

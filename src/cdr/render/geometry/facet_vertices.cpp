@@ -5,7 +5,6 @@
 #include <bit>
 #include <map>
 #include <span>
-#include <tuple>
 
 namespace cdr::render {
 

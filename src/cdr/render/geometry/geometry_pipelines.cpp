@@ -1,5 +1,4 @@
 #include <cdr/base/enum_names.h>
-#include <cdr/base/error.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/render/geometry/layers.h>
@@ -22,7 +21,6 @@
 #include <cdr/shaders/occluder_vert.h>
 #include <cdr/shaders/shared.h>
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstddef>

@@ -1,7 +1,6 @@
 #include <cdr/render/shading/seen_lights.h>
 #include <cdr/render/shadows/shadows.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace cdr::render {

@@ -2,7 +2,6 @@
 
 #include <cdr/render/shadows/light_view.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace cdr::render {

@@ -6,8 +6,6 @@
 #include <cdr/render/targets/gbuffer_pixel.h>
 #include <cdr/shaders/shared.h>
 
-#include <glm/glm.hpp>
-
 #include <cstdint>
 #include <string>
 

@@ -1,7 +1,5 @@
 #include "one_pass.h"
 
-#include <cdr/render/targets/gbuffer_rendering.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>

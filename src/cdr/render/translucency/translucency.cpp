@@ -1,8 +1,6 @@
 #include <cdr/base/enum_names.h>
 #include <cdr/render/translucency/translucency.h>
 
-#include <algorithm>
-
 namespace cdr::render {
 
 namespace {

@@ -3,7 +3,6 @@
 #include <cdr/render/translucency/translucent_shadows.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace cdr::render {

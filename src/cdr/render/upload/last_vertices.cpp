@@ -2,8 +2,6 @@
 #include <cdr/render/materials/packed_vertex.h>
 #include <cdr/render/upload/last_vertices.h>
 
-#include <vector>
-
 namespace cdr::render {
 
 void LastVertices::choose(const SceneMeshes& meshes, const scene::Scene& scene,

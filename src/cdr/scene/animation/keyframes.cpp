@@ -4,7 +4,6 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace cdr::scene {
 

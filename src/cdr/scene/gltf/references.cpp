@@ -9,7 +9,6 @@
 
 #include <memory>
 #include <set>
-#include <utility>
 
 namespace cdr::scene {
 

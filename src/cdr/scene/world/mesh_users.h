@@ -2,7 +2,6 @@
 
 #include <cdr/scene/scene.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>

@@ -3,7 +3,6 @@
 #include "../materials/tangents.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>

@@ -2,7 +2,6 @@
 
 #include <cdr/scene/gltf/import_progress.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 

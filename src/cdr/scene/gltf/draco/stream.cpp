@@ -8,8 +8,6 @@
 #include <draco/core/varint_decoding.h>
 
 #include <algorithm>
-#include <array>
-#include <limits>
 #include <vector>
 
 namespace cdr::scene::gltf {

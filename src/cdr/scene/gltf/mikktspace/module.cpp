@@ -4,12 +4,10 @@
 #include <mikktspace.h>
 #endif
 
-#include <algorithm>
 #include <array>
 #include <cstring>
 #include <memory>
 #include <new>
-#include <string>
 
 namespace cdr::scene::gltf {
 
