@@ -71,13 +71,13 @@ enum class Stencil : std::uint8_t {
 struct GraphicsPipelineOptions {
     std::string name;
     Spirv vertexSpirv;
-    Spirv fragmentSpirv; ///< empty: depth alone is written
+    Spirv fragmentSpirv{}; ///< empty: depth alone is written
     /// Specialisation constants 0, 1, ... of both stages.
-    std::vector<std::uint32_t> constants;
+    std::vector<std::uint32_t> constants{};
     PipelineLayout layout;
-    std::vector<vk::VertexInputBindingDescription> bindings;
-    std::vector<vk::VertexInputAttributeDescription> attributes;
-    std::vector<vk::Format> colorFormats;
+    std::vector<vk::VertexInputBindingDescription> bindings{};
+    std::vector<vk::VertexInputAttributeDescription> attributes{};
+    std::vector<vk::Format> colorFormats{};
     /// Of the depth attachment; eUndefined: there is none.
     vk::Format depthFormat = vk::Format::eUndefined;
     Stencil stencil = Stencil::none;

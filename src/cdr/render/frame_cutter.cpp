@@ -26,9 +26,7 @@ FrameView FrameCutter::look(const scene::Camera& camera) const {
     const scene::Frustum frustum = scene::frustumOf(camera, m_extent.width, m_extent.height);
     return {.camera = camera,
             .frustum = frustum,
-            .levels = visibility::levelRule(m_detail, frustum, m_extent.height),
-            .cascades = {},
-            .drawn = {}};
+            .levels = visibility::levelRule(m_detail, frustum, m_extent.height)};
 }
 
 void FrameCutter::cut(FrameView& view, const visibility::VisibleCells& visible,

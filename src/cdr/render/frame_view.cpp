@@ -42,7 +42,6 @@ std::vector<CascadeView> cascadeViews(depth::Mapping mapping, const depth::Casca
         views.push_back({.range = ranges[i],
                          .clipRange = clipRange,
                          .terms = depth::clipTerms(depth::depthRange(mapping, clipRange, end)),
-                         .slice = {},
                          .extent = extent});
     }
     return views;

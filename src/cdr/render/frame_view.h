@@ -26,7 +26,7 @@ struct CascadeView {
     depth::Cascade range;     ///< as the split cut it
     depth::Cascade clipRange; ///< what is binned and clipped against: `range`, and what neighbours share
     depth::ClipTerms terms;   ///< view distance to depth; its anchorView is 0 unless the mapping is anchored
-    DepthSlice slice;         ///< of the depth buffer
+    DepthSlice slice{};       ///< of the depth buffer
     vk::Extent2D extent;      ///< of what the cascade is drawn into
 };
 
@@ -40,10 +40,10 @@ std::vector<CascadeView> cascadeViews(depth::Mapping mapping, const depth::Casca
 /// One frame as the CPU sees it: who looks, through what, and the cascades that the view is cut into.
 struct FrameView {
     scene::Camera camera;
-    scene::Frustum frustum;            ///< of the camera and the picture
-    visibility::LevelRule levels;      ///< at which level of detail each draw is drawn
-    std::vector<CascadeView> cascades; ///< nearest first
-    platform::IndexRange drawn;        ///< cascades that this renderer draws
+    scene::Frustum frustum;              ///< of the camera and the picture
+    visibility::LevelRule levels;        ///< at which level of detail each draw is drawn
+    std::vector<CascadeView> cascades{}; ///< nearest first
+    platform::IndexRange drawn{};        ///< cascades that this renderer draws
     /// What the colour attachment is cleared to: the background where surfaces are lit while they are drawn, else 0.
     glm::vec4 clearColor{0.0f};
 

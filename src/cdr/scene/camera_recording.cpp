@@ -41,8 +41,7 @@ Camera between(const Camera& a, const Camera& b, double share) {
                   .back = axes[2],
                   .fovY = betweenLogs(a.fovY, b.fovY, share),
                   .nearView = betweenLogs(a.nearView, b.nearView, share),
-                  .farView = betweenLogs(a.farView, b.farView, share),
-                  .lensShift = {}};
+                  .farView = betweenLogs(a.farView, b.farView, share)};
     camera.lensShift = shiftBetween(a, b, share, camera.fovY);
     if (a.right == b.right && a.up == b.up && a.back == b.back) {
         camera.right = a.right;

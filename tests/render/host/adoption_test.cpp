@@ -61,7 +61,6 @@ class DeviceEngine : public adoption::Engine {
             device, {.name = "recipe",
                      .vertexSpirv = readSpirv(language.vertexShader),
                      .fragmentSpirv = readSpirv(CDR_ID_OF_PUSH),
-                     .constants = {},
                      .layout = m_layout,
                      .bindings = {{0, sizeof(kSquare[0]), vk::VertexInputRate::eVertex},
                                   {1, sizeof(Placed), vk::VertexInputRate::eInstance}},

@@ -80,10 +80,7 @@ HostRectangles::HostRectangles(const gpu::Device& device, vk::Format format, con
     m_pipeline = gpu::makeGraphicsPipeline(device, {.name = "host rectangles",
                                                     .vertexSpirv = readSpirv(shaders.vertexPath),
                                                     .fragmentSpirv = readSpirv(shaders.fragmentPath),
-                                                    .constants = {},
                                                     .layout = m_layout,
-                                                    .bindings = {},
-                                                    .attributes = {},
                                                     .colorFormats = {render::kGBufferFormat},
                                                     .depthFormat = format});
 }

@@ -141,7 +141,6 @@ gpu::Pipeline FacetPipelines::makeOccluder(const gpu::Device& device, Span span)
                                               .layout = m_layout,
                                               .bindings = {kVertices},
                                               .attributes = {kPlace},
-                                              .colorFormats = {},
                                               .depthFormat = m_depthFormat,
                                               .depthCompare = vk::CompareOp::eGreaterOrEqual});
 }
@@ -160,8 +159,6 @@ gpu::Pipeline FacetPipelines::make(const gpu::Device& device, Span span, std::ui
                                      : shaders.fragment,
         .constants = constantsOf(span, form),
         .layout = m_layout,
-        .bindings = {},
-        .attributes = {},
         .colorFormats = {surfaceFormat()},
         .depthFormat = m_depthFormat,
         .stencil = marksDrawn(m_depthFormat, surfaceFormat()) ? gpu::Stencil::marks : gpu::Stencil::none,

@@ -218,7 +218,6 @@ gpu::Pipeline GeometryPipelines::makeOccluder(const gpu::Device& device, Span sp
                                       .layout = m_layout,
                                       .bindings = bindingsFor(Batching::instanced, {}),
                                       .attributes = placeAttributes(),
-                                      .colorFormats = {},
                                       .depthFormat = m_depthFormat,
                                       .depthCompare = vk::CompareOp::eGreaterOrEqual});
 }

@@ -107,9 +107,7 @@ DeviceOcclusion::Slot DeviceOcclusion::makeSlot() const {
     Slot slot{.view = gpu::Buffer(m_device, sizeof(shaders::OccluderView),
                                   vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryUse::hostWrites,
                                   "occluder view"),
-              .seen = {},
-              .descriptors = gpu::makeDescriptorPool(m_device, 1, kBuffers, {kBufferType}),
-              .set = {}};
+              .descriptors = gpu::makeDescriptorPool(m_device, 1, kBuffers, {kBufferType})};
     slot.set = gpu::allocateSet(m_device, *slot.descriptors, *m_setLayout);
     gpu::writeBufferBinding(m_device, slot.set, 0, kBufferType, slot.view.handle());
     gpu::writeBufferBinding(m_device, slot.set, 2, kBufferType, m_copy.handle());

@@ -25,9 +25,9 @@ class DeviceOcclusion {
     /// What one frame slot owns.
     struct Slot {
         gpu::Buffer view;
-        std::shared_ptr<const gpu::Buffer> seen; ///< a bit for each instance, of all slots
+        std::shared_ptr<const gpu::Buffer> seen{}; ///< a bit for each instance, of all slots
         vk::UniqueDescriptorPool descriptors;
-        vk::DescriptorSet set;
+        vk::DescriptorSet set{};
     };
     Slot makeSlot() const;
     /// Writes what the passes read. The slot's last frame must have finished.

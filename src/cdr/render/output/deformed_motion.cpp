@@ -55,7 +55,6 @@ DeformedMotion::DeformedMotion(const gpu::Device& device, const gpu::SetLayout& 
       m_pipeline(gpu::makeGraphicsPipeline(device, {.name = "deformed motion",
                                                     .vertexSpirv = kOutputDeformedMotionVert,
                                                     .fragmentSpirv = kOutputDeformedMotionFrag,
-                                                    .constants = {},
                                                     .layout = m_layout,
                                                     .bindings = bindingsOfBoth(),
                                                     .attributes = positionsOfBoth(),

@@ -48,11 +48,7 @@ DepthOutput::DepthOutput(const gpu::Device& device)
       m_pipeline(gpu::makeGraphicsPipeline(device, {.name = "host depth",
                                                     .vertexSpirv = kFullscreenVert,
                                                     .fragmentSpirv = kOutputDepthFrag,
-                                                    .constants = {},
                                                     .layout = m_layout,
-                                                    .bindings = {},
-                                                    .attributes = {},
-                                                    .colorFormats = {},
                                                     .depthFormat = kHostDepthFormat,
                                                     .depthCompare = vk::CompareOp::eAlways})) {}
 

@@ -113,10 +113,7 @@ FrameMotion MotionHistory::follow(const DrawnScene& drawn, const scene::Camera& 
     m_followed = changes.end();
     m_places.resize(drawn.scene.instances.size());
     const std::uint64_t verticesBefore = std::exchange(m_vertices, drawn.uploaded.verticesRevision());
-    Changed changed{.moved = {},
-                    .added = {},
-                    .deformed = {},
-                    .lastVertices =
+    Changed changed{.lastVertices =
                         m_vertices == verticesBefore + 1 ? &drawn.uploaded.lastVertices() : nullptr};
     if (places) {
         for (const std::uint32_t instance : *places) {

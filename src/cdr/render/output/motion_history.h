@@ -52,9 +52,9 @@ class MotionHistory {
         std::size_t seen = 0;         ///< the frame that last looked here
     };
     struct Changed {
-        std::vector<MovedObject> moved;
-        std::vector<std::uint32_t> added; ///< objects, once for each instance
-        std::vector<DeformedInstance> deformed;
+        std::vector<MovedObject> moved{};
+        std::vector<std::uint32_t> added{}; ///< objects, once for each instance
+        std::vector<DeformedInstance> deformed{};
         const LastVertices* lastVertices; ///< null where those kept are not of the last frame
     };
     static Place placeOf(const DrawnScene& drawn, std::size_t instance);

@@ -56,8 +56,7 @@ MotionPass::MotionPass(const gpu::Device& device, const gpu::Image& gbuffer)
               .fragmentSpirv = kOutputMotionFrag,
               .bindings = {vk::DescriptorType::eCombinedImageSampler, vk::DescriptorType::eStorageBuffer,
                            vk::DescriptorType::eStorageBuffer, vk::DescriptorType::eStorageBuffer},
-              .format = kMotionFormat,
-              .constants = {}}),
+              .format = kMotionFormat}),
       m_deformed(device, m_pass.setLayout(), kMotionFormat) {}
 
 MotionPass::Inputs MotionPass::makeInputs(const ShadingInputs& shading) const {

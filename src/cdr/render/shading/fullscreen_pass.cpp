@@ -59,8 +59,6 @@ FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOp
            .fragmentSpirv = options.fragmentSpirv,
            .constants = options.constants,
            .layout = m_layout,
-           .bindings = {},
-           .attributes = {},
            .colorFormats = options.formatBeside == vk::Format::eUndefined
                                ? std::vector{options.format}
                                : std::vector{options.format, options.formatBeside},

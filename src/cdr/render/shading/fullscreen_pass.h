@@ -19,7 +19,7 @@ struct FullscreenPassOptions {
     std::string name;
     /// Covers the picture with one triangle; empty: and does nothing else.
     gpu::Spirv vertexSpirv{};
-    gpu::Spirv fragmentSpirv;
+    gpu::Spirv fragmentSpirv{};
     std::vector<vk::DescriptorType>
         bindings; ///< of set 0, for both stages: combined image samplers, storage buffers and uniform texel buffers
     vk::Format format = vk::Format::eUndefined;

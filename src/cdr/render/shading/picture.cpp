@@ -50,8 +50,7 @@ std::unique_ptr<Picture::Lit> Picture::makeLit(const gpu::Device& device, const 
                       .fragmentSpirv = smooth ? gpu::Spirv(kEncodeAntialiasedFrag) : gpu::Spirv(kEncodeFrag),
                       .bindings = {vk::DescriptorType::eCombinedImageSampler},
                       .format = kPictureFormat,
-                      .constants = {constants.begin(), constants.end()}}},
-            .inputs = {}});
+                      .constants = {constants.begin(), constants.end()}}}});
     lit->inputs = lit->pass.makeInputs();
     lit->inputs.setImage(0, lit->image);
     return lit;

@@ -54,7 +54,7 @@ class Picture {
     struct Lit {
         gpu::Image image;
         FullscreenPass pass;
-        PassInputs inputs;
+        PassInputs inputs{};
     };
     static std::unique_ptr<Lit> makeLit(const gpu::Device& device, const PictureOptions& options);
 

@@ -14,8 +14,7 @@ ResolvePass::ResolvePass(const gpu::Device& device, const gpu::Image& visibility
               .fragmentSpirv = kResolveFrag,
               .bindings = {vk::DescriptorType::eCombinedImageSampler, vk::DescriptorType::eStorageBuffer,
                            vk::DescriptorType::eUniformTexelBuffer},
-              .format = kGBufferFormat,
-              .constants = {}}) {}
+              .format = kGBufferFormat}) {}
 
 PassInputs ResolvePass::makeInputs(const ShadingInputs& shading) const {
     PassInputs inputs = m_pass.makeInputs();

@@ -86,7 +86,6 @@ FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shadi
     FullscreenPassOptions options{
         .name = "shading",
         .vertexSpirv = kShadingVert,
-        .fragmentSpirv = {},
         .bindings = {kImage, kBuffer},
         .format = format,
         .constants = {effects.fog.visibility > 0.0 ? 1u : 0u, shading.metallicRoughness ? 1u : 0u, lightForm,

@@ -104,7 +104,6 @@ ShadowMap::ShadowMap(const gpu::Device& device, std::uint32_t side)
           gpu::makeGraphicsPipeline(device, {.name = "shadow casters",
                                              .vertexSpirv = kCasterVert,
                                              .fragmentSpirv = kCasterFrag,
-                                             .constants = {},
                                              .layout = m_layout,
                                              .bindings = {vertexBinding(),
                                                           {.binding = CasterDraws::kRecordBinding,

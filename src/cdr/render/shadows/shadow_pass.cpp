@@ -68,11 +68,7 @@ ShadowPass::ShadowPass(const gpu::Device& device, const DrawnScene& scene, const
       m_slices(device, gbuffer, m_receivers.setLayout()) {}
 
 ShadowPass::Slot ShadowPass::makeSlot(const ShadingInputs& shading) const {
-    Slot slot{.inputs = m_receivers.makeInputs(),
-              .casters = CasterDraws(m_device, m_scene),
-              .slices = {},
-              .views = {},
-              .receivers = {}};
+    Slot slot{.inputs = m_receivers.makeInputs(), .casters = CasterDraws(m_device, m_scene)};
     const std::uint32_t map = isVisibilityBuffer(m_gbuffer) ? 3 : 2;
     slot.inputs.setImage(0, m_gbuffer);
     slot.inputs.setBuffer(1, shading.lights());

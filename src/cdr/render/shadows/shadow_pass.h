@@ -36,8 +36,8 @@ class ShadowPass {
         PassInputs inputs;
         CasterDraws casters;
         shaders::SlicePush slices{};
-        std::vector<LightView> views;
-        std::vector<Receivers> receivers; ///< of each view
+        std::vector<LightView> views{};
+        std::vector<Receivers> receivers{}; ///< of each view
     };
     Slot makeSlot(const ShadingInputs& shading) const;
 

@@ -41,11 +41,7 @@ SliceDepth::SliceDepth(const gpu::Device& device, const gpu::Image& gbuffer, con
           device, {.name = "shadow slices",
                    .vertexSpirv = kFullscreenVert,
                    .fragmentSpirv = isVisibilityBuffer(gbuffer) ? gpu::Spirv(kSliceFacetsFrag) : kSliceFrag,
-                   .constants = {},
                    .layout = m_layout,
-                   .bindings = {},
-                   .attributes = {},
-                   .colorFormats = {},
                    .depthFormat = kFormat,
                    .depthCompare = vk::CompareOp::eAlways})),
       m_depth(device, sliceOptions(gbuffer.options().extent), "shadow slices") {}

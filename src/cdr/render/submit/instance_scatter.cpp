@@ -28,9 +28,7 @@ InstanceScatter::InstanceScatter(const gpu::Device& device)
       m_pipeline(gpu::makeComputePipeline(device, {"scatter", gpu::Spirv(kScatterComp), m_layout})) {}
 
 InstanceScatter::Slot InstanceScatter::makeSlot() const {
-    Slot slot{.pool = gpu::makeDescriptorPool(m_device, 1, kChangesBindings, {kChangesType}),
-              .set = {},
-              .changes = {}};
+    Slot slot{.pool = gpu::makeDescriptorPool(m_device, 1, kChangesBindings, {kChangesType})};
     slot.set = gpu::allocateSet(m_device, *slot.pool, *m_setLayout);
     return slot;
 }

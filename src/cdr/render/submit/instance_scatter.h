@@ -19,8 +19,8 @@ class InstanceScatter {
     /// One frame slot's changes, and where they go.
     struct Slot {
         vk::UniqueDescriptorPool pool;
-        vk::DescriptorSet set;
-        gpu::Buffer changes;
+        vk::DescriptorSet set{};
+        gpu::Buffer changes{};
         std::uint32_t count = 0;
     };
     Slot makeSlot() const;

@@ -30,8 +30,7 @@ FullscreenPassOptions mergeOptions(const TargetsOptions& options) {
     FullscreenPassOptions merge{.name = "merge",
                                 .fragmentSpirv = kMergeFrag,
                                 .bindings = {vk::DescriptorType::eCombinedImageSampler},
-                                .format = options.format,
-                                .constants = {}};
+                                .format = options.format};
     if (options.format == kVisibilityFormat) {
         merge.fragmentSpirv = kMergeFacetsFrag;
     }

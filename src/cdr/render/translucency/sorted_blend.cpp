@@ -23,13 +23,7 @@ using Access = vk::AccessFlagBits2;
 
 TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, const gpu::SetLayout& list,
                                         const BlendOptions& blend) {
-    return withShaders({.name = "translucent, sorted",
-                        .fragmentSpirv = {},
-                        .detailedSpirv = {},
-                        .sets = {surroundings, list},
-                        .colorFormats = {},
-                        .variants = {}},
-                       blend,
+    return withShaders({.name = "translucent, sorted", .sets = {surroundings, list}}, blend,
                        {.lit = {kTranslucentSortedFrag, kTranslucentSortedDetailedFrag},
                         .counted = {kTranslucentSortedCountedFrag, kTranslucentSortedCountedDetailedFrag},
                         .shadowed = {kTranslucentSortedShadowedFrag, kTranslucentSortedShadowedDetailedFrag},
@@ -46,7 +40,6 @@ SortedBlend::SortedBlend(const gpu::Device& device, const GpuScene& scene, const
                          .fragmentSpirv = kTranslucentSortedResolveFrag,
                          .bindings = std::vector(FragmentList::kBindings, vk::DescriptorType::eStorageBuffer),
                          .format = kLitFormat,
-                         .constants = {},
                          .pushBytes = sizeof(vk::Extent2D),
                          .blend = gpu::Blend::over}),
       m_pipelines(device, scene, drawOptions(surroundings, listLayout(), options)) {}

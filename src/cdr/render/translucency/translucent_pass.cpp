@@ -63,10 +63,6 @@ TranslucentPass::TranslucentPass(const gpu::Device& device, const DrawnScene& sc
 TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) const {
     Slot slot{.draws = TranslucentDraws(m_device, m_scene),
               .pool = gpu::makeDescriptorPool(m_device, 1, 1, surroundingBindings(m_shadows)),
-              .surroundings = {},
-              .shadows = {},
-              .list = {},
-              .refusal = {},
               .revision = 0};
     slot.surroundings = gpu::allocateSet(m_device, *slot.pool, *m_surroundingsLayout);
     gpu::writeImageBinding(m_device, slot.surroundings, 0, kImage, m_gbuffer.view(), *m_sampler);

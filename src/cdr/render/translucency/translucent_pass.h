@@ -21,11 +21,11 @@ class TranslucentPass {
     struct Slot {
         TranslucentDraws draws;
         vk::UniqueDescriptorPool pool;
-        vk::DescriptorSet surroundings;            ///< of TranslucentFrame
-        std::optional<TranslucentShadows> shadows; ///< where surfaces receive them
-        std::optional<FragmentList> list;          ///< when sorting
-        std::optional<ListRefusal> refusal;        ///< why this frame is not sorted, though it was to be
-        std::uint64_t revision = 0;                ///< of the scene that it shows
+        vk::DescriptorSet surroundings{};            ///< of TranslucentFrame
+        std::optional<TranslucentShadows> shadows{}; ///< where surfaces receive them
+        std::optional<FragmentList> list{};          ///< when sorting
+        std::optional<ListRefusal> refusal{};        ///< why this frame is not sorted, though it was to be
+        std::uint64_t revision = 0;                  ///< of the scene that it shows
     };
 
     /// What the scene refers to and the images must outlive the pass. base::RunError, with both figures, when the

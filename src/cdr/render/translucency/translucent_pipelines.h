@@ -22,11 +22,11 @@ struct BlendOptions {
 struct TranslucentPipelinesOptions {
     std::string name;
     bool receivesShadows = false; ///< push constants hold a TranslucentSlice too
-    gpu::Spirv fragmentSpirv;
-    gpu::Spirv detailedSpirv;             ///< the same for materials with detail
-    std::vector<gpu::SetLayout> sets;     ///< from set 1 on; set 0 is the texture, the last one the detail
-    std::vector<vk::Format> colorFormats; ///< all blended as gpu::Blend::accumulate
-    std::vector<std::uint32_t> variants;  ///< that have pipelines from the start, beside those of the scene
+    gpu::Spirv fragmentSpirv{};
+    gpu::Spirv detailedSpirv{};             ///< the same for materials with detail
+    std::vector<gpu::SetLayout> sets;       ///< from set 1 on; set 0 is the texture, the last one the detail
+    std::vector<vk::Format> colorFormats{}; ///< all blended as gpu::Blend::accumulate
+    std::vector<std::uint32_t> variants{};  ///< that have pipelines from the start, beside those of the scene
 };
 
 /// A method's fragment shaders, for materials without and with detail.

@@ -36,11 +36,8 @@ gpu::Image makeImage(const gpu::Device& device, vk::Extent2D extent, vk::Format 
 TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, const BlendOptions& blend) {
     return withShaders(
         {.name = "translucent, weighted",
-         .fragmentSpirv = {},
-         .detailedSpirv = {},
          .sets = {surroundings},
-         .colorFormats = {kSumFormat, kWeightFormat},
-         .variants = {}},
+         .colorFormats = {kSumFormat, kWeightFormat}},
         blend,
         {.lit = {kTranslucentWeightedFrag, kTranslucentWeightedDetailedFrag},
          .counted = {kTranslucentWeightedCountedFrag, kTranslucentWeightedCountedDetailedFrag},
@@ -71,7 +68,6 @@ WeightedBlend::WeightedBlend(const gpu::Device& device, const GpuScene& scene,
                          .bindings = {vk::DescriptorType::eCombinedImageSampler,
                                       vk::DescriptorType::eCombinedImageSampler},
                          .format = kLitFormat,
-                         .constants = {},
                          .blend = gpu::Blend::over}),
       m_sums(m_resolve.makeInputs()) {
     m_sums.setImage(0, m_sum);

@@ -49,8 +49,7 @@ int componentTypeOf(draco::DataType type) {
 DracoAttribute valuesOf(const draco::PointAttribute& attribute, std::uint32_t vertices,
                         const std::string& where) {
     DracoAttribute result{.componentType = componentTypeOf(attribute.data_type()),
-                          .components = attribute.num_components(),
-                          .bytes = {}};
+                          .components = attribute.num_components()};
     const auto stride = static_cast<std::size_t>(attribute.byte_stride());
     result.bytes.resize(vertices * stride);
     for (std::uint32_t i = 0; i < vertices; ++i) {

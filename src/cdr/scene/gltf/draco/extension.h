@@ -31,7 +31,7 @@ std::optional<DracoPrimitive> dracoOf(const nlohmann::json& root, const nlohmann
 struct DracoAttribute {
     int componentType = 0; ///< glTF's number; 0: glTF has no such type
     int components = 0;
-    platform::Bytes bytes;
+    platform::Bytes bytes{};
 };
 
 /// A decoded mesh.
