@@ -4,7 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,6 +29,13 @@ const Item& itemAt(const std::vector<Item>& items, int index, std::string_view k
         refuse("{} {} does not exist, the file has {}", kind, index, items.size());
     }
     return items[static_cast<std::size_t>(index)];
+}
+
+/// The value of an enumeration whose values count from 0 in the order of `names`; nothing where none has this name.
+template <typename Value, std::size_t N>
+std::optional<Value> valueOf(const std::array<std::string_view, N>& names, std::string_view name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found != names.end() ? std::optional(static_cast<Value>(found - names.begin())) : std::nullopt;
 }
 
 /// Most bytes of a name in a message, so that the rest of the message stays in view.

@@ -6,10 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace cdr::scene::gltf {
@@ -18,35 +20,19 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::array<std::string_view, 4> kPaths{"translation", "rotation", "scale", "weights"};
+constexpr std::array<std::string_view, 3> kInterpolations{"STEP", "LINEAR", "CUBICSPLINE"};
+
 std::optional<AnimatedPath> pathOf(const json& target) {
-    const std::string path = stringMember(target, "path").value_or("");
-    if (path == "translation") {
-        return AnimatedPath::translation;
-    }
-    if (path == "rotation") {
-        return AnimatedPath::rotation;
-    }
-    if (path == "scale") {
-        return AnimatedPath::scale;
-    }
-    if (path == "weights") {
-        return AnimatedPath::weights;
-    }
-    return std::nullopt;
+    return valueOf<AnimatedPath>(kPaths, stringMember(target, "path").value_or(""));
 }
 
 Interpolation interpolationOf(const json& sampler, const std::string& where) {
     const std::string name = stringMember(sampler, "interpolation").value_or("LINEAR");
-    if (name == "STEP") {
-        return Interpolation::step;
+    if (const auto interpolation = valueOf<Interpolation>(kInterpolations, name)) {
+        return *interpolation;
     }
-    if (name == "LINEAR") {
-        return Interpolation::linear;
-    }
-    if (name != "CUBICSPLINE") {
-        refuse("{}: interpolation '{}' does not exist", where, oneLine(name, kMaxNameLength));
-    }
-    return Interpolation::cubicSpline;
+    refuse("{}: interpolation '{}' does not exist", where, oneLine(name, kMaxNameLength));
 }
 
 /// Calls back with each channel's path and the node it names; channels without a node are for extensions.

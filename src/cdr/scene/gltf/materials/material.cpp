@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <vector>
 
 namespace cdr::scene::gltf {
@@ -31,18 +32,14 @@ constexpr double kMaxEmission = 1e4;
 /// Beyond it a normal lies in the surface, and the product would overflow.
 constexpr double kMaxNormalScale = 1e4;
 
+constexpr std::array<std::string_view, 3> kAlphaModes{"OPAQUE", "MASK", "BLEND"};
+
 AlphaMode alphaMode(const json& material, const std::string& where) {
-    const std::string mode = stringMember(material, "alphaMode").value_or("OPAQUE");
-    if (mode == "OPAQUE") {
-        return AlphaMode::opaque;
+    const std::string name = stringMember(material, "alphaMode").value_or("OPAQUE");
+    if (const auto mode = valueOf<AlphaMode>(kAlphaModes, name)) {
+        return *mode;
     }
-    if (mode == "MASK") {
-        return AlphaMode::mask;
-    }
-    if (mode == "BLEND") {
-        return AlphaMode::blend;
-    }
-    refuse("{}: alpha mode '{}' does not exist", where, oneLine(mode));
+    refuse("{}: alpha mode '{}' does not exist", where, oneLine(name));
 }
 
 /// glTF bounds its factors by 0 and 1.
