@@ -7,9 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <iterator>
-#include <utility>
 
 namespace cdr::gpu {
 
@@ -43,7 +41,6 @@ std::string versionText(std::uint32_t version) {
 }
 
 std::vector<std::string> missingFrom(vk::PhysicalDevice physical) {
-    std::vector<std::string> missing;
     if (physical.getProperties().apiVersion < VK_API_VERSION_1_3) {
         // The feature structs below exist from 1.3 on, so nothing more can be asked.
         return {"Vulkan 1.3"};
@@ -56,30 +53,19 @@ std::vector<std::string> missingFrom(vk::PhysicalDevice physical) {
         // Vulkan 1.3 demands all three, but an instance of 1.0 is not told of them.
         return {"Vulkan 1.3, for which the instance must be made"};
     }
-    for (const auto& [has, name] :
-         {std::pair{v13.dynamicRendering, "dynamicRendering"},
-          std::pair{v13.synchronization2, "synchronization2"}, std::pair{core.depthClamp, "depthClamp"},
-          std::pair{core.shaderClipDistance, "shaderClipDistance"}}) {
-        if (!has) {
-            missing.emplace_back(name);
-        }
-    }
+    std::vector<std::string> missing = thoseOff({{v13.dynamicRendering, "dynamicRendering"},
+                                                 {v13.synchronization2, "synchronization2"},
+                                                 {core.depthClamp, "depthClamp"},
+                                                 {core.shaderClipDistance, "shaderClipDistance"}});
     if (!findQueueFamily(physical)) {
         missing.emplace_back("a queue that does graphics and compute");
     }
     return missing;
 }
 
-using NamedFeature = std::pair<vk::Bool32, const char*>;
-
-std::vector<std::string> lackingOf(std::initializer_list<NamedFeature> features) {
-    std::vector<std::string> missing;
-    for (const auto& [has, name] : features) {
-        if (!has) {
-            missing.emplace_back(name);
-        }
-    }
-    return missing;
+vk::PhysicalDeviceVulkan12Properties vulkan12Properties(vk::PhysicalDevice physical) {
+    return physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan12Properties>()
+        .get<vk::PhysicalDeviceVulkan12Properties>();
 }
 
 /// What compute passes need that compute in float64 as the CPU does, to the bit.
@@ -87,12 +73,10 @@ std::vector<std::string> missingForDeforming(vk::PhysicalDevice physical) {
     if (physical.getProperties().apiVersion < VK_API_VERSION_1_3) {
         return {"Vulkan 1.3"};
     }
-    const auto v12Properties =
-        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan12Properties>()
-            .get<vk::PhysicalDeviceVulkan12Properties>();
-    return lackingOf({{physical.getFeatures().shaderFloat64, "shaderFloat64"},
-                      {v12Properties.shaderRoundingModeRTEFloat32, "shaderRoundingModeRTEFloat32"},
-                      {v12Properties.shaderRoundingModeRTEFloat64, "shaderRoundingModeRTEFloat64"}});
+    const vk::PhysicalDeviceVulkan12Properties v12Properties = vulkan12Properties(physical);
+    return thoseOff({{physical.getFeatures().shaderFloat64, "shaderFloat64"},
+                     {v12Properties.shaderRoundingModeRTEFloat32, "shaderRoundingModeRTEFloat32"},
+                     {v12Properties.shaderRoundingModeRTEFloat64, "shaderRoundingModeRTEFloat64"}});
 }
 
 /// Features that only culling and binning on the device needs.
@@ -105,17 +89,15 @@ std::vector<std::string> missingForGpuDriven(vk::PhysicalDevice physical) {
         physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
     const auto& core = features.get<vk::PhysicalDeviceFeatures2>().features;
     const auto& v12 = features.get<vk::PhysicalDeviceVulkan12Features>();
-    const auto v12Properties =
-        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan12Properties>()
-            .get<vk::PhysicalDeviceVulkan12Properties>();
+    const vk::PhysicalDeviceVulkan12Properties v12Properties = vulkan12Properties(physical);
     const vk::PhysicalDeviceLimits& limits = properties.limits;
     std::vector<std::string> missing =
-        lackingOf({{core.shaderFloat64, "shaderFloat64"},
-                   {core.multiDrawIndirect, "multiDrawIndirect"},
-                   {core.drawIndirectFirstInstance, "drawIndirectFirstInstance"},
-                   {v12.drawIndirectCount, "drawIndirectCount"},
-                   {v12Properties.shaderRoundingModeRTEFloat32, "shaderRoundingModeRTEFloat32"},
-                   {v12Properties.shaderRoundingModeRTEFloat64, "shaderRoundingModeRTEFloat64"}});
+        thoseOff({{core.shaderFloat64, "shaderFloat64"},
+                  {core.multiDrawIndirect, "multiDrawIndirect"},
+                  {core.drawIndirectFirstInstance, "drawIndirectFirstInstance"},
+                  {v12.drawIndirectCount, "drawIndirectCount"},
+                  {v12Properties.shaderRoundingModeRTEFloat32, "shaderRoundingModeRTEFloat32"},
+                  {v12Properties.shaderRoundingModeRTEFloat64, "shaderRoundingModeRTEFloat64"}});
     if (limits.maxPerStageDescriptorStorageBuffers < kGpuDrivenStorageBuffers ||
         limits.maxComputeWorkGroupInvocations < kGpuDrivenInvocations) {
         missing.push_back(fmt::format("{} storage buffers and {} invocations a workgroup",
@@ -134,6 +116,16 @@ bool hasBufferInt64Atomics(vk::PhysicalDevice physical) {
 }
 
 } // namespace
+
+std::vector<std::string> thoseOff(std::initializer_list<std::pair<vk::Bool32, const char*>> features) {
+    std::vector<std::string> off;
+    for (const auto& [isOn, name] : features) {
+        if (!isOn) {
+            off.emplace_back(name);
+        }
+    }
+    return off;
+}
 
 std::string_view nameOf(DeviceKind kind) {
     return kKindNames.nameOf(kind);

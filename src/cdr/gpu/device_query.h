@@ -3,9 +3,16 @@
 #include <cdr/gpu/device.h>
 #include <cdr/gpu/vulkan_hpp.h>
 
+#include <initializer_list>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace cdr::gpu {
+
+/// The names of those that are off.
+std::vector<std::string> thoseOff(std::initializer_list<std::pair<vk::Bool32, const char*>> features);
 
 /// The first queue family that does graphics and compute.
 std::optional<std::uint32_t> findQueueFamily(vk::PhysicalDevice physical);

@@ -34,43 +34,30 @@ const VkPhysicalDeviceVulkan13Features* vulkan13(const VkPhysicalDeviceFeatures2
 }
 
 /// Engines that came before Vulkan 1.3 may name its features one by one.
+template <typename Core, typename Alone>
+bool isOn(const Core* core, VkBool32 Core::*inCore, const Alone* alone, VkBool32 Alone::*inAlone) {
+    return (core != nullptr && core->*inCore != 0) || (alone != nullptr && alone->*inAlone != 0);
+}
+
 bool hasDynamicRendering(const VkPhysicalDeviceFeatures2& features) {
-    const auto* v13 = vulkan13(features);
-    const auto* alone = inChain<VkPhysicalDeviceDynamicRenderingFeatures>(
-        features, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_FEATURES);
-    return (v13 != nullptr && v13->dynamicRendering != 0) ||
-           (alone != nullptr && alone->dynamicRendering != 0);
+    using Alone = VkPhysicalDeviceDynamicRenderingFeatures;
+    return isOn(vulkan13(features), &VkPhysicalDeviceVulkan13Features::dynamicRendering,
+                inChain<Alone>(features, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_FEATURES),
+                &Alone::dynamicRendering);
 }
 
 bool hasSynchronization2(const VkPhysicalDeviceFeatures2& features) {
-    const auto* v13 = vulkan13(features);
-    const auto* alone = inChain<VkPhysicalDeviceSynchronization2Features>(
-        features, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SYNCHRONIZATION_2_FEATURES);
-    return (v13 != nullptr && v13->synchronization2 != 0) ||
-           (alone != nullptr && alone->synchronization2 != 0);
+    using Alone = VkPhysicalDeviceSynchronization2Features;
+    return isOn(vulkan13(features), &VkPhysicalDeviceVulkan13Features::synchronization2,
+                inChain<Alone>(features, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SYNCHRONIZATION_2_FEATURES),
+                &Alone::synchronization2);
 }
 
 bool hasTimelineSemaphore(const VkPhysicalDeviceFeatures2& features) {
-    const auto* v12 = vulkan12(features);
-    const auto* alone = inChain<VkPhysicalDeviceTimelineSemaphoreFeatures>(
-        features, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_TIMELINE_SEMAPHORE_FEATURES);
-    return (v12 != nullptr && v12->timelineSemaphore != 0) ||
-           (alone != nullptr && alone->timelineSemaphore != 0);
-}
-
-struct Named {
-    bool isOn;
-    const char* name;
-};
-
-std::vector<std::string> thoseOff(std::initializer_list<Named> features) {
-    std::vector<std::string> off;
-    for (const Named& feature : features) {
-        if (!feature.isOn) {
-            off.emplace_back(feature.name);
-        }
-    }
-    return off;
+    using Alone = VkPhysicalDeviceTimelineSemaphoreFeatures;
+    return isOn(vulkan12(features), &VkPhysicalDeviceVulkan12Features::timelineSemaphore,
+                inChain<Alone>(features, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_TIMELINE_SEMAPHORE_FEATURES),
+                &Alone::timelineSemaphore);
 }
 
 } // namespace
@@ -80,16 +67,16 @@ std::vector<std::string> missingFeatures(const VkPhysicalDeviceFeatures2& featur
     return thoseOff({{hasDynamicRendering(features), "dynamicRendering"},
                      {hasSynchronization2(features), "synchronization2"},
                      {hasTimelineSemaphore(features), "timelineSemaphore"},
-                     {core.depthClamp != 0, "depthClamp"},
-                     {core.shaderClipDistance != 0, "shaderClipDistance"}});
+                     {core.depthClamp, "depthClamp"},
+                     {core.shaderClipDistance, "shaderClipDistance"}});
 }
 
 std::vector<std::string> missingGpuDrivenFeatures(const VkPhysicalDeviceFeatures2& features) {
     const VkPhysicalDeviceFeatures& core = features.features;
     const auto* v12 = vulkan12(features);
-    return thoseOff({{core.shaderFloat64 != 0, "shaderFloat64"},
-                     {core.multiDrawIndirect != 0, "multiDrawIndirect"},
-                     {core.drawIndirectFirstInstance != 0, "drawIndirectFirstInstance"},
+    return thoseOff({{core.shaderFloat64, "shaderFloat64"},
+                     {core.multiDrawIndirect, "multiDrawIndirect"},
+                     {core.drawIndirectFirstInstance, "drawIndirectFirstInstance"},
                      {v12 != nullptr && v12->drawIndirectCount != 0, "drawIndirectCount"}});
 }
 

@@ -201,6 +201,11 @@ vk::UniqueDescriptorSetLayout createSetLayout(const Device& device, const SetLay
             {.bindingCount = static_cast<std::uint32_t>(bindings.size()), .pBindings = bindings.data()});
 }
 
+void writeOne(const Device& device, vk::WriteDescriptorSet what) {
+    what.descriptorCount = 1;
+    vk::Device(device.handle()).updateDescriptorSets(what, {});
+}
+
 } // namespace
 
 void keepPipelines(const Device& device) {
@@ -279,37 +284,20 @@ vk::DescriptorSet allocateSet(const Device& device, vk::DescriptorPool pool, vk:
 void writeBufferBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
                         vk::DescriptorType type, vk::Buffer buffer) {
     const vk::DescriptorBufferInfo info{.buffer = buffer, .range = VK_WHOLE_SIZE};
-    vk::Device(device.handle())
-        .updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = set,
-                                                     .dstBinding = binding,
-                                                     .descriptorCount = 1,
-                                                     .descriptorType = type,
-                                                     .pBufferInfo = &info},
-                              {});
+    writeOne(device, {.dstSet = set, .dstBinding = binding, .descriptorType = type, .pBufferInfo = &info});
 }
 
 void writeTexelBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
                        vk::DescriptorType type, vk::BufferView texels) {
-    vk::Device(device.handle())
-        .updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = set,
-                                                     .dstBinding = binding,
-                                                     .descriptorCount = 1,
-                                                     .descriptorType = type,
-                                                     .pTexelBufferView = &texels},
-                              {});
+    writeOne(device,
+             {.dstSet = set, .dstBinding = binding, .descriptorType = type, .pTexelBufferView = &texels});
 }
 
 void writeImageBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
                        vk::DescriptorType type, vk::ImageView view, vk::Sampler sampler) {
     const vk::DescriptorImageInfo info{
         .sampler = sampler, .imageView = view, .imageLayout = vk::ImageLayout::eShaderReadOnlyOptimal};
-    vk::Device(device.handle())
-        .updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = set,
-                                                     .dstBinding = binding,
-                                                     .descriptorCount = 1,
-                                                     .descriptorType = type,
-                                                     .pImageInfo = &info},
-                              {});
+    writeOne(device, {.dstSet = set, .dstBinding = binding, .descriptorType = type, .pImageInfo = &info});
 }
 
 } // namespace cdr::gpu
