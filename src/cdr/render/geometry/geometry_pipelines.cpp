@@ -122,13 +122,11 @@ std::vector<vk::VertexInputAttributeDescription> attributesFor(Batching batching
         constexpr auto kBinding = GeometryPipelines::kRecordBinding;
         constexpr auto kRow = vk::Format::eR32G32B32A32Sfloat;
         using shaders::DrawRecord;
-        for (const vk::VertexInputAttributeDescription& attribute :
-             {vk::VertexInputAttributeDescription{4, kBinding, kRow, offsetof(DrawRecord, right)},
-              {5, kBinding, kRow, offsetof(DrawRecord, up)},
-              {6, kBinding, kRow, offsetof(DrawRecord, ahead)},
-              {7, kBinding, vk::Format::eR32G32B32A32Uint, offsetof(DrawRecord, id)}}) {
-            attributes.push_back(attribute);
-        }
+        attributes.insert(attributes.end(),
+                          {{4, kBinding, kRow, offsetof(DrawRecord, right)},
+                           {5, kBinding, kRow, offsetof(DrawRecord, up)},
+                           {6, kBinding, kRow, offsetof(DrawRecord, ahead)},
+                           {7, kBinding, vk::Format::eR32G32B32A32Uint, offsetof(DrawRecord, id)}});
     }
     return attributes;
 }

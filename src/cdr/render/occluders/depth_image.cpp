@@ -1,18 +1,9 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/render/occluders/depth_image.h>
+#include <cdr/render/stages.h>
 
 namespace cdr::render {
-
-namespace {
-
-using PipelineStage = vk::PipelineStageFlagBits2;
-using Access = vk::AccessFlagBits2;
-
-constexpr auto kDepthStages = PipelineStage::eEarlyFragmentTests | PipelineStage::eLateFragmentTests;
-constexpr auto kDepthAccess = Access::eDepthStencilAttachmentRead | Access::eDepthStencilAttachmentWrite;
-
-} // namespace
 
 gpu::ImageOptions occluderDepthOptions(vk::Extent2D extent) {
     return {.extent = extent,

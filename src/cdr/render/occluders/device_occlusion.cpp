@@ -4,6 +4,7 @@
 #include <cdr/render/occluders/device_occlusion.h>
 #include <cdr/render/occluders/occluder_view.h>
 #include <cdr/render/occluders/order_margin.h>
+#include <cdr/render/stages.h>
 #include <cdr/shaders/binning_shared.h>
 #include <cdr/shaders/occluders_shared.h>
 #include <cdr/shaders/reduce_depth_comp.h>
@@ -18,9 +19,6 @@
 namespace cdr::render {
 
 namespace {
-
-using PipelineStage = vk::PipelineStageFlagBits2;
-using Access = vk::AccessFlagBits2;
 
 constexpr auto kBufferType = vk::DescriptorType::eStorageBuffer;
 constexpr std::uint32_t kBuffers = 4; ///< of the set: occluders.glsl

@@ -1,5 +1,6 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/output/color_output.h>
+#include <cdr/render/stages.h>
 
 #include <array>
 #include <cstdint>
@@ -7,9 +8,6 @@
 namespace cdr::render {
 
 namespace {
-
-using PipelineStage = vk::PipelineStageFlagBits2;
-using Access = vk::AccessFlagBits2;
 
 constexpr vk::ImageSubresourceLayers kColorLayer{vk::ImageAspectFlagBits::eColor, 0, 0, 1};
 

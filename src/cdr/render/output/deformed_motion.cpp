@@ -1,4 +1,5 @@
 #include <cdr/render/output/deformed_motion.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/render/upload/last_vertices.h>
 #include <cdr/shaders/output_deformed_motion_frag.h>
 #include <cdr/shaders/output_deformed_motion_vert.h>
@@ -62,10 +63,7 @@ DeformedMotion::DeformedMotion(const gpu::Device& device, const gpu::SetLayout& 
 
 void DeformedMotion::record(vk::CommandBuffer primary, const DeformedDraws& draws, vk::DescriptorSet set,
                             const gpu::Image& into) const {
-    const vk::RenderingAttachmentInfo color{.imageView = into.view(),
-                                            .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
-                                            .loadOp = vk::AttachmentLoadOp::eLoad,
-                                            .storeOp = vk::AttachmentStoreOp::eStore};
+    const auto color = colorAttachment(into.view(), vk::AttachmentLoadOp::eLoad);
     const vk::Extent2D extent = into.options().extent;
     primary.beginRendering({.renderArea = {{0, 0}, extent},
                             .layerCount = 1,

@@ -1,5 +1,6 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/output/depth_output.h>
+#include <cdr/render/stages.h>
 #include <cdr/shaders/fullscreen_vert.h>
 #include <cdr/shaders/output_depth_frag.h>
 
@@ -10,11 +11,7 @@ namespace cdr::render {
 
 namespace {
 
-using PipelineStage = vk::PipelineStageFlagBits2;
-using Access = vk::AccessFlagBits2;
-
 constexpr auto kDepthStage = vk::ShaderStageFlagBits::eFragment;
-constexpr auto kTests = PipelineStage::eEarlyFragmentTests | PipelineStage::eLateFragmentTests;
 
 std::vector<vk::DescriptorType> depthBindings() {
     return {vk::DescriptorType::eCombinedImageSampler, vk::DescriptorType::eStorageBuffer};
@@ -26,14 +23,6 @@ shaders::HostDepthPush termsOf(const HostDepth& host) {
     return {.scale = static_cast<float>(terms.scale),
             .offset = static_cast<float>(terms.offset),
             .background = depth::isReversed(host.mapping) ? 0.0f : 1.0f};
-}
-
-vk::ImageMemoryBarrier2 depthBarrier(vk::Image image, vk::PipelineStageFlags2 srcStage,
-                                     vk::AccessFlags2 srcAccess, vk::PipelineStageFlags2 dstStage,
-                                     vk::AccessFlags2 dstAccess, vk::ImageLayout before,
-                                     vk::ImageLayout after) {
-    return gpu::imageBarrier(image, vk::ImageAspectFlagBits::eDepth, srcStage, srcAccess, dstStage, dstAccess,
-                             before, after);
 }
 
 } // namespace
@@ -64,9 +53,10 @@ DepthOutput::Inputs DepthOutput::makeInputs(const gpu::Image& gbuffer, const Sha
 void DepthOutput::record(vk::CommandBuffer primary, const Inputs& inputs, const HostDepth& into) const {
     m_device.beginLabel(primary, "host depth");
     gpu::pipelineBarrier(
-        primary, {depthBarrier(into.image.image, PipelineStage::eAllCommands, Access::eMemoryWrite, kTests,
-                               Access::eDepthStencilAttachmentWrite, vk::ImageLayout::eUndefined,
-                               vk::ImageLayout::eDepthAttachmentOptimal)});
+        primary,
+        {gpu::imageBarrier(into.image.image, vk::ImageAspectFlagBits::eDepth, PipelineStage::eAllCommands,
+                           Access::eMemoryWrite, kDepthStages, Access::eDepthStencilAttachmentWrite,
+                           vk::ImageLayout::eUndefined, vk::ImageLayout::eDepthAttachmentOptimal)});
     const vk::RenderingAttachmentInfo depth{.imageView = into.image.view,
                                             .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
                                             .loadOp = vk::AttachmentLoadOp::eDontCare,
@@ -80,9 +70,10 @@ void DepthOutput::record(vk::CommandBuffer primary, const Inputs& inputs, const 
     primary.endRendering();
     gpu::pipelineBarrier(
         primary,
-        {depthBarrier(into.image.image, kTests, Access::eDepthStencilAttachmentWrite,
-                      PipelineStage::eAllCommands, Access::eMemoryRead | Access::eMemoryWrite,
-                      vk::ImageLayout::eDepthAttachmentOptimal, vk::ImageLayout(into.image.layout))});
+        {gpu::imageBarrier(into.image.image, vk::ImageAspectFlagBits::eDepth, kDepthStages,
+                           Access::eDepthStencilAttachmentWrite, PipelineStage::eAllCommands,
+                           Access::eMemoryRead | Access::eMemoryWrite,
+                           vk::ImageLayout::eDepthAttachmentOptimal, vk::ImageLayout(into.image.layout))});
     m_device.endLabel(primary);
 }
 

@@ -2,6 +2,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/output/motion_pass.h>
 #include <cdr/render/output/motion_records.h>
+#include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/output_motion_frag.h>
 
@@ -13,9 +14,6 @@
 namespace cdr::render {
 
 namespace {
-
-using PipelineStage = vk::PipelineStageFlagBits2;
-using Access = vk::AccessFlagBits2;
 
 constexpr std::uint32_t kRecordsBinding = 2;
 constexpr std::uint32_t kTableBinding = 3;

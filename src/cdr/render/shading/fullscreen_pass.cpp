@@ -1,5 +1,6 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/shading/fullscreen_pass.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/fullscreen_vert.h>
 
 #include <array>
@@ -76,16 +77,8 @@ PassInputs FullscreenPass::makeInputs() const {
 
 void FullscreenPass::record(vk::CommandBuffer primary, std::span<const Draw> draws,
                             const Scope& scope) const {
-    const std::array colors{
-        vk::RenderingAttachmentInfo{.imageView = scope.into.view(),
-                                    .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
-                                    .loadOp = scope.load,
-                                    .storeOp = vk::AttachmentStoreOp::eStore,
-                                    .clearValue = scope.clear},
-        vk::RenderingAttachmentInfo{.imageView = viewOf(scope.beside),
-                                    .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
-                                    .loadOp = vk::AttachmentLoadOp::eLoad,
-                                    .storeOp = vk::AttachmentStoreOp::eStore}};
+    const std::array colors{colorAttachment(scope.into.view(), scope.load, scope.clear),
+                            colorAttachment(viewOf(scope.beside), vk::AttachmentLoadOp::eLoad)};
     const vk::RenderingAttachmentInfo stencil{.imageView = viewOf(scope.marks),
                                               .imageLayout = vk::ImageLayout::eAttachmentOptimal,
                                               .loadOp = vk::AttachmentLoadOp::eLoad,

@@ -1,6 +1,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/shading/finish.h>
 #include <cdr/render/shading/picture.h>
+#include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/encode_antialiased_frag.h>
 #include <cdr/shaders/encode_frag.h>
@@ -12,8 +13,6 @@ namespace cdr::render {
 
 namespace {
 
-using PipelineStage = vk::PipelineStageFlagBits2;
-using Access = vk::AccessFlagBits2;
 using Usage = vk::ImageUsageFlagBits;
 
 gpu::ImageOptions encodedOptions(vk::Extent2D extent) {

@@ -2,6 +2,8 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/materials/packed_vertex.h>
 #include <cdr/render/shadows/shadow_map.h>
+#include <cdr/render/stages.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/caster_frag.h>
 #include <cdr/shaders/caster_vert.h>
 
@@ -12,13 +14,9 @@ namespace cdr::render {
 
 namespace {
 
-using PipelineStage = vk::PipelineStageFlagBits2;
-using Access = vk::AccessFlagBits2;
-
 constexpr auto kDepthFormat = vk::Format::eD32Sfloat;
 constexpr auto kSlopeFormat = vk::Format::eR16G16B16A16Sfloat;
 constexpr auto kPushStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
-constexpr auto kDepthStages = PipelineStage::eEarlyFragmentTests | PipelineStage::eLateFragmentTests;
 
 gpu::ImageOptions depthOptions(std::uint32_t side) {
     return {.extent = {side, side},
@@ -62,20 +60,17 @@ vk::Extent2D extentOf(std::span<const ShadowMapPart> parts) {
     return extent;
 }
 
-constexpr auto kDepthWrites = Access::eDepthStencilAttachmentRead | Access::eDepthStencilAttachmentWrite;
-constexpr auto kColorWrites = Access::eColorAttachmentWrite;
-
 /// From shaders that read both images to attachments.
 void handToAttachments(vk::CommandBuffer primary, const gpu::Image& depth, const gpu::Image& slope) {
     using Layout = vk::ImageLayout;
     gpu::pipelineBarrier(
-        primary,
-        {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, PipelineStage::eFragmentShader,
-                           Access::eNone, kDepthStages, kDepthWrites, Layout::eUndefined,
-                           Layout::eDepthAttachmentOptimal),
-         gpu::imageBarrier(slope.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eFragmentShader,
-                           Access::eNone, PipelineStage::eColorAttachmentOutput, kColorWrites,
-                           Layout::eUndefined, Layout::eColorAttachmentOptimal)});
+        primary, {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth,
+                                    PipelineStage::eFragmentShader, Access::eNone, kDepthStages, kDepthAccess,
+                                    Layout::eUndefined, Layout::eDepthAttachmentOptimal),
+                  gpu::imageBarrier(slope.handle(), vk::ImageAspectFlagBits::eColor,
+                                    PipelineStage::eFragmentShader, Access::eNone,
+                                    PipelineStage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
+                                    Layout::eUndefined, Layout::eColorAttachmentOptimal)});
 }
 
 /// And back.
@@ -87,7 +82,7 @@ void handToShaders(vk::CommandBuffer primary, const gpu::Image& depth, const gpu
                                     Access::eShaderSampledRead, Layout::eDepthAttachmentOptimal,
                                     Layout::eShaderReadOnlyOptimal),
                   gpu::imageBarrier(slope.handle(), vk::ImageAspectFlagBits::eColor,
-                                    PipelineStage::eColorAttachmentOutput, kColorWrites,
+                                    PipelineStage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
                                     PipelineStage::eFragmentShader, Access::eShaderSampledRead,
                                     Layout::eColorAttachmentOptimal, Layout::eShaderReadOnlyOptimal)});
 }
@@ -125,10 +120,7 @@ void ShadowMap::record(vk::CommandBuffer primary, std::span<const ShadowMapPart>
 
 void ShadowMap::draw(vk::CommandBuffer primary, std::span<const ShadowMapPart> parts,
                      const CasterDraws& draws) const {
-    const vk::RenderingAttachmentInfo slope{.imageView = m_slope.view(),
-                                            .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
-                                            .loadOp = vk::AttachmentLoadOp::eClear,
-                                            .storeOp = vk::AttachmentStoreOp::eStore};
+    const auto slope = colorAttachment(m_slope.view(), vk::AttachmentLoadOp::eClear);
     const vk::RenderingAttachmentInfo depth{.imageView = m_depth.view(),
                                             .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
                                             .loadOp = vk::AttachmentLoadOp::eClear,

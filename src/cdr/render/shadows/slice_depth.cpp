@@ -1,5 +1,6 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/shadows/slice_depth.h>
+#include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer.h>
 #include <cdr/shaders/fullscreen_vert.h>
 #include <cdr/shaders/slice_facets_frag.h>
@@ -12,11 +13,7 @@ namespace cdr::render {
 
 namespace {
 
-using PipelineStage = vk::PipelineStageFlagBits2;
-using Access = vk::AccessFlagBits2;
-
 constexpr auto kSliceStage = vk::ShaderStageFlagBits::eFragment;
-constexpr auto kSliceTests = PipelineStage::eEarlyFragmentTests | PipelineStage::eLateFragmentTests;
 
 gpu::ImageOptions sliceOptions(vk::Extent2D extent) {
     return {.extent = extent,
@@ -27,8 +24,8 @@ gpu::ImageOptions sliceOptions(vk::Extent2D extent) {
 
 vk::ImageMemoryBarrier2 sliceBarrier(const gpu::Image& depth, vk::AccessFlags2 before, vk::AccessFlags2 after,
                                      vk::ImageLayout layoutBefore) {
-    return gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, kSliceTests, before,
-                             kSliceTests, after, layoutBefore, vk::ImageLayout::eDepthAttachmentOptimal);
+    return gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, kDepthStages, before,
+                             kDepthStages, after, layoutBefore, vk::ImageLayout::eDepthAttachmentOptimal);
 }
 
 } // namespace

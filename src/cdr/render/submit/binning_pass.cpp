@@ -2,6 +2,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/rounding.h>
+#include <cdr/render/stages.h>
 #include <cdr/render/submit/binning_pass.h>
 #include <cdr/render/submit/stager.h>
 #include <cdr/shaders/bin_commands_comp.h>
@@ -24,9 +25,6 @@ namespace {
 
 /// In BinningPass::SceneBuffers.
 enum SceneBuffer : std::size_t { kSpheres, kLooks, kMaterials, kRuns, kGroups, kLevels };
-
-using PipelineStage = vk::PipelineStageFlagBits2;
-using Access = vk::AccessFlagBits2;
 
 /// Runs of a group, whose commands one invocation of bin_commands.comp lists. lavapipe ends a loop after 65,535 turns, and
 /// others wait for the longest.

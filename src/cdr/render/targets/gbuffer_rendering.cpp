@@ -1,4 +1,5 @@
 #include <cdr/gpu/commands.h>
+#include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/render/targets/zero_fill.h>
 
@@ -9,11 +10,6 @@ namespace cdr::render {
 
 namespace {
 
-using PipelineStage = vk::PipelineStageFlagBits2;
-using Access = vk::AccessFlagBits2;
-
-constexpr auto kDepthStages = PipelineStage::eEarlyFragmentTests | PipelineStage::eLateFragmentTests;
-constexpr auto kDepthAccess = Access::eDepthStencilAttachmentRead | Access::eDepthStencilAttachmentWrite;
 constexpr auto kColorAccess = Access::eColorAttachmentRead | Access::eColorAttachmentWrite;
 
 /// Barriers only take whole formats, so a stencil plane that comes along is transitioned too.
@@ -45,6 +41,15 @@ vk::ImageMemoryBarrier2 marksBarrier(const gpu::Image& marks) {
                              Access::eDepthStencilAttachmentWrite, kDepthStages,
                              Access::eDepthStencilAttachmentRead, vk::ImageLayout::eAttachmentOptimal,
                              vk::ImageLayout::eAttachmentOptimal);
+}
+
+vk::RenderingAttachmentInfo colorAttachment(vk::ImageView view, vk::AttachmentLoadOp load,
+                                            const vk::ClearValue& clear) {
+    return {.imageView = view,
+            .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
+            .loadOp = load,
+            .storeOp = vk::AttachmentStoreOp::eStore,
+            .clearValue = clear};
 }
 
 vk::ImageMemoryBarrier2 attachBarrier(const gpu::Image& gbuffer) {
@@ -104,17 +109,11 @@ void chainGBufferScopes(vk::CommandBuffer commands, const GBufferScope& scope) {
 }
 
 void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk::RenderingFlags flags) {
-    std::vector<vk::RenderingAttachmentInfo> colors{{.imageView = scope.gbuffer.view(),
-                                                     .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
-                                                     .loadOp = loadOf(scope),
-                                                     .storeOp = vk::AttachmentStoreOp::eStore,
-                                                     .clearValue = clearValueOf(scope.clearColor)}};
+    std::vector colors{colorAttachment(scope.gbuffer.view(), loadOf(scope), clearValueOf(scope.clearColor))};
     if (scope.emission != nullptr) {
-        colors.push_back(
-            {.imageView = scope.emission->view(),
-             .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
-             .loadOp = scope.keepsColors ? vk::AttachmentLoadOp::eLoad : vk::AttachmentLoadOp::eDontCare,
-             .storeOp = vk::AttachmentStoreOp::eStore});
+        colors.push_back(colorAttachment(scope.emission->view(), scope.keepsColors
+                                                                     ? vk::AttachmentLoadOp::eLoad
+                                                                     : vk::AttachmentLoadOp::eDontCare));
     }
     const vk::RenderingAttachmentInfo depth{
         .imageView = scope.depth.view(),

@@ -3,6 +3,8 @@
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/targets/gbuffer.h>
 
+#include <glm/glm.hpp>
+
 namespace cdr::render {
 
 class DepthClear;
@@ -22,6 +24,10 @@ struct GBufferScope {
 
 /// The depth attachment if it marks what is drawn, else null.
 const gpu::Image* marksOf(const gpu::Image& depth, const gpu::Image& surfaces);
+
+/// A colour attachment that is kept when its rendering scope ends.
+vk::RenderingAttachmentInfo colorAttachment(vk::ImageView view, vk::AttachmentLoadOp load,
+                                            const vk::ClearValue& clear = {});
 
 /// Makes a G-buffer a colour attachment, waiting for the passes and copies of the renderer that used it before in this queue.
 /// Contents are lost. What a host may have read needs waitForHostReads() before.

@@ -18,8 +18,7 @@ FragmentCounter::FragmentCounter(const gpu::Device& device, vk::Extent2D extent)
 
 void FragmentCounter::begin(vk::CommandBuffer primary) const {
     gpu::pipelineBarrier(primary, {attachBarrier(m_image)});
-    vk::RenderingAttachmentInfo cleared = attachment();
-    cleared.loadOp = vk::AttachmentLoadOp::eClear;
+    const auto cleared = colorAttachment(m_image.view(), vk::AttachmentLoadOp::eClear);
     primary.beginRendering({.renderArea = {{0, 0}, m_image.options().extent},
                             .layerCount = 1,
                             .colorAttachmentCount = 1,
@@ -29,10 +28,7 @@ void FragmentCounter::begin(vk::CommandBuffer primary) const {
 }
 
 vk::RenderingAttachmentInfo FragmentCounter::attachment() const {
-    return {.imageView = m_image.view(),
-            .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
-            .loadOp = vk::AttachmentLoadOp::eLoad,
-            .storeOp = vk::AttachmentStoreOp::eStore};
+    return colorAttachment(m_image.view(), vk::AttachmentLoadOp::eLoad);
 }
 
 vk::ImageMemoryBarrier2 FragmentCounter::nextScope() const {

@@ -1,5 +1,6 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/pipeline.h>
+#include <cdr/render/stages.h>
 #include <cdr/render/translucency/fragment_list.h>
 #include <cdr/shaders/translucent_shared.h>
 
@@ -10,9 +11,6 @@
 namespace cdr::render {
 
 namespace {
-
-using PipelineStage = vk::PipelineStageFlagBits2;
-using Access = vk::AccessFlagBits2;
 
 using Usage = vk::BufferUsageFlagBits;
 

@@ -1,5 +1,6 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/shading/picture.h>
+#include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/render/translucency/sorted_blend.h>
 #include <cdr/shaders/translucent_sorted_counted_detailed_frag.h>
@@ -17,9 +18,6 @@
 namespace cdr::render {
 
 namespace {
-
-using PipelineStage = vk::PipelineStageFlagBits2;
-using Access = vk::AccessFlagBits2;
 
 TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, const gpu::SetLayout& list,
                                         const BlendOptions& blend) {

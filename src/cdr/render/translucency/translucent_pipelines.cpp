@@ -37,14 +37,12 @@ std::vector<vk::VertexInputAttributeDescription> attributes(std::uint32_t key) {
         const std::vector<vk::VertexInputAttributeDescription> more = detailAttributes();
         all.insert(all.end(), more.begin(), more.end());
     }
-    for (const vk::VertexInputAttributeDescription& attribute :
-         {vk::VertexInputAttributeDescription{4, kRecordBinding, kRow, offsetof(TranslucentRecord, right)},
-          {5, kRecordBinding, kRow, offsetof(TranslucentRecord, up)},
-          {6, kRecordBinding, kRow, offsetof(TranslucentRecord, ahead)},
-          {7, kRecordBinding, kRow, offsetof(TranslucentRecord, centreRange)},
-          {8, kRecordBinding, vk::Format::eR32G32B32A32Uint, offsetof(TranslucentRecord, id)}}) {
-        all.push_back(attribute);
-    }
+    all.insert(all.end(),
+               {{4, kRecordBinding, kRow, offsetof(TranslucentRecord, right)},
+                {5, kRecordBinding, kRow, offsetof(TranslucentRecord, up)},
+                {6, kRecordBinding, kRow, offsetof(TranslucentRecord, ahead)},
+                {7, kRecordBinding, kRow, offsetof(TranslucentRecord, centreRange)},
+                {8, kRecordBinding, vk::Format::eR32G32B32A32Uint, offsetof(TranslucentRecord, id)}});
     return all;
 }
 

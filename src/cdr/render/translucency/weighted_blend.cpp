@@ -47,11 +47,8 @@ TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, cons
 }
 
 vk::RenderingAttachmentInfo cleared(const gpu::Image& image, float alpha) {
-    return {.imageView = image.view(),
-            .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
-            .loadOp = vk::AttachmentLoadOp::eClear,
-            .storeOp = vk::AttachmentStoreOp::eStore,
-            .clearValue = vk::ClearColorValue{std::array{0.0f, 0.0f, 0.0f, alpha}}};
+    return colorAttachment(image.view(), vk::AttachmentLoadOp::eClear,
+                           vk::ClearColorValue{std::array{0.0f, 0.0f, 0.0f, alpha}});
 }
 
 } // namespace
