@@ -5,6 +5,7 @@
 #include <viewer/state/camera/lens_zoom.h>
 #include <viewer/state/command_line.h>
 
+#include <algorithm>
 #include <random>
 #include <sstream>
 

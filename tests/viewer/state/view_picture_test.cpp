@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <output/aov.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>
