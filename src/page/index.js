@@ -57,8 +57,7 @@ function removeSection(section) {
 /** The verdicts on what the report was asked for. The page loses all other sections. */
 function keepAskedFor({ report, sections }) {
     const parts = new Set(report.results.map((row) => partOf(row.section)));
-    for (const source of document.querySelectorAll("[data-slot=source]")) {
-        const section = source.closest("section");
+    for (const section of document.querySelectorAll("section:not(#opening, #verdicts, #environment)")) {
         if (!parts.has(section.id)) {
             removeSection(section);
         }

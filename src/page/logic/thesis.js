@@ -13,6 +13,9 @@ export const techniqueTitles = {
     "cdr-behind": "CDR, cut behind",
 };
 
+/** Of a technique for people; its name where it has no other. */
+export const techniqueTitle = (technique) => techniqueTitles[technique] ?? technique;
+
 /** The techniques that the thesis has, in its order. */
 export const thesisTechniques = ["standard", "cdr", "log", "logcdr"];
 

@@ -6,7 +6,7 @@ import { duration, list, number, percent, signedPercent } from "./format.js";
 import { find } from "./pictures.js";
 import { checkPercentages, tableRows, worstCell } from "./precision.js";
 import { listingReliability, reliability } from "./probe.js";
-import { techniqueTitles, table62, thesisTechniques } from "./thesis.js";
+import { table62, techniqueTitle, techniqueTitles, thesisTechniques } from "./thesis.js";
 import { noiseFloor, rankAgreement, thesisBars } from "./timing.js";
 
 /** What a verdict can be, and how it reads. What people answered cannot be repeated here, only agreed with. */
@@ -22,7 +22,7 @@ export const statuses = {
 const kTooWide = 10; // percentage points of an interval that tells nothing
 const kTooFew = 10; // frames from which no interval can be drawn
 
-const titles = (names) => list(names.map((name) => techniqueTitles[name] ?? name));
+const titles = (names) => list(names.map(techniqueTitle));
 
 /**
  * All verdicts in the thesis' order.

@@ -1,5 +1,7 @@
 // Building elements. Text is always set as text, so no result can become markup.
 
+import { techniqueTitle } from "../logic/thesis.js";
+
 /** An element; properties that start with "on" listen, "class" and "data-..." and "aria-..." are attributes. */
 export function h(tag, properties = {}, ...children) {
     return fill(document.createElement(tag), properties, children);
@@ -44,7 +46,7 @@ export function wideOnly(content) {
 }
 
 /** A technique's name with its colour, by which plots know it too. */
-export function techniqueLabel(name, title) {
+export function techniqueLabel(name, title = techniqueTitle(name)) {
     return h("span", { class: "technique" }, h("span", { class: "swatch", style: `--colour: var(--${colourOf(name)})`, "aria-hidden": "true" }), title);
 }
 

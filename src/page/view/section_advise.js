@@ -1,4 +1,3 @@
-import { techniqueTitles } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
 import { length, sentence } from "./figures.js";
 
@@ -9,6 +8,6 @@ export function fillAdvise(document) {
             table(["What resolves ", length(document.options.separation), " at ", length(document.options.at), "."],
                 ["Technique", "format", "cascades", "resolves", "enough"],
                 document.results.map((row) => [
-                    techniqueLabel(row.technique, techniqueTitles[row.technique] ?? row.technique), row.format.toUpperCase(),
+                    techniqueLabel(row.technique), row.format.toUpperCase(),
                     row.cascades, length(row.predicted), row.suffices ? "yes" : "no"])))));
 }

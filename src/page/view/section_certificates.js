@@ -1,5 +1,4 @@
 import { certifiedRow } from "../logic/certificates.js";
-import { techniqueTitles } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
 import { figure, share } from "./figures.js";
 
@@ -16,7 +15,7 @@ function makeTable(results) {
         results.map(({ document, folder }) => {
             const row = certifiedRow(document);
             return [
-                techniqueLabel(row.technique, techniqueTitles[row.technique] ?? row.technique), row.scene, share(row.certified),
+                techniqueLabel(row.technique), row.scene, share(row.certified),
                 share(row.proven), share(row.cast), share(row.repaired), figure(row.wrongBefore), figure(row.wrongAfter),
                 figure(row.refused), figure(row.frameMs), figure(row.certifyMs), h("a", { href: folder, "aria-label": `Certificate of ${row.scene}, ${row.technique}` }, "certificate")];
         }));

@@ -1,11 +1,10 @@
 import { coplanarRows, worstResult } from "../logic/coplanar.js";
 import { number } from "../logic/format.js";
-import { techniqueTitles } from "../logic/thesis.js";
+import { techniqueTitle } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
 import { figure, share } from "./figures.js";
 
 const titles = { none: "None", "polygon offset": "Polygon offset", layers: "Layers" };
-const titleOf = (row) => techniqueTitles[row.technique] ?? row.technique;
 const methodOf = (row) => titles[row.method] ?? row.method;
 
 /** @param {string} folder of the heat maps. */
@@ -19,7 +18,7 @@ function makeTable(document) {
     return table(`Pixels off edges over ${number(2 * document.options.views, 7)} views.`,
         ["Technique", "method", "slope, constant", "wrong", "wrong share", "views with any", "through a wall", "by rounded vertices alone", "flips", "of these by rounded vertices"],
         coplanarRows(document).map((row) => [
-            techniqueLabel(row.technique, titleOf(row)), methodOf(row),
+            techniqueLabel(row.technique), methodOf(row),
             row.setting ? h("span", {}, figure(row.setting.slope), ", ", figure(row.setting.constant)) : "",
             figure(row.wrong), share(row.wrongShare), figure(row.views), figure(row.through), figure(row.coverage), figure(row.flips), figure(row.coverageFlips)]));
 }
@@ -27,6 +26,6 @@ function makeTable(document) {
 function makePicture(row, folder) {
     return h("figure", {},
         h("img", { class: "picture", src: `${folder}/${row.picture}`,
-            alt: `A view under ${titleOf(row)}, method ${methodOf(row)}: red pixels show the wrong face, orange ones are wrong on an edge.` }),
-        h("figcaption", {}, `The view with the most wrong pixels: ${titleOf(row)}, method ${methodOf(row)}. Red shows the wrong face.`));
+            alt: `A view under ${techniqueTitle(row.technique)}, method ${methodOf(row)}: red pixels show the wrong face, orange ones are wrong on an edge.` }),
+        h("figcaption", {}, `The view with the most wrong pixels: ${techniqueTitle(row.technique)}, method ${methodOf(row)}. Red shows the wrong face.`));
 }

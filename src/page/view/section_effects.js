@@ -1,6 +1,6 @@
 import { number, percent } from "../logic/format.js";
 import { modesOrWorst } from "../logic/pictures.js";
-import { techniqueTitles } from "../logic/thesis.js";
+import { techniqueTitle } from "../logic/thesis.js";
 import { h, slot, table } from "./elements.js";
 import { figure, interval, share } from "./figures.js";
 import { makeWipe } from "./wipe.js";
@@ -32,5 +32,5 @@ function makeTable(document) {
         ["Effect", "execute, ms", "over plain", "95 % interval", "differing", "under"],
         document.results.map((row) => [
             h("span", {}, titleOf(row)), figure(row.execute_ms), figure(row.execute_ratio), interval(row.ci95),
-            share(row.differing), techniqueTitles[row.least_alike] ?? row.least_alike]));
+            share(row.differing), techniqueTitle(row.least_alike)]));
 }

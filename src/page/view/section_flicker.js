@@ -1,10 +1,9 @@
 import { flipsPerThousand, movedBoundaries, observerWins, pairRows, techniques } from "../logic/flicker.js";
 import { list, number, percent } from "../logic/format.js";
-import { table62, techniqueTitles, thesisTechniques } from "../logic/thesis.js";
+import { table62, techniqueTitle, thesisTechniques } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel, wideOnly } from "./elements.js";
 import { figure, share } from "./figures.js";
 
-const title = (name) => techniqueTitles[name] ?? name;
 
 export function fillFlicker(document, folder) {
     slot("flicker", "table").append(measures("Counted over all frames. FLIP is a published measure of how different two pictures look, 0 for equal; here against the same render with every pixel\u2019s object right.", techniques(document)));
@@ -32,7 +31,7 @@ function measures(caption, rows) {
     return table(caption,
         ["Technique", "wrong", wideOnly("wrong pixels"), "flips per 1,000", "mean FLIP", wideOnly("cascades")],
         rows.map((row) => [
-            techniqueLabel(row.technique, title(row.technique)), share(row.wrong_fraction), wideOnly(figure(row.wrong)),
+            techniqueLabel(row.technique), share(row.wrong_fraction), wideOnly(figure(row.wrong)),
             figure(flipsPerThousand(row)), figure(row.mean_flip), wideOnly(row.cascades)]));
 }
 
@@ -58,11 +57,11 @@ function people(document) {
         table("Tables 6.3 to 6.9: what twelve people said flickers less, and what an observer takes who only counts flips.",
             ["Pair", "people", "observer takes", "agree", "\u03c7\u00b2 thesis", "\u03c7\u00b2 here", "p of \u03c7\u00b2", "exact p"],
             rows.map((row) => [
-                `${title(row.left)} : ${title(row.right)}`, row.chosen.join(" : "), row.observer ? title(row.observer) : "neither",
+                `${techniqueTitle(row.left)} : ${techniqueTitle(row.right)}`, row.chosen.join(" : "), row.observer ? techniqueTitle(row.observer) : "neither",
                 h("span", { class: row.agree ? "mark-good" : "mark-bad" }, row.agree ? "yes" : "no"),
                 figure(row.chiSquared), figure(row.recomputed), figure(row.chiSquaredP), figure(row.exactP)])),
         table("Table 6.2: how often each was chosen. People: of 36 times shown to twelve. Observer: of 3 pairs.",
-            ["", ...thesisTechniques.map(title)],
+            ["", ...thesisTechniques.map(techniqueTitle)],
             [["People", ...thesisTechniques.map((name) => table62[name])], ["Observer", ...thesisTechniques.map((name) => wins[name] ?? 0)]]),
     ];
 }
@@ -82,8 +81,8 @@ function videos(document, folder) {
         h("div", { class: "videos" }, pairRows(document).map((row) => h("figure", {},
             h("video", {
                 src: `${folder}/${row.left}_${row.right}.mp4`, width: 2 * width, height, controls: true, muted: true, playsinline: true,
-                loop: true, preload: "metadata", poster: `${folder}/${row.left}_${row.right}.png`, "aria-label": `${title(row.left)} on the left, ${title(row.right)} on the right`,
+                loop: true, preload: "metadata", poster: `${folder}/${row.left}_${row.right}.png`, "aria-label": `${techniqueTitle(row.left)} on the left, ${techniqueTitle(row.right)} on the right`,
             }),
-            h("figcaption", {}, `${title(row.left)}, left: ${number(row.flips[0])} flips. ${title(row.right)}, right: ${number(row.flips[1])} flips.`)))),
+            h("figcaption", {}, `${techniqueTitle(row.left)}, left: ${number(row.flips[0])} flips. ${techniqueTitle(row.right)}, right: ${number(row.flips[1])} flips.`)))),
     ];
 }

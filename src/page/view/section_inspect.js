@@ -1,4 +1,3 @@
-import { techniqueTitles } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
 import { figure, length, sentence, share } from "./figures.js";
 
@@ -26,6 +25,6 @@ function makeTable({ results, options }) {
     return table(`Share of wrong pixels off edges over ${options.views} views, coplanar ones left out.`,
         ["Technique", "format", "cascades", "undecided", "predicted wrong", "measured wrong"],
         results.map((row) => [
-            techniqueLabel(row.technique, techniqueTitles[row.technique] ?? row.technique), row.format.toUpperCase(), row.cascades,
+            techniqueLabel(row.technique), row.format.toUpperCase(), row.cascades,
             share(row.undecided_fraction), share(row.predicted_fraction), share(row.wrong_fraction)]));
 }

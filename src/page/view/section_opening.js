@@ -30,6 +30,6 @@ export function fillOpening(sections, folder) {
 function makeTable(sections, rows) {
     return table(`Wrong pixels off edges, against a float64 ray cast. ${cleanTechniques(rows, techniqueTitles)}`,
         ["Technique", ...sceneColumns(sections).map((column) => column.title)],
-        rows.map((row) => [techniqueLabel(row.technique, techniqueTitles[row.technique]),
+        rows.map((row) => [techniqueLabel(row.technique),
             ...row.shares.map((value) => (value === null ? "" : share(value)))]));
 }

@@ -1,12 +1,11 @@
 import { number, percent } from "../logic/format.js";
 import { runwayRows } from "../logic/opening.js";
 import { worstAndBest } from "../logic/pictures.js";
-import { techniqueTitles } from "../logic/thesis.js";
+import { techniqueTitle } from "../logic/thesis.js";
 import { slot, table, techniqueLabel } from "./elements.js";
 import { share } from "./figures.js";
 import { makeWipe } from "./wipe.js";
 
-const titleOf = (technique) => techniqueTitles[technique] ?? technique;
 
 export function fillOrbit(document, folder) {
     const last = runwayRows(document);
@@ -21,7 +20,7 @@ export function fillOrbit(document, folder) {
 export function itemOf(row, folder) {
     return {
         technique: row.technique,
-        title: titleOf(row.technique),
+        title: techniqueTitle(row.technique),
         note: `${percent(row.wrong_fraction)} wrong off edges through ${number(row.fov_degrees, 2)}\u00b0`,
         picture: `${folder}/${row.picture}`,
         heatMap: `${folder}/${row.heat_map}`,
@@ -38,7 +37,7 @@ function makeTable(document) {
     const frames = [...new Set(document.results.map((row) => row.frame))];
     const find = (frame, technique) => document.results.find((row) => row.frame === frame && row.technique === technique);
     return table("Share of wrong pixels off edges along the zoom.",
-        ["Lens", ...techniques.map((technique) => techniqueLabel(technique, titleOf(technique)))],
+        ["Lens", ...techniques.map((technique) => techniqueLabel(technique))],
         frames.map((frame) => [`${number(find(frame, techniques[0]).fov_degrees, 3)}\u00b0`,
             ...techniques.map((technique) => share(find(frame, technique).wrong_fraction))]));
 }

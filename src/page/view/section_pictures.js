@@ -1,6 +1,6 @@
 import { scenes, worstAndBest } from "../logic/pictures.js";
 import { number, percent } from "../logic/format.js";
-import { techniqueTitles } from "../logic/thesis.js";
+import { techniqueTitle } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
 import { figure, share } from "./figures.js";
 import { makeWipe } from "./wipe.js";
@@ -27,7 +27,7 @@ function sizeOf({ options }) {
 function itemOf(result, folder) {
     return {
         technique: result.technique,
-        title: techniqueTitles[result.technique] ?? result.technique,
+        title: techniqueTitle(result.technique),
         note: `${percent(result.wrong_fraction)} wrong off edges, ${percent(result.overlap_wrong_fraction)} where cubes overlap`,
         picture: `${folder}/${result.picture}`,
         heatMap: `${folder}/${result.heat_map}`,
@@ -44,6 +44,6 @@ function makeTable(document) {
     return table("Wrong pixels, summed over the frames. Inner: the true object is shared by all eight neighbours.",
         ["Technique", "scene", "frames", "inner pixels", "wrong", "wrong share", "where objects overlap"],
         document.results.map((r) => [
-            techniqueLabel(r.technique, techniqueTitles[r.technique] ?? r.technique), r.scene, r.frames, figure(r.pixels), figure(r.wrong),
+            techniqueLabel(r.technique), r.scene, r.frames, figure(r.pixels), figure(r.wrong),
             share(r.wrong_fraction), share(r.overlap_wrong_fraction)]));
 }

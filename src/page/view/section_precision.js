@@ -1,6 +1,6 @@
 import { checkPercentages, curvesAndThesis, formatRows, tableRows } from "../logic/precision.js";
 import { number, percent } from "../logic/format.js";
-import { techniqueTitles, thesisTechniques } from "../logic/thesis.js";
+import { techniqueTitle, techniqueTitles, thesisTechniques } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
 import { length } from "./figures.js";
 import { makePlot } from "./plot.js";
@@ -25,7 +25,7 @@ function makeTable(document) {
 
 function makeFigure(document) {
     const { x, series, thesis } = curvesAndThesis(document);
-    const titled = (list, suffix) => list.map((s) => ({ ...s, title: `${techniqueTitles[s.name] ?? s.name}${suffix}` }));
+    const titled = (list, suffix) => list.map((s) => ({ ...s, title: `${techniqueTitle(s.name)}${suffix}` }));
     return makePlot({
         title: "Figure 4.1: smallest resolvable separation over view distance",
         caption: "Both axes are logarithmic, lower is finer. Points are the thesis\u2019 own numbers, its Table 4.1; lines are recomputed. The four techniques of the thesis by its own formulas at 24 bits; Reversed in a 32-bit float and Anchored in cascades fitted to 32 units of content by the exact step of the buffer.",
@@ -53,7 +53,7 @@ function makePercentages() {
 
 function makeFormats(document) {
     const rows = formatRows(document).map((row) => [
-        techniqueLabel(row.technique, `${techniqueTitles[row.technique] ?? row.technique} ${row.format.toUpperCase()}`),
+        techniqueLabel(row.technique, `${techniqueTitle(row.technique)} ${row.format.toUpperCase()}`),
         ...row.cells.map((cell) => (cell.depth === null ? quiet("everywhere finer") : length(cell.depth))),
     ]);
     const separations = formatRows(document)[0].cells.map((cell) => length(cell.separation));

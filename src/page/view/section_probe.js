@@ -1,5 +1,5 @@
 import { formats, judgedRatio, series } from "../logic/probe.js";
-import { techniqueTitles } from "../logic/thesis.js";
+import { techniqueTitle } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
 import { figure, length, separation } from "./figures.js";
 import { makePlot } from "./plot.js";
@@ -21,7 +21,7 @@ export function fillProbe(document) {
 
 function makeFigure(document, format) {
     const { x, measured, predicted } = series(document, format);
-    const titled = (list, suffix, extra) => list.map((s) => ({ ...s, ...extra, title: `${techniqueTitles[s.name] ?? s.name}${suffix}` }));
+    const titled = (list, suffix, extra) => list.map((s) => ({ ...s, ...extra, title: `${techniqueTitle(s.name)}${suffix}` }));
     return makePlot({
         title: `Smallest resolved separation over view distance, ${format.toUpperCase()}`,
         caption: "Points are measured, thin dashes predicted. No point: not even the widest rung, one unit, was clean. Below 1,000 units the ladder shrinks with the distance.",
@@ -35,7 +35,7 @@ function makeTable(document) {
     return table("Smallest resolved separation, measured and predicted.",
         ["Technique", "format", "distance", "measured", "predicted", "ratio", "at worst"],
         document.results.map((row) => [
-            techniqueLabel(row.technique, techniqueTitles[row.technique] ?? row.technique), row.format.toUpperCase(), length(row.distance),
+            techniqueLabel(row.technique), row.format.toUpperCase(), length(row.distance),
             separation(row, row.resolved, row.pairs_seen), length(row.predicted),
             row.resolved === null || row.predicted === null ? "" : figure(judgedRatio(row), 2),
             row.guaranteed === undefined ? "" : length(row.guaranteed)]));

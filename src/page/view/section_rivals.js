@@ -1,8 +1,7 @@
-import { techniqueTitles } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
 import { figure, interval, length, separation, share } from "./figures.js";
 
-const label = (row) => techniqueLabel(row.technique, techniqueTitles[row.technique] ?? row.technique);
+const label = (row) => techniqueLabel(row.technique);
 
 export function fillRivals(document) {
     slot("rivals", "table").append(makeScenes(document), makeResolved(document), makeNeeds(document));

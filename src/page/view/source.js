@@ -5,7 +5,7 @@ import { h, slot } from "./elements.js";
 
 export function fillSource(row, document, report) {
     const device = document?.device?.name ? `${document.device.name}, ${document.device.driver}` : "no device: arithmetic alone";
-    slot(partOf(row.section), "source").append(h("details", { class: "source" },
+    sourceOf(row.section).append(h("details", { class: "source" },
         h("summary", {}, `Repeat ${row.section}: measured in ${duration(row.seconds)}`),
         h("div", {},
             h("pre", {}, h("code", {}, row.command)),
@@ -15,9 +15,15 @@ export function fillSource(row, document, report) {
 
 /** A section that failed says why instead of showing half of itself. */
 export function fillFailure(row) {
-    slot(partOf(row.section), "source").before(h("p", { class: "notice", role: "note" }, row.json
+    sourceOf(row.section).before(h("p", { class: "notice", role: "note" }, row.json
         ? `Something went wrong here: ${row.failure}.`
         : `This experiment failed, so there is nothing to show: ${row.failure}.`));
+}
+
+/** Where a section says how it was measured: at its end. */
+function sourceOf(section) {
+    const part = partOf(section);
+    return slot(part, "source") ?? document.getElementById(part).appendChild(h("div", { "data-slot": "source" }));
 }
 
 /** The part of the page that a section fills: "flicker" for "flicker-near", too. */
