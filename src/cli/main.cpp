@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 #include <options/camera_options.h>
 #include <options/help_format.h>
+#include <program/allocator.h>
 #include <program/build_info.h>
-#include <program/kept_memory.h>
 #include <ranks/join.h>
 
 #include <exception>

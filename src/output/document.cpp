@@ -25,8 +25,7 @@ nlohmann::ordered_json makeDocument(const std::string& command, const DocumentDe
 void writeDocument(const std::filesystem::path& path, const nlohmann::ordered_json& document) {
     const std::string text = platform::textOf(document, 2);
     if (path == "-") {
-        platform::printOutput(text);
-        platform::flushStandardOutput();
+        platform::printNow(text);
         return;
     }
     platform::writeText(path, text);

@@ -1,6 +1,6 @@
 #include <viewer/session/program.h>
 
-#include <program/kept_memory.h>
+#include <program/allocator.h>
 
 int main(int argc, char** argv) {
     cdr::program::keepFreedMemory();

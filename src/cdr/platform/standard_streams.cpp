@@ -31,6 +31,11 @@ void flushStandardOutput() {
     }
 }
 
+void printNow(const std::string& text) {
+    printOutput(text);
+    flushStandardOutput();
+}
+
 void printError(const std::string& line) noexcept {
     std::fprintf(stderr, "%s\n", line.c_str()); // one write, so that lines of several processes stay whole
 }

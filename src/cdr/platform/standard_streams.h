@@ -11,6 +11,9 @@ void printOutput(const std::string& text);
 /// before.
 void flushStandardOutput();
 
+/// Prints on standard output and writes it out at once, into files and pipes too. RunError as both.
+void printNow(const std::string& text);
+
 /// Prints a line on standard error. Does nothing if that fails, since there is no other place for an error.
 void printError(const std::string& line) noexcept;
 

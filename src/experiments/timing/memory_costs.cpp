@@ -9,9 +9,7 @@
 #include <cdr/visibility/instance_cells.h>
 #include <scenes/cubes.h>
 
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
+#include <program/allocator.h>
 
 #include <functional>
 #include <memory>
@@ -20,22 +18,13 @@ namespace cdr::experiments {
 
 namespace {
 
-/// Bytes that the C library has given out; 0 where it does not tell.
-std::uint64_t heapBytes() {
-#if defined(__GLIBC__)
-    const struct mallinfo2 info = mallinfo2();
-    return info.uordblks + info.hblkhd;
-#else
-    return 0;
-#endif
-}
-
 /// What `make` leaves on the heap, for as long as what it returns lives.
 template <typename Make>
 double heapTaken(const Make& make) {
-    const std::uint64_t before = heapBytes();
+    const auto bytes = [] { return static_cast<double>(program::allocatedBytes().value_or(0)); };
+    const double before = bytes();
     const auto made = make();
-    return static_cast<double>(heapBytes()) - static_cast<double>(before);
+    return bytes() - before;
 }
 
 /// Bytes of what grows with instances, by one of them: twice as many over as many.

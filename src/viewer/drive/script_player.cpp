@@ -1,10 +1,10 @@
 #include "script_player.h"
 
-#include "print_line.h"
 #include "state_line.h"
 
 #include <cdr/base/error.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/standard_streams.h>
 #include <viewer/state/overloaded.h>
 #include <viewer/state/shown_picture.h>
 
@@ -97,6 +97,7 @@ bool ScriptPlayer::waits(const Session& session, const ViewerModel& model) {
 
 void ScriptPlayer::play(const ScriptStep& step, const DrivenViewer& viewer) {
     Window& window = viewer.window;
+    const auto printLine = [](const std::string& line) { platform::printNow(line + "\n"); };
     std::visit(Overloaded{[&](const InputEvent& event) { window.inject(event); },
                           [&](const ClickItem& click) { clickItem(click, viewer.places); },
                           [&](const WindowSize& size) { window.resize(size.width, size.height); },

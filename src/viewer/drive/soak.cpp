@@ -1,14 +1,13 @@
 #include "soak.h"
 
-#include "allocator.h"
-#include "print_line.h"
-
 #include <cdr/image/codec.h>
+#include <cdr/platform/standard_streams.h>
 #include <viewer/panels/resident_memory.h>
 #include <viewer/session/camera_control.h>
 #include <viewer/state/shown_picture.h>
 
 #include <fmt/format.h>
+#include <program/allocator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +105,7 @@ void Soak::measure(Window& window, Session& session, ViewerModel& model) {
     if (model.performance.rendersAlways || !session.isSettled() || ++m_restedFrames < m_rest) {
         return;
     }
-    returnFreeMemory();
+    program::returnFreeMemory();
     const std::uint64_t resident = residentBytes().value_or(0);
     if (m_phase == Phase::resting) {
         m_before = resident;
@@ -114,11 +113,11 @@ void Soak::measure(Window& window, Session& session, ViewerModel& model) {
         enter(Phase::renewed, session);
         return;
     }
-    const std::uint64_t allocated = allocatedBytes().value_or(0);
+    const std::uint64_t allocated = program::allocatedBytes().value_or(0);
     m_memory.push_back({.before = m_before, .resident = resident, .allocated = allocated});
-    printLine(
+    platform::printNow(
         fmt::format("allocated {:.2f} MB, resident {:.1f} MB, {:.1f} MB before the device was made anew, "
-                    "after {} of {} steps",
+                    "after {} of {} steps\n",
                     megabytes(allocated), megabytes(resident), megabytes(m_before), m_done, m_steps));
     enter(Phase::playing, session);
 }

@@ -78,24 +78,19 @@ void SoakInput::changeSettings() {
                                                              "fitted", "minimax:3",  "at:10,1000"};
     ViewSettings& s = m_settings;
     depth::Technique& technique = s.second && chance(0.5) ? *s.second : s.technique;
-    const auto remake = [&](depth::Mapping mapping, const depth::Split& split, depth::DepthFormat format) {
-        technique = depth::Technique{mapping, split, format};
-    };
     switch (pick(13)) {
     case 0:
     case 1:
         technique = presetOfKey(1 + pick(kPresetKeys));
         break;
     case 2:
-        remake(depth::kMappings.at(pick(depth::kMappings.size())), technique.split, technique.format);
+        technique.mapping = depth::kMappings.at(pick(depth::kMappings.size()));
         break;
     case 3:
-        remake(technique.mapping, depth::parseSplit(std::string(kSplits.at(pick(kSplits.size())))),
-               technique.format);
+        technique.split = depth::parseSplit(kSplits.at(pick(kSplits.size())));
         break;
     case 4:
-        remake(technique.mapping, technique.split,
-               depth::kDepthFormats.at(pick(depth::kDepthFormats.size())));
+        technique.format = depth::kDepthFormats.at(pick(depth::kDepthFormats.size()));
         break;
     case 5:
         s.targets = render::kTargetsKinds.at(pick(render::kTargetsKinds.size()));

@@ -1,7 +1,7 @@
-#include <viewer/drive/allocator.h>
 #include <viewer/panels/resident_memory.h>
 
 #include <gtest/gtest.h>
+#include <program/allocator.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ TEST(Allocator, MakesABlockResidentThatNobodyWrites) {
         GTEST_SKIP() << "a sanitizer stands where the C library's allocator would";
     }
     constexpr std::size_t kBytes = std::size_t{16} << 20;
-    viewer::writeAllBlocks();
+    program::writeAllBlocks();
     const std::uint64_t before = viewer::residentBytes().value_or(0);
     void* volatile block = std::malloc(kBytes); // volatile, or a compiler may leave both calls out
     const std::uint64_t after = viewer::residentBytes().value_or(0);

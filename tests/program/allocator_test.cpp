@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <program/kept_memory.h>
+#include <program/allocator.h>
 #include <sys/resource.h>
 
 #include <algorithm>
