@@ -2,14 +2,11 @@
 
 #include <cdr/scene/camera_path.h>
 
+#include <options/cli_app.h>
+
 #include <cstdint>
 #include <optional>
 #include <string>
-
-// CLI11's own name. NOLINTNEXTLINE(readability-identifier-naming)
-namespace CLI {
-class App;
-}
 
 namespace cdr::options {
 

@@ -3,13 +3,10 @@
 #include <cdr/gpu/device.h>
 #include <scenes/deform.h>
 
+#include <options/cli_app.h>
+
 #include <cstdint>
 #include <optional>
-
-// CLI11's own name. NOLINTNEXTLINE(readability-identifier-naming)
-namespace CLI {
-class App;
-}
 
 namespace cdr::options {
 

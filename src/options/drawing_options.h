@@ -4,15 +4,12 @@
 #include <cdr/render/geometry/snapping.h>
 #include <cdr/render/render_options.h>
 
+#include <options/cli_app.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
-
-// CLI11's own name. NOLINTNEXTLINE(readability-identifier-naming)
-namespace CLI {
-class App;
-}
 
 namespace cdr::options {
 

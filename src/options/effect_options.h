@@ -3,12 +3,9 @@
 #include <cdr/render/render_options.h>
 #include <cdr/scene/gltf/open_gltf.h>
 
-#include <cstdint>
+#include <options/cli_app.h>
 
-// CLI11's own name. NOLINTNEXTLINE(readability-identifier-naming)
-namespace CLI {
-class App;
-}
+#include <cstdint>
 
 namespace cdr::options {
 

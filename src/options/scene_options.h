@@ -5,16 +5,12 @@
 #include <scenes/layer_choice.h>
 
 #include <nlohmann/json_fwd.hpp>
+#include <options/cli_app.h>
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
-
-// CLI11's own name. NOLINTNEXTLINE(readability-identifier-naming)
-namespace CLI {
-class App;
-}
 
 namespace cdr::options {
 

@@ -28,7 +28,7 @@ std::vector<depth::NamedTechnique> techniquesToMeasure(const depth::Advice& advi
 
 std::vector<ProbeResult> probe(const gpu::Device& device, const depth::AdviceQuestion& question,
                                const std::vector<depth::NamedTechnique>& techniques,
-                               const MeasuredAdviceOptions& options, const AdviceProgress& progress) {
+                               const MeasuredAdviceOptions& options, const NamedProgress& progress) {
     const ProbeOptions probing{.distancesView = {question.scene.atView},
                                .techniques = techniques,
                                .nearView = question.scene.nearView,
@@ -44,7 +44,7 @@ std::vector<ProbeResult> probe(const gpu::Device& device, const depth::AdviceQue
 
 std::vector<TimingResult> time(const gpu::Device& device,
                                const std::vector<depth::NamedTechnique>& techniques,
-                               const MeasuredAdviceOptions& options, const AdviceProgress& progress) {
+                               const MeasuredAdviceOptions& options, const NamedProgress& progress) {
     TimingOptions timing{.width = options.width,
                          .height = options.height,
                          .frames = options.frames,
@@ -80,7 +80,7 @@ depth::AdviceQuestion onDevice(const gpu::Device& device, depth::AdviceQuestion 
 }
 
 depth::Advice measureAdvice(const gpu::Device& device, const depth::AdviceQuestion& question,
-                            const MeasuredAdviceOptions& options, const AdviceProgress& progress) {
+                            const MeasuredAdviceOptions& options, const NamedProgress& progress) {
     const depth::Advice predicted = depth::advise(question);
     const std::vector<depth::NamedTechnique> techniques = techniquesToMeasure(predicted);
     const std::vector<ProbeResult> probed = probe(device, question, techniques, options, progress);

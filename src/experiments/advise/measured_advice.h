@@ -2,11 +2,10 @@
 
 #include <cdr/depth/advice.h>
 #include <cdr/gpu/device.h>
+#include <experiments/progress.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <string>
 
 namespace cdr::experiments {
 
@@ -24,15 +23,12 @@ struct MeasuredAdviceOptions {
     std::uint64_t seed = 2013;
 };
 
-/// Called with how many pictures of all are done.
-using AdviceProgress = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
-
 /// The question without the depth formats that the device lacks; base::InputError when it lacks all of them.
 depth::AdviceQuestion onDevice(const gpu::Device& device, depth::AdviceQuestion question);
 
 /// Advice whose every row is measured. Costs are timed in the first of the question's formats and hold for
 /// the technique's other formats. base::InputError as depth::advise() and runProbe().
 depth::Advice measureAdvice(const gpu::Device& device, const depth::AdviceQuestion& question,
-                            const MeasuredAdviceOptions& options, const AdviceProgress& progress);
+                            const MeasuredAdviceOptions& options, const NamedProgress& progress);
 
 } // namespace cdr::experiments

@@ -238,7 +238,7 @@ std::string_view nameOf(CoplanarMethod method) {
 }
 
 std::vector<CoplanarResult> runCoplanar(const gpu::Device& device, const CoplanarOptions& options,
-                                        const CoplanarProgress& progress, ranks::Ranks& ranks) {
+                                        const Progress& progress, ranks::Ranks& ranks) {
     if (options.views < 1 || options.searchViews < 1) {
         throw base::InputError("coplanar needs a view to measure and a view to search settings by");
     }

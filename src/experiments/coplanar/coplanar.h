@@ -4,13 +4,13 @@
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
 #include <cdr/render/layer_options.h>
+#include <experiments/progress.h>
 
 #include <ranks/ranks.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -65,12 +65,9 @@ struct CoplanarResult {
         picture{}; ///< heat map of the view with the most wrong pixels; empty where there is none
 };
 
-/// Called before each step with how many of all are done.
-using CoplanarProgress = std::function<void(std::size_t done, std::size_t all)>;
-
 /// By technique, then by method; counts and pictures are the first rank's, which share techniques and then views.
 /// base::InputError for no views or no setting of polygon offset.
 std::vector<CoplanarResult> runCoplanar(const gpu::Device& device, const CoplanarOptions& options,
-                                        const CoplanarProgress& progress, ranks::Ranks& ranks);
+                                        const Progress& progress, ranks::Ranks& ranks);
 
 } // namespace cdr::experiments

@@ -261,7 +261,7 @@ class DetailComparison {
 } // namespace
 
 DetailReport runDetail(const gpu::Device& device, scene::SceneSetup setup, const DetailOptions& options,
-                       const DetailProgress& progress, ranks::Ranks& ranks) {
+                       const Progress& progress, ranks::Ranks& ranks) {
     if (options.frames < 1) {
         throw base::InputError("detail needs a frame");
     }

@@ -5,12 +5,12 @@
 #include <cdr/image/image.h>
 #include <cdr/measure/statistics/statistics.h>
 #include <cdr/visibility/level_choice.h>
+#include <experiments/progress.h>
 #include <scenes/open_scene.h>
 
 #include <ranks/ranks.h>
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -56,14 +56,11 @@ struct DetailReport {
     std::vector<DetailResult> results;
 };
 
-/// Called before each frame with how many of all are done.
-using DetailProgress = std::function<void(std::size_t done, std::size_t all)>;
-
 /// Every mode draws a camera, in a newly shuffled order, before the next camera. Then each renders it once
 /// more to be compared. base::InputError for no frames or an unusable detail.
 /// @param setup what options.scene names.
 /// @param ranks that share the comparisons. The first one times, while the others wait; it alone has results.
 DetailReport runDetail(const gpu::Device& device, scene::SceneSetup setup, const DetailOptions& options,
-                       const DetailProgress& progress, ranks::Ranks& ranks);
+                       const Progress& progress, ranks::Ranks& ranks);
 
 } // namespace cdr::experiments

@@ -140,8 +140,7 @@ std::string_view nameOf(EffectMode mode) {
 }
 
 EffectsReport runEffects(const gpu::Device& device, const scene::SceneSetup& setup,
-                         const EffectsOptions& options, const EffectsProgress& progress,
-                         runs::TimedRanks& ranks) {
+                         const EffectsOptions& options, const Progress& progress, runs::TimedRanks& ranks) {
     if (options.frames < 1) {
         throw base::InputError("effects needs a frame");
     }

@@ -4,13 +4,13 @@
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/statistics/statistics.h>
+#include <experiments/progress.h>
 #include <scenes/open_scene.h>
 
 #include <runs/timed_ranks.h>
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,15 +64,11 @@ struct EffectsReport {
     double lostPerLayer = 0.0; ///< share of pixels that occlusion per layer leaves brighter by more than that
 };
 
-/// Called before each step with how many of all are done.
-using EffectsProgress = std::function<void(std::size_t done, std::size_t all)>;
-
 /// Every mode draws a frame, in a newly shuffled order, before the next; then each is drawn by every technique.
 /// base::InputError for no frames.
 /// @param setup what options.scene names.
 /// @param ranks that share the timed frames; the first one does the rest, and alone has results.
 EffectsReport runEffects(const gpu::Device& device, const scene::SceneSetup& setup,
-                         const EffectsOptions& options, const EffectsProgress& progress,
-                         runs::TimedRanks& ranks);
+                         const EffectsOptions& options, const Progress& progress, runs::TimedRanks& ranks);
 
 } // namespace cdr::experiments

@@ -5,6 +5,7 @@
 #include <cdr/image/image.h>
 #include <cdr/measure/compare/flips.h>
 #include <cdr/measure/compare/wrong_pixels.h>
+#include <experiments/progress.h>
 
 #include <ranks/ranks.h>
 #include <rivals/rival.h>
@@ -58,7 +59,7 @@ struct FlickerResult {
 /// What a caller may do while the frames go by. Each may be empty; whether `pictures` is must be alike on all ranks.
 struct FlickerHooks {
     /// Called before each frame with how many of all are done.
-    std::function<void(std::size_t done, std::size_t all, const std::string& what)> progress;
+    NamedProgress progress;
     /// Receives every frame's pictures in the techniques' order, from the first frame on also where a run
     /// resumes. Rivals have none.
     std::function<void(std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures)> pictures;

@@ -170,7 +170,7 @@ class FocusComparison {
 } // namespace
 
 FocusReport runFocus(const gpu::Device& device, const scene::SceneSetup& setup, const FocusOptions& options,
-                     const FocusProgress& progress, runs::TimedRanks& ranks) {
+                     const Progress& progress, runs::TimedRanks& ranks) {
     if (options.frames < 1 || options.cameras < 1) {
         throw base::InputError("focus needs a frame and a camera");
     }

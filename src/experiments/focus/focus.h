@@ -5,12 +5,12 @@
 #include <cdr/image/image.h>
 #include <cdr/measure/statistics/statistics.h>
 #include <cdr/render/focus.h>
+#include <experiments/progress.h>
 #include <scenes/open_scene.h>
 
 #include <runs/timed_ranks.h>
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,15 +59,12 @@ struct FocusReport {
     std::vector<FocusResult> results;
 };
 
-/// Called before each step with how many of all are done.
-using FocusProgress = std::function<void(std::size_t done, std::size_t all)>;
-
 /// Every mode draws a frame, in a newly shuffled order, before the next. Then each is compared once with the
 /// mean, in linear light, of cameras spread over the lens. Each of them is turned to the point in focus.
 /// base::InputError for no frames or cameras, or an unusable or no focus.
 /// @param setup what options.scene names.
 /// @param ranks that share the timed frames; the first one does the rest, and alone has results.
 FocusReport runFocus(const gpu::Device& device, const scene::SceneSetup& setup, const FocusOptions& options,
-                     const FocusProgress& progress, runs::TimedRanks& ranks);
+                     const Progress& progress, runs::TimedRanks& ranks);
 
 } // namespace cdr::experiments

@@ -168,7 +168,7 @@ OrderChance orderChance(const depth::Technique& technique, const depth::Cascades
 
 Inspection runInspect(const gpu::Device& device, const scene::Scene& scene,
                       const std::vector<scene::Camera>& cameras, const InspectOptions& options,
-                      const Progress& progress) {
+                      const NamedProgress& progress) {
     Inspection inspection{.pairs = {}, .techniques = techniquesOf(device, options), .heatMap = {}};
     std::vector<InspectedTechnique>& techniques = inspection.techniques;
     const render::GpuScene onDevice(device, scene);

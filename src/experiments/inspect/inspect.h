@@ -71,7 +71,7 @@ struct Inspection {
 /// @param cameras at least one.
 Inspection runInspect(const gpu::Device& device, const scene::Scene& scene,
                       const std::vector<scene::Camera>& cameras, const InspectOptions& options,
-                      const Progress& progress);
+                      const NamedProgress& progress);
 
 /// What a depth buffer makes of two surfaces, as probabilities. They fall with the gap over what the buffer and float32
 /// round.

@@ -48,7 +48,7 @@ class Zoom {
     std::size_t frames() const { return m_numbers.size(); }
 
     /// All techniques and rivals in one frame; of the first and the last one pictures too.
-    output::Json measure(std::size_t unit, const Progress& progress) {
+    output::Json measure(std::size_t unit, const NamedProgress& progress) {
         for (; m_next < unit; ++m_next) {
             for (Drawer& drawer : m_drawers) {
                 drawer.skip(cameraOf(m_next));
@@ -136,7 +136,7 @@ std::vector<std::uint32_t> zoomFrames(std::uint32_t length, std::uint32_t count)
 }
 
 OrbitRun runOrbit(const gpu::Device& device, const scene::SceneSetup& setup, const OrbitOptions& given,
-                  const Progress& progress, ranks::Ranks& ranks) {
+                  const NamedProgress& progress, ranks::Ranks& ranks) {
     OrbitOptions options = given;
     if (options.techniques.empty()) {
         options.techniques.assign(depth::presets().begin(), depth::presets().end());

@@ -52,7 +52,7 @@ std::vector<std::uint32_t> zoomFrames(std::uint32_t length, std::uint32_t count)
 /// @param setup the scene; other scenes with a path do as well. With rivals one that rivals::Contender draws.
 /// base::InputError for a rival that the device cannot draw, and for such a scene.
 OrbitRun runOrbit(const gpu::Device& device, const scene::SceneSetup& setup, const OrbitOptions& given,
-                  const Progress& progress, ranks::Ranks& ranks);
+                  const NamedProgress& progress, ranks::Ranks& ranks);
 
 /// A gnuplot script: wrong pixels over the lens, a line per technique.
 /// @param measuredOn device and picture, for the title.

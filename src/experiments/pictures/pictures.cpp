@@ -78,7 +78,7 @@ std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOpt
 } // namespace
 
 std::vector<PictureResult> runPictures(const gpu::Device& device, std::vector<scene::SceneSetup> scenes,
-                                       const PicturesOptions& given, const Progress& progress) {
+                                       const PicturesOptions& given, const NamedProgress& progress) {
     PicturesOptions options = given;
     if (options.techniques.empty()) {
         options.techniques.assign(depth::presets().begin(), depth::presets().end());

@@ -6,9 +6,9 @@
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/render/geometry/snapping.h>
 #include <cdr/scene/scene_setup.h>
+#include <experiments/progress.h>
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,11 +38,8 @@ struct PictureResult {
     image::ImageRgba8 heatMap;  ///< of the first frame
 };
 
-/// Called before each frame with how many of all frames are done.
-using Progress = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
-
 std::vector<PictureResult> runPictures(const gpu::Device& device, std::vector<scene::SceneSetup> scenes,
-                                       const PicturesOptions& given, const Progress& progress);
+                                       const PicturesOptions& given, const NamedProgress& progress);
 
 /// All pictures over their heat maps with captions, one column per technique, two rows per scene.
 image::ImageRgba8 makeContactSheet(const std::vector<PictureResult>& results, const std::string& title);

@@ -163,7 +163,7 @@ class Prober {
 } // namespace
 
 std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions& options,
-                                  const ProbeProgress& progress, ranks::Ranks& ranks) {
+                                  const NamedProgress& progress, ranks::Ranks& ranks) {
     const std::vector<double>& distances = options.distancesView;
     for (const double distanceView : distances) {
         probeLadder(distanceView, options.nearView,

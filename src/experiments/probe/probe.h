@@ -2,13 +2,13 @@
 
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
+#include <experiments/progress.h>
 
 #include <ranks/ranks.h>
 #include <rivals/rival.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,12 +53,9 @@ struct ProbeResult {
     bool isRival() const { return !format; }
 };
 
-/// Called before each picture with how many of all are done.
-using ProbeProgress = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
-
 /// Distances are units of the ranks. The first rank has the results, others an empty list. base::InputError for an
 /// unusable distance, and for a depth format or a rival that the device cannot draw.
 std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions& options,
-                                  const ProbeProgress& progress, ranks::Ranks& ranks);
+                                  const NamedProgress& progress, ranks::Ranks& ranks);
 
 } // namespace cdr::experiments

@@ -67,7 +67,7 @@ class RivalField {
 class RivalsRun {
   public:
     RivalsRun(const gpu::Device& device, const std::vector<NamedScene>& scenes, const RivalsOptions& options,
-              const RivalsProgress& progress)
+              const NamedProgress& progress)
         : m_device(device),
           m_scenes(scenes),
           m_options(options),
@@ -248,7 +248,7 @@ class RivalsRun {
     const gpu::Device& m_device;
     const std::vector<NamedScene>& m_scenes;
     const RivalsOptions& m_options;
-    const RivalsProgress& m_progress;
+    const NamedProgress& m_progress;
     platform::WorkerPool m_workers;
     std::size_t m_baseline;
     std::size_t m_steps;
@@ -274,7 +274,7 @@ std::vector<NamedContender> defaultContenders(const gpu::DeviceInfo& device) {
 }
 
 RivalsReport runRivals(const gpu::Device& device, const std::vector<NamedScene>& scenes,
-                       const RivalsOptions& options, const RivalsProgress& progress) {
+                       const RivalsOptions& options, const NamedProgress& progress) {
     RivalsOptions complete = options;
     if (complete.contenders.empty()) {
         complete.contenders = defaultContenders(device.info());

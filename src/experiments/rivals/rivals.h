@@ -6,13 +6,13 @@
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/statistics/statistics.h>
 #include <cdr/scene/scene_setup.h>
+#include <experiments/progress.h>
 #include <experiments/rivals/needs.h>
 
 #include <rivals/contender.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -94,13 +94,10 @@ struct RivalsReport {
     std::vector<RivalWholeFrame> wholeFrames; ///< by scene
 };
 
-/// Called before each step with how many of all are done.
-using RivalsProgress = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
-
 /// Each contender draws each frame once to be compared with the float64 truth. Then all are timed, in an order shuffled
 /// again for each frame. base::InputError for a baseline that takes no part or is a rival, an unusable distance, and no
 /// frames. Also for a rival that the device cannot draw.
 RivalsReport runRivals(const gpu::Device& device, const std::vector<NamedScene>& scenes,
-                       const RivalsOptions& options, const RivalsProgress& progress);
+                       const RivalsOptions& options, const NamedProgress& progress);
 
 } // namespace cdr::experiments

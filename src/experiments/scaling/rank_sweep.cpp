@@ -212,9 +212,8 @@ std::vector<std::size_t> rankSteps(std::size_t count) {
     return steps;
 }
 
-std::vector<RankPoint>
-runRankSweep(const gpu::Device& device, const RankSweepOptions& options, ranks::Ranks& ranks,
-             const std::function<void(std::size_t done, std::size_t all, const std::string&)>& progress) {
+std::vector<RankPoint> runRankSweep(const gpu::Device& device, const RankSweepOptions& options,
+                                    ranks::Ranks& ranks, const NamedProgress& progress) {
     requireUsable(options);
     std::vector<RankPoint> points;
     std::size_t done = 0;

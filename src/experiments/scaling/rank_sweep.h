@@ -2,14 +2,13 @@
 
 #include <cdr/gpu/device.h>
 #include <cdr/measure/statistics/statistics.h>
+#include <experiments/progress.h>
 
 #include <output/columns.h>
 #include <ranks/ranks.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <string>
 #include <vector>
 
 namespace cdr::experiments {
@@ -62,9 +61,8 @@ struct RankPoint {
 std::vector<std::size_t> rankSteps(std::size_t count);
 
 /// All ranks call it. The points are the first rank's; those of the others are empty.
-std::vector<RankPoint>
-runRankSweep(const gpu::Device& device, const RankSweepOptions& options, ranks::Ranks& ranks,
-             const std::function<void(std::size_t done, std::size_t all, const std::string&)>& progress);
+std::vector<RankPoint> runRankSweep(const gpu::Device& device, const RankSweepOptions& options,
+                                    ranks::Ranks& ranks, const NamedProgress& progress);
 
 output::Columns<RankPoint> rankPointColumns();
 

@@ -106,7 +106,7 @@ std::vector<ScalingVariant> scalingVariants(const ScalingOptions& options) {
 } // namespace
 
 ScalingResult runScaling(const gpu::Device& device, const ScalingOptions& options,
-                         const ScalingProgress& progress) {
+                         const NamedProgress& progress) {
     requireUsable(options);
     const std::vector<ScalingVariant> variants = scalingVariants(options);
     const std::size_t frames = options.draws.size() * variants.size() * threadList(options).size() *

@@ -5,9 +5,9 @@
 #include <cdr/platform/thread_placement.h>
 #include <cdr/render/submit/draw_path.h>
 #include <cdr/render/targets/targets.h>
+#include <experiments/progress.h>
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -80,12 +80,9 @@ struct ScalingResult {
     std::vector<ScalingFit> fits;
 };
 
-/// Called before each frame with how many of all are done.
-using ScalingProgress = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
-
 /// base::InputError for an empty list or a value out of range, before anything is made.
 ScalingResult runScaling(const gpu::Device& device, const ScalingOptions& options,
-                         const ScalingProgress& progress);
+                         const NamedProgress& progress);
 void requireUsable(const ScalingOptions& options);
 
 /// Record time per draw, and its speed-up, over threads, as a gnuplot script; the first targets and fewest

@@ -53,7 +53,7 @@ ShadowResult compared(const render::Frame& frame, const measure::ShadowImage& tr
 
 void runShadows(const gpu::Device& device, const scene::SceneSetup& setup,
                 const options::FrameCameras& cameras, const ShadowExperiment& experiment,
-                const ShadowProgress& progress, const std::function<void(const ShadowResult&)>& take) {
+                const Progress& progress, const std::function<void(const ShadowResult&)>& take) {
     const std::vector<ShadowVariant> variants = shadowVariants(experiment);
     const scene::Scene& scene = setup.scene;
     if (scene.lights.empty()) {

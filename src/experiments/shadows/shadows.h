@@ -6,6 +6,7 @@
 #include <cdr/measure/shadows/wrong_shadows.h>
 #include <cdr/render/render_options.h>
 #include <cdr/scene/scene_setup.h>
+#include <experiments/progress.h>
 
 #include <options/camera_options.h>
 
@@ -41,13 +42,10 @@ struct ShadowResult {
     image::ImageRgba8 heatMap; ///< measure::shadowHeatMap()
 };
 
-/// Called before each step with how many of all are done.
-using ShadowProgress = std::function<void(std::size_t done, std::size_t all)>;
-
 /// Results go out as they come, by technique, frame and light. base::InputError for a scene
 /// without lights, an unknown name, and a method that casts none.
 void runShadows(const gpu::Device& device, const scene::SceneSetup& setup,
                 const options::FrameCameras& cameras, const ShadowExperiment& experiment,
-                const ShadowProgress& progress, const std::function<void(const ShadowResult&)>& take);
+                const Progress& progress, const std::function<void(const ShadowResult&)>& take);
 
 } // namespace cdr::experiments

@@ -146,8 +146,7 @@ std::string verdictOf(const Comparison& comparison) {
                : fmt::format("no difference seen, noise ±{} %", output::Readable{comparison.noisePercent});
 }
 
-AgainstReport runAgainst(const AgainstOptions& options,
-                         const std::function<void(std::size_t, std::size_t)>& progress) {
+AgainstReport runAgainst(const AgainstOptions& options, const Progress& progress) {
     constexpr std::size_t kRuns = 3; // this build, the other, this build again
     if (!program::isInstalled(options.against.string())) {
         throw base::InputError(options.against.string() + " is not installed");

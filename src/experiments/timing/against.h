@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cdr/measure/statistics/statistics.h>
+#include <experiments/progress.h>
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -57,7 +57,6 @@ struct AgainstReport {
 
 /// base::InputError where the other build times no mode of that name, or on another device; base::RunError where a run
 /// fails.
-AgainstReport runAgainst(const AgainstOptions& options,
-                         const std::function<void(std::size_t done, std::size_t all)>& progress);
+AgainstReport runAgainst(const AgainstOptions& options, const Progress& progress);
 
 } // namespace cdr::experiments

@@ -58,7 +58,7 @@ class StageRace {
         m_path = scene::turnPath(first, first.position, options.frames);
     }
 
-    void run(const TimingProgress& progress, runs::TimedRanks& ranks) {
+    void run(const Progress& progress, runs::TimedRanks& ranks) {
         std::size_t done = 0;
         const std::size_t all = std::size_t{runs::InterleavedFrames::kWarmUp} + m_options.frames;
         m_frames.run(
@@ -151,7 +151,7 @@ void requireStages(const TimingMode& mode) {
 }
 
 std::vector<StageCost> runStages(const gpu::Device& device, const TimingOptions& options,
-                                 const TimingProgress& progress, runs::TimedRanks& ranks) {
+                                 const Progress& progress, runs::TimedRanks& ranks) {
     if (options.frames < 1 || options.modes.empty()) {
         throw base::InputError("stages need a frame and a mode");
     }

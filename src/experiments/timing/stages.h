@@ -30,7 +30,7 @@ void requireStages(const TimingMode& mode);
 /// @param options mode 0 is drawn; one frame in flight. base::InputError for no frames.
 /// @param ranks that share the frames; the first one alone has results.
 std::vector<StageCost> runStages(const gpu::Device& device, const TimingOptions& options,
-                                 const TimingProgress& progress, runs::TimedRanks& ranks);
+                                 const Progress& progress, runs::TimedRanks& ranks);
 
 /// The stages of one mode.
 struct ModeStages {

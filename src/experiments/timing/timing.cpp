@@ -269,7 +269,7 @@ bool liesApart(const measure::Interval& overhead, const measure::Interval& floor
 }
 
 std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
-                                    const TimingProgress& progress, runs::TimedRanks& ranks) {
+                                    const Progress& progress, runs::TimedRanks& ranks) {
     if (options.frames < 1 || options.modes.size() < 2) {
         throw base::InputError("timing needs a frame, and a mode beside the baseline");
     }

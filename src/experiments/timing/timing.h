@@ -8,13 +8,13 @@
 #include <cdr/render/submit/draw_path.h>
 #include <cdr/render/surface_path.h>
 #include <cdr/render/targets/targets.h>
+#include <experiments/progress.h>
 
 #include <rivals/contender.h>
 #include <runs/timed_ranks.h>
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -125,15 +125,12 @@ struct TimingResult {
     measure::Interval overheadPercent95; ///< bootstrapped
 };
 
-/// Called before each frame with how many of all frames, warm-up included, are done.
-using TimingProgress = std::function<void(std::size_t done, std::size_t all)>;
-
 /// Results in the order of the modes. base::InputError for no frames or fewer than two modes, for an unknown scene, and
 /// for a rival that the device cannot draw. A scene that moves is refused with frames in flight, unshared meshes, a
 /// visibility buffer or ids alone. Ids alone are refused with frames in flight.
 /// @param ranks that share the frames, or the runs of frames in flight; the first one alone has results, and traces.
 std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
-                                    const TimingProgress& progress, runs::TimedRanks& ranks);
+                                    const Progress& progress, runs::TimedRanks& ranks);
 
 /// Whether an overhead is more than noise: its interval and that of standard over itself have nothing in common.
 bool liesApart(const measure::Interval& overhead, const measure::Interval& floor);

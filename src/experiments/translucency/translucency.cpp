@@ -136,7 +136,7 @@ std::vector<double> timeInTurns(const gpu::Device& device, const scene::SceneSet
 } // namespace
 
 TranslucencyResults runTranslucency(const gpu::Device& device, const scene::SceneSetup& setup,
-                                    const TranslucencyExperiment& given, const TranslucencyProgress& progress,
+                                    const TranslucencyExperiment& given, const Progress& progress,
                                     ranks::Ranks& ranks) {
     if (!visibility::hasBlended(setup.scene)) {
         throw base::InputError(setup.scene.name + ": the scene has no translucent surfaces");

@@ -6,11 +6,11 @@
 #include <cdr/measure/truth/layered_truth.h>
 #include <cdr/render/translucency/translucency.h>
 #include <cdr/scene/scene_setup.h>
+#include <experiments/progress.h>
 
 #include <ranks/ranks.h>
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,15 +46,12 @@ struct TranslucencyResults {
     std::vector<TranslucencyResult> results; ///< by cascades, then method
 };
 
-/// Called before each step with how many of all are done.
-using TranslucencyProgress = std::function<void(std::size_t done, std::size_t all)>;
-
 /// base::InputError for a scene without translucent surfaces, or an unusable number of cascades. base::RunError
 /// where the device lacks the memory for all renderers at once, which timing takes.
 /// @param setup what given.scene names.
 /// @param ranks that share the comparisons. The first one times, while the others wait; it alone has results.
 TranslucencyResults runTranslucency(const gpu::Device& device, const scene::SceneSetup& setup,
-                                    const TranslucencyExperiment& given, const TranslucencyProgress& progress,
+                                    const TranslucencyExperiment& given, const Progress& progress,
                                     ranks::Ranks& ranks);
 
 /// How far a picture is from the truth, eight times as bright.

@@ -5,6 +5,7 @@
 #include <cdr/scene/stereo_rig.h>
 
 #include <nlohmann/json.hpp>
+#include <options/cli_app.h>
 
 #include <array>
 #include <cstddef>
@@ -12,11 +13,6 @@
 #include <optional>
 #include <string_view>
 #include <vector>
-
-// CLI11's own name. NOLINTNEXTLINE(readability-identifier-naming)
-namespace CLI {
-class App;
-}
 
 namespace cdr::options {
 

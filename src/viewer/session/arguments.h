@@ -5,6 +5,7 @@
 #include <viewer/state/view_settings.h>
 
 #include <options/camera_options.h>
+#include <options/cli_app.h>
 #include <options/deform_choice.h>
 #include <options/drawing_options.h>
 #include <options/scene_options.h>
@@ -16,11 +17,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-
-// CLI11's own name. NOLINTNEXTLINE(readability-identifier-naming)
-namespace CLI {
-class App;
-}
 
 namespace cdr::viewer {
 
