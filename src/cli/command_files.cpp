@@ -4,6 +4,7 @@
 #include <cdr/platform/file.h>
 
 #include <fmt/format.h>
+#include <output/gnuplot.h>
 
 namespace cdr::cli {
 
@@ -54,6 +55,19 @@ void CommandFiles::writes(const std::string& option, const fs::path& path) {
         }
     }
     m_outputs.push_back(output);
+}
+
+void CommandFiles::mayWrite(const std::string& option, const fs::path& path) {
+    if (!path.empty()) {
+        writes(option, path);
+    }
+}
+
+void CommandFiles::mayPlot(const fs::path& path) {
+    if (!path.empty()) {
+        output::requirePlottable(path);
+        writes("--plot", path);
+    }
 }
 
 void CommandFiles::writesSequence(const std::string& option, std::size_t begin, std::size_t end,

@@ -19,6 +19,12 @@ class CommandFiles {
     /// @param option that names it, such as "--json".
     void writes(const std::string& option, const std::filesystem::path& path);
 
+    /// The same of an option that was perhaps not given, whose path is empty then.
+    void mayWrite(const std::string& option, const std::filesystem::path& path);
+
+    /// The same of --plot. base::InputError also as output::requirePlottable().
+    void mayPlot(const std::filesystem::path& path);
+
     /// The other pictures of a sequence, whose first one is named by writes(). base::InputError when the command reads one.
     /// @param number of the picture that nameAt() is to name.
     void writesSequence(const std::string& option, std::size_t begin, std::size_t end,

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+#include <options/parsed_option.h>
 
 #include <algorithm>
 #include <array>
@@ -145,16 +146,9 @@ void addRivalList(CLI::App& command, std::vector<rivals::NamedRival>& chosen, co
     for (const rivals::NamedRival& named : rivals::namedRivals()) {
         known.push_back(named.name);
     }
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--rivals",
-            [&chosen](const std::vector<std::string>& names) {
-                std::transform(names.begin(), names.end(), std::back_inserter(chosen), rivals::parseRival);
-            },
-            fmt::format("Rivals, separated by commas: {}, each also with /prepass; {}",
-                        fmt::join(known, ", "), otherwise))
-        ->expected(CLI::detail::expected_max_vector_size)
-        ->delimiter(',');
+    options::addParsedList(command, "--rivals", chosen, rivals::parseRival,
+                           fmt::format("Rivals, separated by commas: {}, each also with /prepass; {}",
+                                       fmt::join(known, ", "), otherwise));
 }
 
 } // namespace cdr::cli

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace cdr::options {
 
@@ -30,6 +31,25 @@ CLI::Option* addParsed(CLI::App& command, const char* names, Value& value, Parse
             }
         },
         help);
+}
+
+/// Adds an option of several texts with commas between, which `parse` turns into the values instead of those that are there.
+/// @param values must live as long as the command.
+template <typename Value, typename Parse>
+CLI::Option* addParsedList(CLI::App& command, const char* names, std::vector<Value>& values, Parse parse,
+                           const std::string& help) {
+    return command
+        .add_option_function<std::vector<std::string>>(
+            names,
+            [&values, parse](const std::vector<std::string>& texts) {
+                values.clear();
+                for (const std::string& text : texts) {
+                    values.push_back(parse(text));
+                }
+            },
+            help)
+        ->expected(CLI::detail::expected_max_vector_size)
+        ->delimiter(',');
 }
 
 } // namespace cdr::options

@@ -21,9 +21,12 @@ std::string plainText(const Json& value) {
 
 } // namespace
 
-CsvField::CsvField(const char* key) : heading(key), pointer(fmt::format("/{}", key)) {}
-
-CsvField::CsvField(std::string name, std::string path) : heading(std::move(name)), pointer(std::move(path)) {}
+CsvField::CsvField(const char* text) : heading(text), pointer("/" + heading) {
+    if (const std::size_t equals = heading.find('='); equals != std::string::npos) {
+        pointer = heading.substr(equals + 1);
+        heading.resize(equals);
+    }
+}
 
 std::string cellOf(const Json& value, const CellFormat& format) {
     const auto pattern = fmt::runtime(format.pattern);

@@ -171,9 +171,9 @@ Columns<Row> joined(const std::vector<Columns<Row>>& lists) {
 
 /// A column of a CSV file: a value in rows of JSON.
 struct CsvField {
+    /// @param text a row's key, or the heading and the pointer with "=" between.
     // NOLINTNEXTLINE(google-explicit-constructor): so that a list of fields is one of names
-    CsvField(const char* key);
-    CsvField(std::string name, std::string path);
+    CsvField(const char* text);
 
     std::string heading;
     std::string pointer; ///< JSON pointer into a row

@@ -52,15 +52,9 @@ void checkFiles(const RenderArguments& arguments, const RenderPlan& plan, Comman
         files.writesSequence("-o", plan.cameras.first + 1, plan.cameras.first + plan.cameras.frames,
                              [&](std::size_t frame) { return plan.name.at(static_cast<unsigned>(frame)); });
     }
-    if (!arguments.trace.empty()) {
-        files.writes("--trace", arguments.trace);
-    }
-    if (!arguments.certify.empty()) {
-        files.writes("--certify", arguments.certify);
-    }
-    if (!arguments.state.empty()) {
-        files.writes("--state", arguments.state);
-    }
+    files.mayWrite("--trace", arguments.trace);
+    files.mayWrite("--certify", arguments.certify);
+    files.mayWrite("--state", arguments.state);
 }
 
 /// base::InputError for several views with options that take one view.

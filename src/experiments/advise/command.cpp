@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <options/parsed_option.h>
 #include <output/columns.h>
 #include <output/readable.h>
 #include <output/sentence_parts.h>
@@ -29,7 +30,7 @@ struct AdviseArguments {
     double separationView = 0.0;
     std::optional<unsigned> subPixelBits;
     double slope = 1.0;
-    std::vector<std::string> formats;
+    std::vector<depth::DepthFormat> formats;
     bool measured = false;
     experiments::MeasuredAdviceOptions measuring;
 };
@@ -48,10 +49,7 @@ depth::AdviceQuestion questionOf(const AdviseArguments& arguments) {
                   .slope = arguments.slope},
         .separationView = arguments.separationView};
     if (!arguments.formats.empty()) {
-        question.formats.clear();
-        for (const std::string& name : arguments.formats) {
-            question.formats.push_back(depth::parseDepthFormat(name));
-        }
+        question.formats = arguments.formats;
     }
     return question;
 }
@@ -240,8 +238,8 @@ void addOptions(CLI::App& command, AdviseArguments& arguments) {
     command
         .add_option("--slope", arguments.slope, "Tangent of the angle between those surfaces and the picture")
         ->capture_default_str();
-    command.add_option("--format", arguments.formats, "Depth formats to consider, separated by commas; all")
-        ->delimiter(',');
+    options::addParsedList(command, "--format", arguments.formats, depth::parseDepthFormat,
+                           "Depth formats to consider, separated by commas; all");
     command.add_flag("--measured", arguments.measured,
                      "Measure separations and frame times on the device, beside the formulas");
     addFrames(command, arguments.measuring.frames, "With --measured: frames timed per technique", 1u << 20);

@@ -98,10 +98,7 @@ void run(Command& command, OrbitArguments& arguments) {
     if (folder.isWanted()) {
         requireDistinct(options.techniques);
     }
-    if (!arguments.plot.empty()) {
-        output::requirePlottable(arguments.plot);
-        command.files().writes("--plot", arguments.plot);
-    }
+    command.files().mayPlot(arguments.plot);
     if (!arguments.files.model.empty()) {
         command.reads(arguments.files.model);
     }

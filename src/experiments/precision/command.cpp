@@ -56,9 +56,7 @@ void writeCurve(const std::string& file, const experiments::PrecisionResult& res
 }
 
 void run(Command& command, PrecisionArguments& arguments) {
-    if (!arguments.curveFile.empty()) {
-        command.files().writes("--curve", arguments.curveFile);
-    }
+    command.files().mayWrite("--curve", arguments.curveFile);
     const experiments::PrecisionResult result = experiments::runPrecision(arguments.options);
     const Console& console = command.console();
     const auto columns = precisionColumns(command.global().unit);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+#include <options/parsed_option.h>
 #include <output/columns.h>
 #include <output/readable.h>
 
@@ -21,7 +22,6 @@ namespace {
 
 struct ProbeArguments {
     experiments::ProbeOptions options;
-    std::vector<std::string> formats;
     std::filesystem::path state;
 };
 
@@ -96,9 +96,6 @@ std::vector<std::string_view> missingFormats(const gpu::Device& device,
 
 void run(Command& command, ProbeArguments& arguments) {
     experiments::ProbeOptions& options = arguments.options;
-    for (const std::string& name : arguments.formats) {
-        options.formats.push_back(depth::parseDepthFormat(name));
-    }
     const std::vector<std::string_view> missing = missingFormats(command.device(), options);
     command.keepUnits(arguments.state);
     const auto results =
@@ -134,8 +131,8 @@ void addOptions(CLI::App& command, ProbeArguments& arguments) {
         ->capture_default_str();
     addTechniques(command, options.techniques);
     addRivalList(command, options.rivalsBeside, "none");
-    command.add_option("--formats", arguments.formats, "Depth formats, separated by commas; all")
-        ->delimiter(',');
+    options::addParsedList(command, "--formats", options.formats, depth::parseDepthFormat,
+                           "Depth formats, separated by commas; all");
     addSize(command, options.width, options.height);
     addThreads(command, options.threads, "Threads that cull, bin and record");
     addSeed(command, options.seed, "Seed of the ladder");

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <options/parsed_option.h>
 #include <output/columns.h>
 #include <output/gnuplot.h>
 #include <program/build_info.h>
@@ -20,8 +21,6 @@ namespace {
 
 struct ScalingArguments {
     experiments::ScalingOptions options;
-    std::vector<std::string> targets;
-    std::vector<std::string> submissions;
     std::filesystem::path csv;
     std::filesystem::path plot;
     RankSweepArguments ranks;
@@ -102,50 +101,19 @@ void printTables(const Console& console, const experiments::ScalingResult& resul
 }
 
 void writeScalingCsv(const std::filesystem::path& path, const output::Json& points) {
-    platform::writeText(path, output::csvOf({"targets",
-                                             "submission",
-                                             "cascades",
-                                             "threads",
-                                             "cubes",
-                                             "draws",
-                                             "cull_ms",
-                                             "bin_ms",
-                                             "record_ms",
-                                             {"record_spread", "/spread/record"},
-                                             "record_ns_per_draw",
-                                             "execute_ms",
-                                             "frame_ms",
-                                             "speedup",
-                                             "efficiency",
-                                             "cull_bin_speedup",
-                                             "frame_speedup",
-                                             "hash",
-                                             "same_image"},
-                                            points));
+    platform::writeText(
+        path, output::csvOf({"targets", "submission", "cascades", "threads", "cubes", "draws", "cull_ms",
+                             "bin_ms", "record_ms", "record_spread=/spread/record", "record_ns_per_draw",
+                             "execute_ms", "frame_ms", "speedup", "efficiency", "cull_bin_speedup",
+                             "frame_speedup", "hash", "same_image"},
+                            points));
 }
 
 /// What can be wrong with the arguments, before anything is made.
 void checkArguments(ScalingArguments& arguments, CommandFiles& files) {
-    if (!arguments.targets.empty()) {
-        arguments.options.targets.clear();
-        for (const std::string& name : arguments.targets) {
-            arguments.options.targets.push_back(render::parseTargets(name));
-        }
-    }
-    if (!arguments.submissions.empty()) {
-        arguments.options.submissions.clear();
-        for (const std::string& name : arguments.submissions) {
-            arguments.options.submissions.push_back(render::parseSubmission(name));
-        }
-    }
     experiments::requireUsable(arguments.options);
-    if (!arguments.csv.empty()) {
-        files.writes("--csv", arguments.csv);
-    }
-    if (!arguments.plot.empty()) {
-        output::requirePlottable(arguments.plot);
-        files.writes("--plot", arguments.plot);
-    }
+    files.mayWrite("--csv", arguments.csv);
+    files.mayPlot(arguments.plot);
 }
 
 void writeResults(Command& command, const ScalingArguments& arguments,
@@ -247,12 +215,11 @@ void addOptions(CLI::App& command, ScalingArguments& arguments) {
             "--threads", options.threads,
             "Numbers of threads, such as 1,2,4; 1 is always measured too (default: to twice the CPUs)")
         ->delimiter(',');
-    command.add_option("--targets", arguments.targets, "Kinds of targets (default: all)")->delimiter(',');
-    command
-        .add_option("--submissions", arguments.submissions,
-                    "How draws reach the device: secondaries, primaries (the control; both by default), "
-                    "gpu-driven")
-        ->delimiter(',');
+    options::addParsedList(command, "--targets", options.targets, render::parseTargets,
+                           "Kinds of targets (default: all)");
+    options::addParsedList(
+        command, "--submissions", options.submissions, render::parseSubmission,
+        "How draws reach the device: secondaries, primaries (the control; both by default), gpu-driven");
     command.add_flag_callback(
         "--free", [&options] { options.placement = platform::Placement::free; },
         "Let the kernel place threads, instead of pinning each to a CPU");

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <options/parsed_option.h>
 #include <output/columns.h>
 
 #include <filesystem>
@@ -18,7 +19,6 @@ struct ShadowArguments {
     experiments::ShadowExperiment experiment;
     std::string scene = "alley";
     std::uint64_t seed = scenes::kDefaultSeed;
-    std::string surface = "gbuffer";
     options::CameraOptions camera;
     scene::GltfChoice choice;
     std::filesystem::path folder;
@@ -61,7 +61,6 @@ output::Columns<experiments::ShadowResult> shadowColumns() {
 
 void run(Command& command, ShadowArguments& arguments) {
     experiments::ShadowExperiment& experiment = arguments.experiment;
-    experiment.options.surface = render::parseSurfacePath(arguments.surface);
     experiment.techniques = techniqueNames(experiment.techniques);
     if (!arguments.camera.path.empty()) {
         command.reads(arguments.camera.path);
@@ -75,7 +74,7 @@ void run(Command& command, ShadowArguments& arguments) {
                                           {"seed", arguments.seed},
                                           {"width", experiment.options.width},
                                           {"height", experiment.options.height},
-                                          {"surface", arguments.surface},
+                                          {"surface", nameOf(experiment.options.surface)},
                                           {"snap_bits", experiment.options.snapBits},
                                           {"threads", experiment.options.threads}});
     options::addChoiceJson(document["options"], arguments.choice);
@@ -114,7 +113,8 @@ void addOptions(CLI::App& command, ShadowArguments& arguments) {
         .add_option("--shadow-texels", experiment.options.shadows.maxTexels, "Most texels of a side of a map")
         ->check(CLI::Range(render::kMinShadowTexels, render::kMaxShadowTexels))
         ->capture_default_str();
-    command.add_option("--surface", arguments.surface, "gbuffer or visibility")->capture_default_str();
+    options::addNamed(command, "--surface", arguments.experiment.options.surface, render::parseSurfacePath,
+                      "gbuffer or visibility");
     options::addFrameOptions(command, arguments.camera);
     options::addCameraOptions(command, arguments.camera);
     options::addStillChoice(command, arguments.choice);

@@ -43,16 +43,9 @@ void checkArguments(TimingArguments& arguments, CommandFiles& files, const ranks
     }
     const auto rivalModes = experiments::rivalTimingModes(arguments.rivalsBeside);
     arguments.options.modes.insert(arguments.options.modes.end(), rivalModes.begin(), rivalModes.end());
-    if (!arguments.csv.empty()) {
-        files.writes("--csv", arguments.csv);
-    }
-    if (!arguments.trace.empty()) {
-        files.writes("--trace", arguments.trace);
-    }
-    if (!arguments.plot.empty()) {
-        output::requirePlottable(arguments.plot);
-        files.writes("--plot", arguments.plot);
-    }
+    files.mayWrite("--csv", arguments.csv);
+    files.mayWrite("--trace", arguments.trace);
+    files.mayPlot(arguments.plot);
 }
 
 void run(Command& command, TimingArguments& arguments) {

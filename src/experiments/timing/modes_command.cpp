@@ -102,23 +102,11 @@ output::Columns<experiments::TimingResult> timingColumns(const measure::Interval
 }
 
 void writeTimingCsv(const std::filesystem::path& path, const output::Json& rows) {
-    platform::writeText(path, output::csvOf({"name",
-                                             "mode",
-                                             "targets",
-                                             "cascades",
-                                             "median_us",
-                                             "p5_us",
-                                             "p95_us",
-                                             "cull_bin_us",
-                                             "record_us",
-                                             "execute_us",
-                                             "draws",
-                                             "overhead_pct",
-                                             {"ci95_low", "/ci95/0"},
-                                             {"ci95_high", "/ci95/1"},
-                                             "thesis_pct",
-                                             "device_us"},
-                                            rows));
+    platform::writeText(path,
+                        output::csvOf({"name", "mode", "targets", "cascades", "median_us", "p5_us", "p95_us",
+                                       "cull_bin_us", "record_us", "execute_us", "draws", "overhead_pct",
+                                       "ci95_low=/ci95/0", "ci95_high=/ci95/1", "thesis_pct", "device_us"},
+                                      rows));
 }
 
 const char* describeScene(const experiments::TimingOptions& options) {
@@ -169,7 +157,8 @@ void timeModes(Command& command, TimingArguments& arguments) {
 
     const Console& console = command.console();
     const std::string device = command.opened().text();
-    console.table(output::tableOf(timingColumns(results.at(1).overheadPercent95, options.frames), results));
+    const auto columns = timingColumns(results.at(1).overheadPercent95, options.frames);
+    console.table(output::tableOf(columns, results));
     console.line(fmt::format("\n{}; {} frames a mode after {} dropped, seed {}, {} threads, {}x{}; commit {}",
                              device, options.frames, experiments::kWarmUpFrames, options.seed,
                              options.threads, options.width, options.height, program::buildInfo().commit));
@@ -186,9 +175,7 @@ void timeModes(Command& command, TimingArguments& arguments) {
             "standard/ids.");
     }
     if (!arguments.csv.empty()) {
-        writeTimingCsv(
-            arguments.csv,
-            output::jsonOf(timingColumns(results.at(1).overheadPercent95, options.frames), results));
+        writeTimingCsv(arguments.csv, output::jsonOf(columns, results));
     }
     if (!arguments.plot.empty()) {
         output::writePlot(arguments.plot, experiments::timingPlot(results, device));

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <options/parsed_option.h>
 #include <options/scene_options.h>
 #include <output/columns.h>
 #include <output/readable.h>
@@ -20,7 +21,6 @@ constexpr std::size_t kMaxRepeats = 10'000;
 struct TranslucencyArguments {
     experiments::TranslucencyExperiment experiment;
     scene::GltfChoice choice; ///< the moment of a file's animation
-    std::string mapping = "anchored";
     std::uint64_t memoryMiB = render::TranslucencyOptions{}.maxBytes >> 20u;
     std::filesystem::path folder;
     std::filesystem::path state;
@@ -80,7 +80,6 @@ void writePictures(const PictureFolder& folder, const experiments::TranslucencyR
 void run(Command& command, TranslucencyArguments& arguments) {
     command.measuresTime();
     experiments::TranslucencyExperiment& experiment = arguments.experiment;
-    experiment.mapping = depth::parseMapping(arguments.mapping);
     experiment.maxBytes = arguments.memoryMiB << 20u;
     const PictureFolder folder(arguments.folder, command.files());
     experiment.keepsPictures = folder.isWanted();
@@ -105,14 +104,14 @@ void run(Command& command, TranslucencyArguments& arguments) {
         fmt::format("\n{}; {}, {}x{}, mapping {}, {} repeats interleaved, median; errors in 8-bit "
                     "steps of the worst channel, off silhouettes",
                     command.opened().text(), experiment.scene, experiment.width, experiment.height,
-                    arguments.mapping, experiment.repeats));
+                    nameOf(experiment.mapping), experiment.repeats));
     if (folder.isWanted()) { // else there is nothing to write
         writePictures(folder, all);
     }
     auto document = command.makeDocument({{"scene", experiment.scene},
                                           {"width", experiment.width},
                                           {"height", experiment.height},
-                                          {"mapping", arguments.mapping},
+                                          {"mapping", nameOf(experiment.mapping)},
                                           {"threads", experiment.threads},
                                           {"repeats", experiment.repeats},
                                           {"seed", experiment.seed}});
@@ -132,7 +131,8 @@ void addOptions(CLI::App& command, TranslucencyArguments& arguments) {
     command.add_option("scene", experiment.scene, "Scene with translucent surfaces")->capture_default_str();
     options::addMoment(command, arguments.choice);
     addSize(command, experiment.width, experiment.height);
-    command.add_option("--depth", arguments.mapping, "Depth mapping of the cascades")->capture_default_str();
+    options::addNamed(command, "--depth", arguments.experiment.mapping, depth::parseMapping,
+                      "Depth mapping of the cascades");
     command.add_option("--cascades", experiment.cascades, "Numbers of cascades, separated by commas")
         ->delimiter(',')
         ->capture_default_str();
