@@ -6,38 +6,23 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
+#include <sstream>
+
 namespace cdr::output {
 
 namespace {
 
 std::vector<std::string> encoderArguments(const std::filesystem::path& output, std::uint32_t width,
                                           std::uint32_t height, const VideoTiming& timing) {
-    return {"ffmpeg",
-            "-hide_banner",
-            "-loglevel",
-            "error",
-            "-f",
-            "rawvideo",
-            "-pixel_format",
-            "rgba",
-            "-video_size",
-            fmt::format("{}x{}", width, height),
-            "-framerate",
-            fmt::format("{}/{}", timing.frames, timing.seconds),
-            "-i",
-            "pipe:0",
-            "-c:v",
-            "libx264",
-            "-preset",
-            "veryfast",
-            "-crf",
-            "20", // flicker is noise, which coarser settings smooth
-            "-pix_fmt",
-            "yuv420p",
-            "-movflags",
-            "+faststart",
-            "-y",
-            "file:" + std::filesystem::absolute(output).string()};
+    // Flicker is noise, which a coarser crf smooths.
+    std::istringstream words(fmt::format(
+        "ffmpeg -hide_banner -loglevel error -f rawvideo -pixel_format rgba -video_size {}x{} -framerate {}/{} "
+        "-i pipe:0 -c:v libx264 -preset veryfast -crf 20 -pix_fmt yuv420p -movflags +faststart -y",
+        width, height, timing.frames, timing.seconds));
+    std::vector<std::string> arguments{std::istream_iterator<std::string>(words), {}};
+    arguments.push_back("file:" + std::filesystem::absolute(output).string()); // which may hold blanks
+    return arguments;
 }
 
 const std::filesystem::path& checked(const std::filesystem::path& path, std::uint32_t width,

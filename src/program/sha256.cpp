@@ -1,6 +1,8 @@
 #include <cdr/base/error.h>
 #include <cdr/platform/input_file.h>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <openssl/evp.h>
 #include <program/sha256.h>
 
@@ -30,14 +32,7 @@ class Sha256 {
     std::string finish() {
         std::array<unsigned char, 32> digest{};
         require(EVP_DigestFinal_ex(m_context.get(), digest.data(), nullptr) == 1);
-        static constexpr char kDigits[] = "0123456789abcdef";
-        std::string text;
-        text.reserve(2 * digest.size());
-        for (const unsigned char byte : digest) {
-            text += kDigits[byte >> 4];
-            text += kDigits[byte & 15];
-        }
-        return text;
+        return fmt::format("{:02x}", fmt::join(digest, ""));
     }
 
   private:

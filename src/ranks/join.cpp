@@ -28,10 +28,6 @@ std::unique_ptr<Ranks> join(Explain explain, Say say) {
     return isLaunched() ? makeMpiRanks(std::move(explain), std::move(say)) : std::make_unique<OneProcess>();
 }
 
-std::string mpiLibrary() {
-    return mpiLibraryVersion();
-}
-
 #else
 
 std::unique_ptr<Ranks> join(Explain, Say) {

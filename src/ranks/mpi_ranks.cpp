@@ -3,6 +3,7 @@
 #include <climits>
 #include <fmt/format.h>
 #include <mpi.h>
+#include <ranks/join.h>
 #include <ranks/mpi_counters.h>
 #include <ranks/mpi_machine.h>
 #include <ranks/mpi_ranks.h>
@@ -431,7 +432,7 @@ std::unique_ptr<Ranks> makeMpiRanks(Explain explain, Say say) {
                                       std::move(say));
 }
 
-std::string mpiLibraryVersion() {
+std::string mpiLibrary() {
     std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
     int length = 0;
     MPI_Get_library_version(text.data(), &length);

@@ -113,11 +113,12 @@ AtomicPass::AtomicPass(const gpu::Device& device, const Rival& rival, vk::Extent
       m_set(gpu::allocateSet(device, *m_pool, *m_setLayout)),
       m_layout(gpu::makePipelineLayout(device, {{m_setLayout}, {FrameDraws::pushRange()}}, "rival layout")) {
     gpu::writeBufferBinding(device, m_set, 0, kStorage, m_keys.handle());
+    const std::uint32_t depthUse = rival.prepass ? shaders::kDepthSieves : shaders::kDepthNone;
     if (hasIdPass()) {
         m_ids = makePixels(device, extent, sizeof(std::uint32_t), "rival ids");
         m_idsOnHost = hostCopyOf(device, m_ids, "rival ids on the host");
         gpu::writeBufferBinding(device, m_set, 1, kStorage, m_ids.handle());
-        m_whose = makePipeline(device, idsSpirvOf(rival));
+        m_whose = makePipeline(device, "rival", idsSpirvOf(rival), depthUse);
     }
     if (rival.prepass) {
         m_depth = gpu::Image(device,
@@ -126,43 +127,28 @@ AtomicPass::AtomicPass(const gpu::Device& device, const Rival& rival, vk::Extent
                               .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment,
                               .aspect = vk::ImageAspectFlagBits::eDepth},
                              "rival prepass");
-        m_prepass = makePrepass(device);
+        m_prepass = makePipeline(device, "rival prepass", {}, shaders::kDepthDecides);
     }
-    m_nearest = makePipeline(device, nearestSpirvOf(rival));
+    m_nearest = makePipeline(device, "rival", nearestSpirvOf(rival), depthUse);
 }
 
 vk::Format AtomicPass::depthFormat() const {
     return m_rival.prepass ? kPrepassFormat : vk::Format::eUndefined;
 }
 
-gpu::Pipeline AtomicPass::makePipeline(const gpu::Device& device, const gpu::Spirv& fragment) const {
-    return gpu::makeGraphicsPipeline(
-        device, {.name = "rival",
-                 .vertexSpirv = vertexSpirvOf(m_rival.distance),
-                 .fragmentSpirv = fragment,
-                 .constants = {shaders::kDepthFormLinear, 0u, 0u, 0u,
-                               m_rival.prepass ? shaders::kDepthSieves : shaders::kDepthNone},
-                 .layout = m_layout,
-                 .bindings = FrameDraws::bindings(),
-                 .attributes = FrameDraws::attributes(),
-                 .colorFormats = {},
-                 .depthFormat = depthFormat(),
-                 .writesDepth = false,
-                 .depthCompare = vk::CompareOp::eGreaterOrEqual});
-}
-
-gpu::Pipeline AtomicPass::makePrepass(const gpu::Device& device) const {
-    return gpu::makeGraphicsPipeline(
-        device, {.name = "rival prepass",
-                 .vertexSpirv = vertexSpirvOf(m_rival.distance),
-                 .fragmentSpirv = {},
-                 .constants = {shaders::kDepthFormLinear, 0u, 0u, 0u, shaders::kDepthDecides},
-                 .layout = m_layout,
-                 .bindings = FrameDraws::bindings(),
-                 .attributes = FrameDraws::attributes(),
-                 .colorFormats = {},
-                 .depthFormat = depthFormat(),
-                 .depthCompare = vk::CompareOp::eGreaterOrEqual});
+gpu::Pipeline AtomicPass::makePipeline(const gpu::Device& device, const char* name,
+                                       const gpu::Spirv& fragment, std::uint32_t depthUse) const {
+    return gpu::makeGraphicsPipeline(device, {.name = name,
+                                              .vertexSpirv = vertexSpirvOf(m_rival.distance),
+                                              .fragmentSpirv = fragment,
+                                              .constants = {shaders::kDepthFormLinear, 0u, 0u, 0u, depthUse},
+                                              .layout = m_layout,
+                                              .bindings = FrameDraws::bindings(),
+                                              .attributes = FrameDraws::attributes(),
+                                              .colorFormats = {},
+                                              .depthFormat = depthFormat(),
+                                              .writesDepth = depthUse == shaders::kDepthDecides,
+                                              .depthCompare = vk::CompareOp::eGreaterOrEqual});
 }
 
 void AtomicPass::clear(vk::CommandBuffer commands) const {

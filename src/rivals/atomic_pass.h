@@ -22,8 +22,8 @@ class AtomicPass final : public VisibilityPass {
 
   private:
     bool hasIdPass() const { return m_rival.key != Key::log40; }
-    gpu::Pipeline makePipeline(const gpu::Device& device, const gpu::Spirv& fragment) const;
-    gpu::Pipeline makePrepass(const gpu::Device& device) const;
+    gpu::Pipeline makePipeline(const gpu::Device& device, const char* name, const gpu::Spirv& fragment,
+                               std::uint32_t depthUse) const;
     vk::Format depthFormat() const;
     void clear(vk::CommandBuffer commands) const;
     void beginScope(vk::CommandBuffer commands, vk::AttachmentLoadOp load) const;

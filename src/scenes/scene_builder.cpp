@@ -13,6 +13,11 @@ std::uint32_t SceneBuilder::addMaterial(scene::Material material) {
     return static_cast<std::uint32_t>(m_scene.materials.size() - 1);
 }
 
+std::uint32_t SceneBuilder::addTexture(scene::Texture texture) {
+    m_scene.textures.push_back(std::move(texture));
+    return static_cast<std::uint32_t>(m_scene.textures.size() - 1);
+}
+
 void SceneBuilder::beginObject(const std::string& name) {
     m_scene.objectNames.push_back(name);
 }

@@ -20,6 +20,9 @@ class SceneBuilder {
     std::uint32_t addMaterial(const std::string& name, const glm::vec3& linearColor);
     std::uint32_t addMaterial(scene::Material material);
 
+    /// The texture's index.
+    std::uint32_t addTexture(scene::Texture texture);
+
     /// What follows belongs to a new object of that name.
     void beginObject(const std::string& name);
 

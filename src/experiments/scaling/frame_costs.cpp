@@ -2,7 +2,6 @@
 
 #include <cdr/image/codec.h>
 #include <cdr/platform/file.h>
-#include <cdr/platform/process.h>
 #include <cdr/platform/stopwatch.h>
 #include <cdr/render/renderer.h>
 #include <scenes/cubes.h>
@@ -12,8 +11,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
-#include <string>
-#include <system_error>
 #include <utility>
 
 namespace cdr::experiments {
@@ -25,25 +22,6 @@ constexpr std::size_t kFramesPerRank = 12;
 constexpr std::size_t kClaims = 64;
 constexpr std::size_t kMessageBytes = 4'000'000;
 constexpr int kMessages = 7;
-
-/// A file that goes when this does.
-class ScratchFile {
-  public:
-    ScratchFile()
-        : m_path(std::filesystem::temp_directory_path() /
-                 ("cdr-cost-" + std::to_string(platform::processId()) + ".png")) {}
-    ~ScratchFile() {
-        std::error_code ignored;
-        std::filesystem::remove(m_path, ignored);
-    }
-    ScratchFile(const ScratchFile&) = delete;
-    ScratchFile& operator=(const ScratchFile&) = delete;
-
-    const std::filesystem::path& path() const { return m_path; }
-
-  private:
-    std::filesystem::path m_path;
-};
 
 /// As `render` makes and takes a frame.
 class CostedFrame {
@@ -98,8 +76,9 @@ double byteMs(ranks::Ranks& ranks) {
 MeasuredCosts measureFrameCosts(const gpu::Device& device, const FrameCostOptions& options,
                                 ranks::Ranks& ranks) {
     CostedFrame frame(device, options);
-    const ScratchFile file;
-    frame.make(); // warms up
+    const platform::PendingFile file(std::filesystem::temp_directory_path() /
+                                     "cdr-cost.png"); // never committed
+    frame.make();                                     // warms up
     MeasuredCosts measured;
     FrameCosts& costs = measured.costs;
     costs.claimMs = claimMs(ranks);
@@ -112,7 +91,7 @@ MeasuredCosts measureFrameCosts(const gpu::Device& device, const FrameCostOption
     };
     const auto take = [&](const output::Json& made) {
         const platform::Stopwatch watch;
-        platform::writeFile(file.path(), made.at("file").get_binary());
+        platform::writeFile(file.temporary(), made.at("file").get_binary());
         costs.takeMs.push_back(watch.milliseconds());
         costs.makeMs.push_back(made.at("ms").get<double>());
         costs.bytes = static_cast<double>(made.at("file").get_binary().size());
@@ -124,7 +103,7 @@ MeasuredCosts measureFrameCosts(const gpu::Device& device, const FrameCostOption
     runs::forEachUnit(
         ranks, measured.run.frames, [&](std::size_t) { return frame.make(); },
         [&](std::size_t, const output::Json& made) {
-            platform::writeFile(file.path(), made.at("file").get_binary());
+            platform::writeFile(file.temporary(), made.at("file").get_binary());
         });
     measured.run.seconds = watch.seconds();
     return measured;

@@ -21,13 +21,11 @@ namespace {
 constexpr double kCloudHeight = 3'000.0;
 
 std::uint32_t addGroundMaterial(SceneBuilder& builder, std::string name, image::ImageRgba8 pixels) {
-    scene::Scene& scene = builder.scene();
-    scene.textures.push_back({.name = name,
-                              .pixels = std::move(pixels),
-                              .wrapU = scene::WrapMode::clampToEdge,
-                              .wrapV = scene::WrapMode::clampToEdge});
-    return builder.addMaterial(scene::Material{
-        .name = std::move(name), .baseColorTexture = static_cast<std::uint32_t>(scene.textures.size() - 1)});
+    const std::uint32_t texture = builder.addTexture({.name = name,
+                                                      .pixels = std::move(pixels),
+                                                      .wrapU = scene::WrapMode::clampToEdge,
+                                                      .wrapV = scene::WrapMode::clampToEdge});
+    return builder.addMaterial(scene::Material{.name = std::move(name), .baseColorTexture = texture});
 }
 
 std::size_t threadsOf(const EarthOptions& options) {

@@ -21,11 +21,9 @@ constexpr double kMoonBelow = 18.4;
 constexpr double kMoonRight = 9.0;
 
 std::uint32_t addBlueMarble(SceneBuilder& builder, image::ImageRgba8 color) {
-    scene::Scene& scene = builder.scene();
-    scene.textures.push_back(
+    const std::uint32_t texture = builder.addTexture(
         {.name = "blue marble", .pixels = std::move(color), .wrapV = scene::WrapMode::clampToEdge});
-    return builder.addMaterial(scene::Material{
-        .name = "earth", .baseColorTexture = static_cast<std::uint32_t>(scene.textures.size() - 1)});
+    return builder.addMaterial(scene::Material{.name = "earth", .baseColorTexture = texture});
 }
 
 void addEarth(SceneBuilder& builder, const EarthSurface& surface, const StationPose& station,

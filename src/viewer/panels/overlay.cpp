@@ -92,16 +92,13 @@ void drawLabel(const Canvas& canvas, const PictureModel& picture, base::LengthUn
     }
     const bool isSplit = picture.shown->sides.size() > 1;
     const float y = canvas.low.y + gap();
-    if (index == 0) {
-        const float room = isSplit ? divider - canvas.low.x - 2.0f * gap() : canvas.width() - 2.0f * gap();
-        if (room > ImGui::GetFontSize() * 6.0f) {
-            plate(canvas, {canvas.low.x + gap(), y}, PlateSide::right, room, title, text);
-        }
-        return;
-    }
-    const float room = canvas.high.x - divider - 2.0f * gap();
+    const bool isLeft = index == 0;
+    const float low = isLeft ? canvas.low.x : divider;
+    const float high = isLeft && isSplit ? divider : canvas.high.x;
+    const float room = high - low - 2.0f * gap();
     if (room > ImGui::GetFontSize() * 6.0f) {
-        plate(canvas, {canvas.high.x - gap(), y}, PlateSide::left, room, title, text);
+        plate(canvas, {isLeft ? low + gap() : high - gap(), y}, isLeft ? PlateSide::right : PlateSide::left,
+              room, title, text);
     }
 }
 

@@ -107,11 +107,7 @@ void drawTechniquePanel(const Widgets& widgets, ViewSettings& settings) {
 
 void drawViewPanel(const Widgets& widgets, ViewSettings& settings) {
     widgets.heading("View");
-    const std::size_t view = widgets.combo("view", nameOf(settings.view), kViewKinds.size(),
-                                           [](std::size_t i) { return nameOf(kViewKinds[i]); });
-    if (view < kViewKinds.size()) {
-        settings.view = kViewKinds[view];
-    }
+    choose(widgets, "view", kViewKinds, settings.view);
     widgets.sentence(explain(settings.view));
 }
 

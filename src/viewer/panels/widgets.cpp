@@ -17,8 +17,8 @@ void text(std::string_view words) {
     ImGui::TextUnformatted(words.data(), words.data() + words.size());
 }
 
-void quietText(std::string_view words) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+void text(std::string_view words, ImGuiCol color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(color));
     text(words);
     ImGui::PopStyleColor();
 }
@@ -27,21 +27,17 @@ void quietText(std::string_view words) {
 
 void Widgets::heading(std::string_view words) const {
     ImGui::Dummy({0.0f, ImGui::GetStyle().ItemSpacing.y * 0.5f});
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
-    text(words);
-    ImGui::PopStyleColor();
+    text(words, ImGuiCol_CheckMark);
 }
 
 void Widgets::sentence(std::string_view words) const {
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ImGui::PushTextWrapPos(0.0f);
-    text(words);
+    text(words, ImGuiCol_TextDisabled);
     ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
 }
 
 void Widgets::value(std::string_view name, const std::string& words) const {
-    quietText(name);
+    text(name, ImGuiCol_TextDisabled);
     ImGui::SameLine(ImGui::GetContentRegionMax().x * kLabelShare);
     ImGui::PushTextWrapPos(0.0f);
     text(words);
@@ -72,7 +68,7 @@ bool Widgets::copied(std::string_view name, const std::string& words, const std:
 void Widgets::label(std::string_view name) const {
     ImGui::AlignTextToFramePadding();
     // The part before a slash makes the name unique, and is not shown.
-    quietText(name.substr(name.find('/') + 1));
+    text(name.substr(name.find('/') + 1), ImGuiCol_TextDisabled);
     ImGui::SameLine(ImGui::GetContentRegionMax().x * kLabelShare);
     ImGui::SetNextItemWidth(-1.0f);
 }

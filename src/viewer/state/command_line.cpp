@@ -163,23 +163,24 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
     for (const scenes::LayerChoice& layer : settings.layers) {
         words.add("--layer", options::textOf(layer));
     }
-    const auto addChoice = [&words](std::string_view option, const std::optional<std::uint32_t>& number) {
-        words.addUnless(!number, option, fmt::format("{}", number.value_or(0)));
+    const auto addGiven = [&words](std::string_view option, const auto& given) {
+        if (given) {
+            words.add(option, fmt::format("{}", *given));
+        }
     };
-    addChoice("--gltf-scene", settings.choice.scene);
-    addChoice("--camera", settings.choice.camera);
-    words.addUnless(!settings.choice.light, "--light",
-                    nameOf(settings.choice.light.value_or(scene::ModelLight::sky)));
-    words.addUnless(!settings.choice.animation, "--animation", settings.choice.animation.value_or(""));
-    words.addUnless(!settings.choice.seconds, "--time",
-                    fmt::format("{}", settings.choice.seconds.value_or(0.0)));
-    words.addUnless(!settings.choice.framesPerSecond, "--fps",
-                    fmt::format("{}", settings.choice.framesPerSecond.value_or(0.0)));
-    words.addUnless(!settings.deform, "--deform", nameOf(settings.deform.value_or(scenes::Deform::cpu)));
-    words.addUnless(!settings.choice.textureMiB, "--texture-memory",
-                    fmt::format("{}", settings.choice.textureMiB.value_or(0)));
-    words.addUnless(!settings.choice.pointRadius, "--points",
-                    fmt::format("{}", settings.choice.pointRadius.value_or(0.0)));
+    addGiven("--gltf-scene", settings.choice.scene);
+    addGiven("--camera", settings.choice.camera);
+    if (settings.choice.light) {
+        words.add("--light", nameOf(*settings.choice.light));
+    }
+    addGiven("--animation", settings.choice.animation);
+    addGiven("--time", settings.choice.seconds);
+    addGiven("--fps", settings.choice.framesPerSecond);
+    if (settings.deform) {
+        words.add("--deform", nameOf(*settings.deform));
+    }
+    addGiven("--texture-memory", settings.choice.textureMiB);
+    addGiven("--points", settings.choice.pointRadius);
     words.addUnless(settings.seed == scenes::kDefaultSeed, "--seed", fmt::format("{}", settings.seed));
     words.add("--size", fmt::format("{}x{}", view.extent.width, view.extent.height));
     const Aov aov = aovOf(settings.view);
