@@ -59,9 +59,13 @@ class InstanceCells {
 #endif
     }
     /// The instances in a cell's slots.
-    const std::uint32_t* instancesOf(std::size_t cell) const { return &m_instance[cell * kCellSlots]; }
+    const std::uint32_t* instancesOf(std::size_t cell) const {
+        return &m_instance[cell * kCellSlots];
+    }
     /// Lowest level first; the last has kFan nodes at most. None where nothing is held.
-    const std::vector<std::vector<Box>>& levels() const { return m_levels; }
+    const std::vector<std::vector<Box>>& levels() const {
+        return m_levels;
+    }
     std::uint64_t bytes() const; ///< of main memory
 
   private:

@@ -96,8 +96,7 @@ void drainWords(std::uint64_t* words, platform::IndexRange range, std::span<std:
         const auto first = static_cast<std::uint32_t>(word * InstanceSets::kWord);
         const std::uint64_t bits = std::exchange(words[word], 0);
         const auto room = static_cast<std::size_t>(end - next);
-        next = room >= InstanceSets::kWord ? drainByBytes(bits, first, next)
-                                                   : drainByBits(bits, first, next);
+        next = room >= InstanceSets::kWord ? drainByBytes(bits, first, next) : drainByBits(bits, first, next);
     }
 }
 

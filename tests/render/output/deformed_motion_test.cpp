@@ -230,7 +230,8 @@ TEST_F(DeformedMotionTest, AnUpdateThatIsRepeatedMovesTheSameVertices) {
         if (isRepeated) {
             const image::ImageRgba8 wide(device().info().maxImageSide + 1, 1, {255, 255, 255, 255});
             const scene::TextureHandle texture = sheets.world.addTexture({.name = {}, .pixels = wide});
-            const scene::MaterialHandle material = sheets.world.addMaterial({.baseColorTexture = texture.index});
+            const scene::MaterialHandle material =
+                sheets.world.addMaterial({.baseColorTexture = texture.index});
             EXPECT_THROW(renderer.render(sheets.cameraAt(0.1)), base::InputError);
             sheets.world.removeMaterial(material);
             sheets.world.removeTexture(texture);
