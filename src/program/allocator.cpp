@@ -4,6 +4,7 @@
 
 #if defined(__GLIBC__)
 #include <malloc.h>
+#define CDR_HAS_MALLINFO2 __GLIBC_PREREQ(2, 33)
 #endif
 
 namespace cdr::program {
@@ -20,7 +21,7 @@ bool keepFreedMemory() {
 }
 
 std::optional<std::uint64_t> allocatedBytes() {
-#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
+#if CDR_HAS_MALLINFO2
     const struct mallinfo2 info = ::mallinfo2();
     return std::uint64_t{info.uordblks} + std::uint64_t{info.hblkhd};
 #else

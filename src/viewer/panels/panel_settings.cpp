@@ -108,7 +108,6 @@ void drawTechniquePanel(const Widgets& widgets, ViewSettings& settings) {
 void drawViewPanel(const Widgets& widgets, ViewSettings& settings) {
     widgets.heading("View");
     choose(widgets, "view", kViewKinds, settings.view);
-    widgets.sentence(explain(settings.view));
 }
 
 void drawRenderingPanel(const Widgets& widgets, ViewSettings& settings) {
