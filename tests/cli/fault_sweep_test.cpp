@@ -217,7 +217,7 @@ INSTANTIATE_TEST_SUITE_P(
               "Rivals", Sample::oneError},
         Swept{"advise --separation 1 --far 1000 --format d32f --measured --frames 1 --json a.json",
               "AdviseMeasured", Sample::oneError},
-        Swept{"report --smallest --sections probe -o r", "Report", Sample::oneError}),
+        Swept{"report --smallest --sections precision -o r", "Report", Sample::oneError}),
     [](const auto& row) { return std::string(row.param.name); });
 
 } // namespace
