@@ -255,6 +255,21 @@ TEST(Commands, AdviseMeasures) {
     EXPECT_EQ(document["simplest"]["technique"], "anchored");
 }
 
+TEST(Commands, AdviseMeasuresTheTechniquesAskedForInPicturesAskedFor) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        "advise --separation 1 --far 1000 --format d32f --techniques reversed,standard/count:2 --measured "
+        "--size 160x90 --frames 1 --json a.json",
+        folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(readText(folder.path() / "a.json"));
+    EXPECT_EQ(document["options"]["measured_width"], 160);
+    EXPECT_EQ(document["options"]["measured_height"], 90);
+    ASSERT_EQ(document["results"].size(), 2u);
+    EXPECT_EQ(document["results"][0]["mapping"], "reversed");
+    EXPECT_TRUE(document["results"][1]["time_ratio"].is_number());
+}
+
 TEST(Commands, AdviseSaysWhenReversedIsEnough) {
     const TemporaryFolder folder;
     const ProgramResult result = runProgram("advise --separation 0.5 --at 5000 --json a.json", folder.path());

@@ -33,7 +33,7 @@ const SmallRun kSmallRuns[] = {
     {"Flicker", "flicker --frames 2 --size 32x18 --techniques cdr"},
     {"Probe", "probe --distances 10 --techniques log --formats d32f --size 16x16"},
     {"Advise", "advise --separation 1"},
-    {"AdviseMeasured", "advise --separation 1 --far 1000 --format d32f --measured --frames 1"},
+    {"AdviseMeasured", "advise --separation 1 --far 1000 --format d32f --measured --size 320x180 --frames 1"},
     {"Timing", "timing --frames 1 --size 16x16 --modes log"},
     {"Scaling", "scaling --draws 100 --cascades 2 --repeats 1"},
     {"Detail", "detail cubes --frames 1 --size 32x18"},

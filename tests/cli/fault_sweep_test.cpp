@@ -215,7 +215,8 @@ INSTANTIATE_TEST_SUITE_P(
         Swept{"rivals cubes --frames 1 --distances 1 --size 16x16 --techniques anchored "
               "--rivals atomic-log --json r.json",
               "Rivals", Sample::oneError},
-        Swept{"advise --separation 1 --far 1000 --format d32f --measured --frames 1 --json a.json",
+        Swept{"advise --separation 1 --far 1000 --format d32f --techniques reversed --measured --size 16x16 "
+              "--frames 1 --json a.json",
               "AdviseMeasured", Sample::oneError},
         Swept{"report --smallest --sections precision -o r", "Report", Sample::oneError}),
     [](const auto& row) { return std::string(row.param.name); });

@@ -66,6 +66,24 @@ TEST(Advice, NamesTheSimplestThatSuffices) {
     EXPECT_EQ(simplest(1e6, 1e-8), "none");
 }
 
+TEST(Advice, ChoosesFromTheTechniquesThatAreAskedFor) {
+    AdviceQuestion asked = question(1e6, 0.01);
+    asked.techniques = {parseTechnique("anchored"), parseTechnique("reversed")};
+    asked.formats = {DepthFormat::d24, DepthFormat::d32f};
+    const Advice advice = advise(asked);
+    std::vector<std::string> rows;
+    for (const AdviceRow& row : advice.rows) {
+        rows.push_back(std::string(nameOf(row.technique.mapping)) + "/" +
+                       std::string(nameOf(row.technique.format)));
+    }
+    EXPECT_EQ(rows,
+              (std::vector<std::string>{"anchored/d24", "anchored/d32f", "reversed/d24", "reversed/d32f"}));
+    ASSERT_TRUE(advice.simplest);
+    EXPECT_EQ(advice.rows[*advice.simplest].technique.mapping, Mapping::anchored);
+    asked.techniques = {parseTechnique("reversed")};
+    EXPECT_FALSE(advise(asked).simplest);
+}
+
 /// Its figure is its forecast, which is finer than that of the preset. A measurement may make it the only one that is enough.
 TEST(Advice, EndsWithAnchoredReversedFittedAsFineAsCanBe) {
     const char* finest = "anchored-reversed/fitted:1e-9";

@@ -132,21 +132,26 @@ std::string costLine(const AdviceRow& row) {
                         percent(measured.timeRatioHigh), ").");
 }
 
+/// Those of a question that names none.
+std::vector<Technique> defaultTechniques(double separationView) {
+    std::vector<Technique> techniques;
+    for (const char* name : kSimplestFirst) {
+        techniques.push_back(parseTechnique(name));
+    }
+    techniques.push_back(anchoredFor(separationView, DepthFormat::d32f));
+    techniques.push_back(parseTechnique(kFinest));
+    return techniques;
+}
+
 /// What advise() makes a row of each.
 std::vector<Technique> techniquesFor(const AdviceQuestion& question) {
     std::vector<Technique> techniques;
-    for (const char* name : kSimplestFirst) {
+    for (Technique technique :
+         question.techniques.empty() ? defaultTechniques(question.separationView) : question.techniques) {
         for (const DepthFormat format : question.formats) {
-            techniques.push_back(parseTechnique(name));
-            techniques.back().format = format;
+            technique.format = format;
+            techniques.push_back(technique);
         }
-    }
-    for (const DepthFormat format : question.formats) {
-        techniques.push_back(anchoredFor(question.separationView, format));
-    }
-    for (const DepthFormat format : question.formats) {
-        techniques.push_back(parseTechnique(kFinest));
-        techniques.back().format = format;
     }
     return techniques;
 }

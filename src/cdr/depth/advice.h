@@ -22,6 +22,9 @@ struct AdviceQuestion {
                                      kDepthFormats.end()}; ///< that may be used; forecasts come for each
     /// Of the device, which explain() names. Only scene.subPixelBits goes into the numbers.
     unsigned subPixelBits = 8;
+    /// To choose from, the preferred ones first, each in every format. Empty: every preset, simplest first. Then come anchored
+    /// with its target set to the separation, and anchored-reversed/fitted:1e-9, which is as fine as eight cascades allow.
+    std::vector<Technique> techniques{};
 };
 
 /// What was measured of a technique on a device, at the distance of the question.
@@ -50,15 +53,14 @@ struct CDR_EXPORT AdviceRow {
 
 /// The answer to an AdviceQuestion.
 struct Advice {
-    std::vector<AdviceRow> rows;         ///< simplest first
+    std::vector<AdviceRow> rows;         ///< simplest first, or in the order of AdviceQuestion::techniques
     std::optional<std::size_t> simplest; ///< the first technique that suffices, with the fewest cascades
     /// How deep the content around the distance may be so that anchored resolves the separation in at most
     /// eight cascades; 0 when it cannot.
     double widestSpanView = 0.0;
 };
 
-/// Forecasts every preset in every format, simplest first. Then come anchored with its target set to the separation, and
-/// anchored-reversed/fitted:1e-9, which is as fine as eight cascades allow.
+/// Forecasts each of the question's techniques in each of its formats.
 /// @throws base::InputError for an unusable range, distance, content or separation.
 CDR_EXPORT Advice advise(const AdviceQuestion& question);
 /// The same, refused instead of thrown.

@@ -31,6 +31,7 @@ struct AdviseArguments {
     std::optional<unsigned> subPixelBits;
     double slope = 1.0;
     std::vector<depth::DepthFormat> formats;
+    std::vector<depth::NamedTechnique> techniques;
     bool measured = false;
     experiments::MeasuredAdviceOptions measuring;
 };
@@ -50,6 +51,9 @@ depth::AdviceQuestion questionOf(const AdviseArguments& arguments) {
         .separationView = arguments.separationView};
     if (!arguments.formats.empty()) {
         question.formats = arguments.formats;
+    }
+    for (const depth::NamedTechnique& named : arguments.techniques) {
+        question.techniques.push_back(named.technique);
     }
     return question;
 }
@@ -205,6 +209,8 @@ void run(Command& command, AdviseArguments& arguments) {
         document["options"]["sub_pixel_bits"] = *question.scene.subPixelBits;
     }
     if (arguments.measured) {
+        document["options"]["measured_width"] = arguments.measuring.width;
+        document["options"]["measured_height"] = arguments.measuring.height;
         document["options"]["frames"] = arguments.measuring.frames;
         document["options"]["seed"] = arguments.measuring.seed;
     }
@@ -240,8 +246,11 @@ void addOptions(CLI::App& command, AdviseArguments& arguments) {
         ->capture_default_str();
     options::addParsedList(command, "--format", arguments.formats, depth::parseDepthFormat,
                            "Depth formats to consider, separated by commas; all");
+    addTechniques(command, arguments.techniques);
     command.add_flag("--measured", arguments.measured,
                      "Measure separations and frame times on the device, beside the formulas");
+    addSize(command, arguments.measuring.width, arguments.measuring.height);
+    command.get_option("--size")->description("With --measured: WIDTHxHEIGHT in pixels of what is rendered");
     addFrames(command, arguments.measuring.frames, "With --measured: frames timed per technique", 1u << 20);
     addSeed(command, arguments.measuring.seed, "With --measured: seed of both scenes");
     addThreads(command, arguments.measuring.threads, "With --measured: threads that record");
