@@ -106,6 +106,23 @@ TEST_F(FailedFrameTest, WhatIsNotSubmittedLeavesTheLastFrame) {
     EXPECT_EQ(messageCount(), 0u);
 }
 
+/// Whose time cannot be read. It is not waited for a second time, which would never end.
+TEST_F(FailedFrameTest, WhatIsNotTimedIsWaitedForOnce) {
+    render::RenderOptions chosen = options();
+    chosen.deviceClock = true;
+    render::Renderer renderer(device(), m_scene, *m_onDevice, chosen);
+    if (!renderer.draw(cameraAt(0.0)).times.deviceMs) {
+        GTEST_SKIP() << "the device has no clock";
+    }
+    {
+        const FailingCall failing("vkGetQueryPoolResults");
+        EXPECT_THROW(renderer.draw(cameraAt(0.5)), std::exception);
+        ASSERT_TRUE(FailingCall::hasFailed());
+    }
+    EXPECT_EQ(hashOf(renderer.render(cameraAt(1.0))), hashOf(draw(m_scene, cameraAt(1.0), options())));
+    EXPECT_EQ(messageCount(), 0u);
+}
+
 /// A little motion keeps the cascades of the last frame that was drawn, not of the one that failed.
 TEST_F(FailedFrameTest, AFittedSplitKeepsToTheLastFrame) {
     render::Renderer renderer(device(), m_scene, *m_onDevice,

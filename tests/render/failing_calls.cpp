@@ -33,6 +33,7 @@ WantedFailure& wantedFailure() {
 constexpr char kCreateBuffer[] = "vkCreateBuffer";
 constexpr char kCreateFence[] = "vkCreateFence";
 constexpr char kQueueSubmit2[] = "vkQueueSubmit2";
+constexpr char kGetQueryPoolResults[] = "vkGetQueryPoolResults";
 
 /// A function of Vulkan as this program calls it.
 template <const char* name, typename Function>
@@ -67,6 +68,9 @@ PFN_vkVoidFunction failableOf(std::string_view name, PFN_vkVoidFunction found) {
     }
     if (name == kQueueSubmit2) {
         return Failable<kQueueSubmit2, PFN_vkQueueSubmit2>::standIn(found);
+    }
+    if (name == kGetQueryPoolResults) {
+        return Failable<kGetQueryPoolResults, PFN_vkGetQueryPoolResults>::standIn(found);
     }
     return found;
 }

@@ -10,7 +10,7 @@ namespace cdr::render_test {
 /// of these calls meanwhile.
 class FailingCall {
   public:
-    /// @param name vkCreateBuffer, vkCreateFence or vkQueueSubmit2
+    /// @param name vkCreateBuffer, vkCreateFence, vkQueueSubmit2 or vkGetQueryPoolResults
     /// @param after calls that succeed first
     explicit FailingCall(std::string_view name, std::size_t after = 0);
     ~FailingCall();

@@ -75,11 +75,11 @@ void SlotRing::wait(FrameSlot& slot) const {
         gpu::waitForTimeline(m_device, slot.recorded->timeline, slot.recorded->value);
     } else {
         gpu::waitAndReset(m_device, *slot.done);
-        if (slot.clock) {
-            slot.stats.times.deviceMs = slot.clock->lastMs();
-        }
     }
-    slot.isPending = false;
+    slot.isPending = false; // before a call that may fail: nothing signals the fence again
+    if (!slot.recorded && slot.clock) {
+        slot.stats.times.deviceMs = slot.clock->lastMs();
+    }
 }
 
 void SlotRing::commit(FrameSlot& slot) {
