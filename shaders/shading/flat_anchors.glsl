@@ -1,5 +1,6 @@
-// What occlusion.frag needs of the frame, handed over from occlusion.vert as flat varyings. A software rasteriser loads what lies
-// in a buffer once for each pixel, and a flat varying once for each triangle. The vertex shader defines HANDS_OVER_ANCHORS.
+// What ambient occlusion and receivers of shadows need of the frame, handed over from flat_anchors.vert as flat varyings. A
+// software rasteriser loads what lies in a buffer once for each pixel, and a flat varying once for each triangle. The vertex
+// shader defines HANDS_OVER_ANCHORS.
 #ifndef CDR_SHADERS_FLAT_ANCHORS_GLSL
 #define CDR_SHADERS_FLAT_ANCHORS_GLSL
 
@@ -9,13 +10,13 @@
 #define HANDED_ANCHORS flat in
 #endif
 layout(location = 0) HANDED_ANCHORS vec4 flatRays; // rayScale, rayCentre
-layout(location = 1) HANDED_ANCHORS float flatRadius; // occlusionRadius
+layout(location = 1) HANDED_ANCHORS vec3 flatPicture; // pictureSize, occlusionRadius
 layout(location = 2) HANDED_ANCHORS vec2 flatAnchors[kFlatLights]; // as many as the shading pass has
 
 #ifdef HANDS_OVER_ANCHORS
 void handOverAnchors() {
     flatRays = vec4(header.rayScale, header.rayCentre);
-    flatRadius = header.occlusionRadius;
+    flatPicture = vec3(header.pictureSize, header.occlusionRadius);
     for (uint i = 0u; i < kFlatLights; ++i) {
         flatAnchors[i] = header.anchors[i];
     }
@@ -27,6 +28,15 @@ vec2 flatAnchor(uint cascade) {
         anchor = cascade == i ? flatAnchors[i] : anchor;
     }
     return anchor;
+}
+
+layout(constant_id = 0) const uint kAnchored = 1u; // as in shading.frag
+
+vec2 anchorOf(uint cascade) {
+    if (kAnchored == 2u) {
+        return flatAnchor(cascade);
+    }
+    return kAnchored != 0u ? header.anchors[cascade] : vec2(0.0);
 }
 #endif
 

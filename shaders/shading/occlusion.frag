@@ -12,15 +12,7 @@ layout(set = 0, binding = 0) uniform usampler2D gbuffer;
 
 layout(location = 0) out float outOcclusion;
 
-layout(constant_id = 0) const uint kAnchored = 1u; // as in shading.frag
-
-vec2 anchorOf(uvec4 texel) {
-    uint cascade = (texel.w >> kIdBits) & kCascadeMask;
-    if (kAnchored == 2u) {
-        return flatAnchor(cascade);
-    }
-    return kAnchored != 0u ? header.anchors[cascade] : vec2(0.0);
-}
+vec2 anchorOf(uvec4 texel) { return anchorOf((texel.w >> kIdBits) & kCascadeMask); }
 float distanceOf(uvec4 texel) { return anchorOf(texel).x + aheadOf(texel); }
 float aheadBetween(uvec4 from, uvec4 to) { return distanceBetween(anchorOf(from), aheadOf(from), anchorOf(to), aheadOf(to)); }
 #include "shading/occlusion.glsl"
@@ -29,5 +21,5 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     uvec4 texel = texelFetch(gbuffer, pixel, 0);
     outOcclusion = texel.w == 0u ? 0.0
-                                   : occlusionAt(gbuffer, pixel, texel, flatRays.xy, flatRays.zw, flatRadius);
+                                   : occlusionAt(gbuffer, pixel, texel, flatRays.xy, flatRays.zw, flatPicture.z);
 }

@@ -6,6 +6,7 @@
 #define LIGHTING_SET 0
 #define LIGHTING_BINDING 1
 #include "shading/lighting_buffer.glsl"
+#include "shading/flat_anchors.glsl"
 #include "shadows/receiver.glsl"
 
 layout(set = 0, binding = 0) uniform usampler2D gbuffer;
@@ -15,7 +16,7 @@ layout(set = 0, binding = 0) uniform usampler2D gbuffer;
 #endif
 
 vec2 rayHere() {
-    return (gl_FragCoord.xy / header.pictureSize * 2.0 - 1.0) * vec2(1.0, -1.0) * header.rayScale + header.rayCentre;
+    return (gl_FragCoord.xy / flatPicture.xy * 2.0 - 1.0) * vec2(1.0, -1.0) * flatRays.xy + flatRays.zw;
 }
 
 struct Seen {
@@ -29,7 +30,7 @@ Seen seenHere(vec2 ray) {
     Receiver receiver = Receiver(vec2(0.0), 0.0, vec3(0.0, 0.0, 1.0));
     if (texel.x != 0u) {
         FacetRecord facet = facetAt(texel.x);
-        receiver.anchor = header.anchors[(facet.id >> kIdBits) & kCascadeMask];
+        receiver.anchor = anchorOf((facet.id >> kIdBits) & kCascadeMask);
         receiver.normal = normalOf(facet);
         receiver.ahead = aheadOn(facet, receiver.normal, ray, receiver.anchor.x);
     }
@@ -38,7 +39,7 @@ Seen seenHere(vec2 ray) {
 #else
 Seen seenHere(vec2 ray) {
     uvec4 texel = texelFetch(gbuffer, ivec2(gl_FragCoord.xy), 0);
-    vec2 anchor = header.anchors[(texel.w >> kIdBits) & kCascadeMask];
+    vec2 anchor = anchorOf((texel.w >> kIdBits) & kCascadeMask);
     return Seen(texel.w != 0u, Receiver(anchor, aheadOf(texel), normalOf(texel)));
 }
 #endif

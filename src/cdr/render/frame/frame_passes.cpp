@@ -63,7 +63,8 @@ FramePasses::FramePasses(const gpu::Device& device, const DrawnScene& drawn, con
       targets(std::visit([](const auto& own) -> Targets& { return *own; }, ownTargets)),
       cutter(options, targets),
       shadows(options.shadows.isOn()
-                  ? std::make_unique<ShadowPass>(device, drawn, targets.gbuffer(), options.shadows)
+                  ? std::make_unique<ShadowPass>(device, drawn, targets.gbuffer(), options.shadows,
+                                                 options.technique.mapping)
                   : nullptr),
       shading(device, targets.gbuffer(), picture.lit(),
               {.effects = options.effects,

@@ -26,4 +26,20 @@ constexpr AnchorForm anchorFormOf(bool anchored, std::size_t cascades) {
     return cascades > 1 ? AnchorForm::flat : AnchorForm::single;
 }
 
+/// Of a full-screen pass or pipeline, one for frames with as few cascades as flat varyings have room for, and one for all
+/// others. What is bound for one suits the other.
+template <typename Pass>
+struct ByCascades {
+    Pass few;
+    Pass many;
+
+    /// @param make a Pass from the form in which it reads anchor planes. @param anchored whether the mapping has any.
+    template <typename Make>
+    static ByCascades make(bool anchored, const Make& make) {
+        return {make(anchorFormOf(anchored, shaders::kFlatLights)),
+                make(anchorFormOf(anchored, shaders::kFlatLights + 1))};
+    }
+    const Pass& of(std::size_t cascades) const { return cascades > shaders::kFlatLights ? many : few; }
+};
+
 } // namespace cdr::render

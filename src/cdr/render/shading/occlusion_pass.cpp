@@ -1,8 +1,8 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/shading/occlusion_pass.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
+#include <cdr/shaders/flat_anchors_vert.h>
 #include <cdr/shaders/occlusion_frag.h>
-#include <cdr/shaders/occlusion_vert.h>
 
 namespace cdr::render {
 
@@ -12,7 +12,7 @@ constexpr auto kFormat = vk::Format::eR8Unorm;
 
 FullscreenPassOptions occlusionPassOptions(AnchorForm anchors) {
     return {.name = "occlusion",
-            .vertexSpirv = kOcclusionVert,
+            .vertexSpirv = kFlatAnchorsVert,
             .fragmentSpirv = kOcclusionFrag,
             .bindings = {vk::DescriptorType::eCombinedImageSampler, vk::DescriptorType::eStorageBuffer},
             .format = kFormat,
@@ -30,13 +30,12 @@ OcclusionPass::OcclusionPass(const gpu::Device& device, const gpu::Image& gbuffe
                .format = kFormat,
                .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled},
               "occlusion"),
-      m_options(options),
-      m_fewCascades(device, occlusionPassOptions(anchorFormOf(options.anchored, shaders::kFlatLights))),
-      m_manyCascades(device, occlusionPassOptions(anchorFormOf(options.anchored, shaders::kFlatLights + 1))) {
-}
+      m_passes(ByCascades<FullscreenPass>::make(options.anchored, [&](AnchorForm anchors) {
+          return FullscreenPass(device, occlusionPassOptions(anchors));
+      })) {}
 
 PassInputs OcclusionPass::makeInputs(const gpu::Buffer& lights) const {
-    PassInputs inputs = m_manyCascades.makeInputs();
+    PassInputs inputs = m_passes.many.makeInputs();
     inputs.setImage(0, m_gbuffer);
     inputs.setBuffer(1, lights);
     return inputs;
@@ -45,8 +44,7 @@ PassInputs OcclusionPass::makeInputs(const gpu::Buffer& lights) const {
 void OcclusionPass::record(vk::CommandBuffer primary, const PassInputs& inputs, std::size_t cascades) const {
     m_device.beginLabel(primary, "ambient occlusion");
     gpu::pipelineBarrier(primary, {attachBarrier(m_image)});
-    const bool areFew = anchorFormOf(m_options.anchored, cascades) != AnchorForm::buffer;
-    (areFew ? m_fewCascades : m_manyCascades).record(primary, inputs, m_image);
+    m_passes.of(cascades).record(primary, inputs, m_image);
     gpu::pipelineBarrier(primary, {readBarrier(m_image)});
     m_device.endLabel(primary);
 }

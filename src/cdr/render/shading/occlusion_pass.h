@@ -35,9 +35,7 @@ class OcclusionPass {
     const gpu::Device& m_device;
     const gpu::Image& m_gbuffer;
     gpu::Image m_image;
-    OcclusionOptions m_options;
-    FullscreenPass m_fewCascades;  ///< for frames with as many as flat varyings have room for
-    FullscreenPass m_manyCascades; ///< for all others; its inputs suit both
+    ByCascades<FullscreenPass> m_passes;
 };
 
 } // namespace cdr::render

@@ -6,6 +6,7 @@
 #include <cdr/render/shadows/shadow_pass.h>
 #include <cdr/render/targets/gbuffer.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
+#include <cdr/shaders/flat_anchors_vert.h>
 #include <cdr/shaders/receiver_facets_frag.h>
 #include <cdr/shaders/receiver_frag.h>
 
@@ -29,13 +30,15 @@ gpu::ImageOptions maskOptions(vk::Extent2D extent) {
                      vk::ImageUsageFlagBits::eTransferSrc};
 }
 
-FullscreenPassOptions receiverOptions(const gpu::Image& gbuffer) {
+FullscreenPassOptions receiverOptions(const gpu::Image& gbuffer, AnchorForm anchors) {
     const bool facets = isVisibilityBuffer(gbuffer);
     return {.name = "shadow receivers",
+            .vertexSpirv = kFlatAnchorsVert,
             .fragmentSpirv = facets ? gpu::Spirv(kReceiverFacetsFrag) : kReceiverFrag,
             .bindings = facets ? std::vector{kImage, kBuffer, kTexels, kImage, kImage}
                                : std::vector{kImage, kBuffer, kImage, kImage},
             .format = kMaskFormat,
+            .constants = {static_cast<std::uint32_t>(anchors)},
             .pushBytes = sizeof(shaders::ReceiverPush),
             .blend = gpu::Blend::least,
             .depth = SliceDepth::kFormat};
@@ -57,18 +60,20 @@ vk::Rect2D areaOf(const ReceiverSlice& slice, const scene::Frustum& frustum, vk:
 } // namespace
 
 ShadowPass::ShadowPass(const gpu::Device& device, const DrawnScene& scene, const gpu::Image& gbuffer,
-                       const Shadows& options)
+                       const Shadows& options, depth::Mapping mapping)
     : m_device(device),
       m_scene(scene),
       m_gbuffer(gbuffer),
       m_options(options),
       m_map(device, options.maxTexels),
       m_mask(device, maskOptions(gbuffer.options().extent), "shadow mask"),
-      m_receivers(device, receiverOptions(gbuffer)),
-      m_slices(device, gbuffer, m_receivers.setLayout()) {}
+      m_receivers(ByCascades<FullscreenPass>::make(
+          depth::isAnchored(mapping),
+          [&](AnchorForm anchors) { return FullscreenPass(device, receiverOptions(gbuffer, anchors)); })),
+      m_slices(device, gbuffer, m_receivers.many.setLayout(), mapping) {}
 
 ShadowPass::Slot ShadowPass::makeSlot(const ShadingInputs& shading) const {
-    Slot slot{.inputs = m_receivers.makeInputs(), .casters = CasterDraws(m_device, m_scene)};
+    Slot slot{.inputs = m_receivers.many.makeInputs(), .casters = CasterDraws(m_device, m_scene)};
     const std::uint32_t map = isVisibilityBuffer(m_gbuffer) ? 3 : 2;
     slot.inputs.setImage(0, m_gbuffer);
     slot.inputs.setBuffer(1, shading.lights());
@@ -84,6 +89,7 @@ void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::Vi
     const std::vector<ReceiverSlice> slices = isPlain ? practicalSlices(view.camera, view.frustum, spheres)
                                                       : receiverSlices(view.camera, view.frustum, spheres);
     slot.slices = slicePush(slices, m_options.method);
+    slot.cascades = view.cascades.size();
     slot.views.clear();
     slot.receivers.clear();
     const std::size_t lights = std::min(m_scene.scene.lights.size(), kMaxShadowLights);
@@ -124,7 +130,8 @@ std::vector<LightView> ShadowPass::viewsOf(const scene::PointLight& light, const
 
 void ShadowPass::record(vk::CommandBuffer primary, const Slot& slot) const {
     m_device.beginLabel(primary, "shadows");
-    m_slices.record(primary, slot.inputs.set(), slot.slices);
+    m_slices.record(primary, slot.inputs.set(), slot.slices, slot.cascades);
+    const FullscreenPass& pass = m_receivers.of(slot.cascades);
     gpu::pipelineBarrier(primary, {attachBarrier(m_mask)});
     const vk::ClearValue reached{vk::ClearColorValue{std::array{1.0f, 1.0f, 1.0f, 1.0f}}};
     for (std::size_t i = 0; i < slot.views.size(); ++i) {
@@ -138,18 +145,18 @@ void ShadowPass::record(vk::CommandBuffer primary, const Slot& slot) const {
         if (i > 0) {
             gpu::pipelineBarrier(primary, {chainBarrier(m_mask)});
         }
-        m_receivers.record(primary, {&draw, 1},
-                           {.into = m_mask,
-                            .load = i == 0 ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eLoad,
-                            .clear = reached,
-                            .depth = &m_slices.image()});
+        pass.record(primary, {&draw, 1},
+                    {.into = m_mask,
+                     .load = i == 0 ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eLoad,
+                     .clear = reached,
+                     .depth = &m_slices.image()});
     }
     if (slot.views.empty()) {
-        m_receivers.record(primary, {},
-                           {.into = m_mask,
-                            .load = vk::AttachmentLoadOp::eClear,
-                            .clear = reached,
-                            .depth = &m_slices.image()});
+        pass.record(primary, {},
+                    {.into = m_mask,
+                     .load = vk::AttachmentLoadOp::eClear,
+                     .clear = reached,
+                     .depth = &m_slices.image()});
     }
     gpu::pipelineBarrier(primary, {readBarrier(m_mask)});
     m_device.endLabel(primary);

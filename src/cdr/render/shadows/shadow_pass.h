@@ -23,7 +23,7 @@ class ShadowPass {
   public:
     /// @param gbuffer or the visibility buffer.
     ShadowPass(const gpu::Device& device, const DrawnScene& scene, const gpu::Image& gbuffer,
-               const Shadows& options);
+               const Shadows& options, depth::Mapping mapping);
     /// The pixels that read one map.
     struct Receivers {
         std::size_t light = 0;
@@ -36,6 +36,7 @@ class ShadowPass {
         PassInputs inputs;
         CasterDraws casters;
         shaders::SlicePush slices{};
+        std::size_t cascades = 0;
         std::vector<LightView> views{};
         std::vector<Receivers> receivers{}; ///< of each view
     };
@@ -61,7 +62,7 @@ class ShadowPass {
     Shadows m_options;
     ShadowMap m_map;
     gpu::Image m_mask;
-    FullscreenPass m_receivers;
+    ByCascades<FullscreenPass> m_receivers;
     SliceDepth m_slices;
 };
 

@@ -2,7 +2,7 @@
 #include <cdr/render/shadows/slice_depth.h>
 #include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer.h>
-#include <cdr/shaders/fullscreen_vert.h>
+#include <cdr/shaders/flat_anchors_vert.h>
 #include <cdr/shaders/slice_facets_frag.h>
 #include <cdr/shaders/slice_frag.h>
 
@@ -30,21 +30,28 @@ vk::ImageMemoryBarrier2 sliceBarrier(const gpu::Image& depth, vk::AccessFlags2 b
 
 } // namespace
 
-SliceDepth::SliceDepth(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::SetLayout& setLayout)
+SliceDepth::SliceDepth(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::SetLayout& setLayout,
+                       depth::Mapping mapping)
     : m_layout(gpu::makePipelineLayout(
           device, {{setLayout}, {{.stageFlags = kSliceStage, .size = sizeof(shaders::SlicePush)}}},
           "shadow slice layout")),
-      m_pipeline(gpu::makeGraphicsPipeline(
-          device, {.name = "shadow slices",
-                   .vertexSpirv = kFullscreenVert,
+      m_pipelines(ByCascades<gpu::Pipeline>::make(
+          depth::isAnchored(mapping),
+          [&](AnchorForm anchors) {
+              return gpu::makeGraphicsPipeline(
+                  device,
+                  {.name = "shadow slices",
+                   .vertexSpirv = kFlatAnchorsVert,
                    .fragmentSpirv = isVisibilityBuffer(gbuffer) ? gpu::Spirv(kSliceFacetsFrag) : kSliceFrag,
+                   .constants = {static_cast<std::uint32_t>(anchors)},
                    .layout = m_layout,
                    .depthFormat = kFormat,
-                   .depthCompare = vk::CompareOp::eAlways})),
+                   .depthCompare = vk::CompareOp::eAlways});
+          })),
       m_depth(device, sliceOptions(gbuffer.options().extent), "shadow slices") {}
 
-void SliceDepth::record(vk::CommandBuffer primary, vk::DescriptorSet set,
-                        const shaders::SlicePush& push) const {
+void SliceDepth::record(vk::CommandBuffer primary, vk::DescriptorSet set, const shaders::SlicePush& push,
+                        std::size_t cascades) const {
     gpu::pipelineBarrier(primary,
                          {sliceBarrier(m_depth, Access::eDepthStencilAttachmentRead,
                                        Access::eDepthStencilAttachmentWrite, vk::ImageLayout::eUndefined)});
@@ -54,7 +61,7 @@ void SliceDepth::record(vk::CommandBuffer primary, vk::DescriptorSet set,
                                             .storeOp = vk::AttachmentStoreOp::eStore};
     const vk::Extent2D extent = m_depth.options().extent;
     primary.beginRendering({.renderArea = {{0, 0}, extent}, .layerCount = 1, .pDepthAttachment = &depth});
-    gpu::bindFullscreenPipeline(primary, *m_pipeline, extent);
+    gpu::bindFullscreenPipeline(primary, *m_pipelines.of(cascades), extent);
     primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, set, {});
     primary.pushConstants<shaders::SlicePush>(*m_layout, kSliceStage, 0, push);
     primary.draw(3, 1, 0, 0);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cdr/depth/mapping.h>
 #include <cdr/gpu/memory.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
+#include <cdr/render/shading/anchor_form.h>
 #include <cdr/render/shadows/receiver_slices.h>
 #include <cdr/render/shadows/shadows.h>
 #include <cdr/shaders/shadows_shared.h>
@@ -18,10 +20,13 @@ class SliceDepth {
   public:
     /// @param gbuffer or the visibility buffer.
     /// @param setLayout whose first bindings are those of seen.glsl.
-    SliceDepth(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::SetLayout& setLayout);
+    SliceDepth(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::SetLayout& setLayout,
+               depth::Mapping mapping);
 
     /// Reads the G-buffer in the shader read layout. Leaves image() a depth attachment.
-    void record(vk::CommandBuffer primary, vk::DescriptorSet set, const shaders::SlicePush& push) const;
+    /// @param cascades of the frame.
+    void record(vk::CommandBuffer primary, vk::DescriptorSet set, const shaders::SlicePush& push,
+                std::size_t cascades) const;
     const gpu::Image& image() const { return m_depth; }
     static constexpr auto kFormat = vk::Format::eD16Unorm; ///< an attachment on every device
 
@@ -29,7 +34,7 @@ class SliceDepth {
 
   private:
     gpu::PipelineLayout m_layout;
-    gpu::Pipeline m_pipeline;
+    ByCascades<gpu::Pipeline> m_pipelines;
     gpu::Image m_depth;
 };
 
