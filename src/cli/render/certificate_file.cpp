@@ -43,6 +43,7 @@ nlohmann::ordered_json certificateOf(std::uint32_t number, const scene::Camera& 
                                 {"proven", certificate.proven},
                                 {"certified_fraction", certificate.certifiedFraction()},
                                 {"cast", certificate.cast},
+                                {"cast_masked", certificate.castMasked},
                                 {"wrong_before", certificate.wrong},
                                 {"repaired", certificate.repairs.size()},
                                 {"refused", certificate.refused}};

@@ -30,6 +30,8 @@ output::Columns<RenderRow> certificateColumns(bool isShown) {
         {.key = "cast",
          .value = of([](const CertifiedOutput& made) { return made.certificate.cast; }),
          .heading = isShown ? "cast" : ""},
+        {.key = "cast_masked",
+         .value = of([](const CertifiedOutput& made) { return made.certificate.castMasked; })},
         {.key = "wrong_before",
          .value = of([](const CertifiedOutput& made) { return made.certificate.wrong; }),
          .heading = isShown ? "wrong before" : ""},

@@ -23,13 +23,12 @@ constexpr double kMarginPixels = 1.0;
 
 void requireCertifiable(const scene::Scene& scene) {
     for (const scene::Material& material : scene.materials) {
-        const char* what = material.alphaMode == scene::AlphaMode::blend  ? "is blended"
-                           : material.alphaMode == scene::AlphaMode::mask ? "is masked"
-                           : material.layer != 0.0f                       ? "is in a layer"
-                                                                          : nullptr;
+        const char* what = material.alphaMode == scene::AlphaMode::blend ? "is blended"
+                           : material.layer != 0.0f                      ? "is in a layer"
+                                                                         : nullptr;
         if (what != nullptr) {
             throw base::InputError(
-                fmt::format("certify: material '{}' {}, and only opaque surfaces in no layer "
+                fmt::format("certify: material '{}' {}, and only opaque and masked surfaces in no layer "
                             "can be certified",
                             material.name, what));
         }
@@ -65,8 +64,8 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, platform::WorkerPoo
                                     FrameBound& frameBound) const {
     const std::uint32_t width = frame.ids.width;
     const std::uint32_t height = frame.ids.height;
-    // Of each pixel what is found, whether it is in doubt, and its truth.
-    constexpr std::uint64_t kBytes = sizeof(PixelFinding) + 1 + sizeof(TruthPixel);
+    // Of each pixel what is found, whether it is cast, its truth, and whether that is doubtful.
+    constexpr std::uint64_t kBytes = sizeof(PixelFinding) + 1 + sizeof(TruthPixel) + 1;
     platform::requireHostBytes(kBytes * width * height,
                                fmt::format("the certificate of {}x{} pixels", width, height));
     const DeviceBound device(frame);
@@ -81,9 +80,12 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, platform::WorkerPoo
                 continue;
             }
             const MeshOutline& outline = m_outlines[m_scene->instances.mesh[candidate.instance]];
+            const scene::Material& material =
+                m_scene->materials[m_scene->instances.material[candidate.instance]];
+            const StripSurface surface{candidate.id, material.alphaMode == scene::AlphaMode::mask};
             for (const ScreenTriangle& triangle :
                  triangles.of(m_scene->instances, candidate.instance, outline, candidate.sides)) {
-                strip.enter(triangle, candidate.id);
+                strip.enter(triangle, surface);
                 largest.add(triangle.bound);
             }
         }
@@ -114,9 +116,11 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, platform::WorkerPoo
         OrderStrip proof(strip, open, float64);
         enterAll(proof, float64);
         for (const glm::uvec2& pixel : open) {
-            if (proof.findingAt(pixel.x, pixel.y).verdict == PixelVerdict::certified) {
-                findings.at(pixel.x, pixel.y).verdict = PixelVerdict::proven;
-            }
+            const PixelFinding exact = proof.findingAt(pixel.x, pixel.y);
+            PixelFinding& finding = findings.at(pixel.x, pixel.y);
+            finding.verdict =
+                exact.verdict == PixelVerdict::certified ? PixelVerdict::proven : finding.verdict;
+            finding.isMasked = exact.isMasked;
         }
     });
     for (const FrameBound& bound : bounds) {
@@ -161,6 +165,7 @@ Certificate Certifier::certify(const DrawnFrame& frame, platform::WorkerPool& wo
         certificate.certified +=
             verdict == PixelVerdict::certified || verdict == PixelVerdict::proven ? 1 : 0;
         certificate.cast += verdict == PixelVerdict::open ? 1 : 0;
+        certificate.castMasked += verdict == PixelVerdict::open && findings.pixels[i].isMasked ? 1 : 0;
         if (verdict == PixelVerdict::refused && certificate.refused++ == 0) {
             certificate.firstRefused = {i % findings.width, i / findings.width};
         }

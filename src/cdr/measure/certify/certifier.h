@@ -32,11 +32,12 @@ struct PixelRepair {
 /// What is known of a drawn picture.
 struct Certificate {
     std::uint64_t pixels = 0;
-    std::uint64_t certified = 0; ///< right, without a ray
-    std::uint64_t proven = 0;    ///< of those certified: where a device may have drawn something else
-    std::uint64_t cast = 0;      ///< decided by a float64 ray
-    std::uint64_t refused = 0;   ///< show what no device within its limits draws there
-    std::uint64_t wrong = 0;     ///< of those cast: whose object was drawn wrong
+    std::uint64_t certified = 0;  ///< right, without a ray
+    std::uint64_t proven = 0;     ///< of those certified: where a device may have drawn something else
+    std::uint64_t cast = 0;       ///< decided by a float64 ray
+    std::uint64_t castMasked = 0; ///< of those cast: where a masked surface may be seen
+    std::uint64_t refused = 0;    ///< show what no device within its limits draws there
+    std::uint64_t wrong = 0;      ///< of those cast: whose object was drawn wrong
     std::optional<glm::uvec2> firstRefused; ///< in the order of rows
     std::vector<PixelRepair> repairs;       ///< of those cast: what to draw there; in the order of rows
     FrameBound bound;                       ///< how far off the device may have drawn
@@ -57,7 +58,9 @@ struct Certificate {
 /// 2. Where the bound allows two answers, the same is tested again with triangles that are off by roundings of float64 alone.
 ///    Nearly all pixels that were drawn right are proven so.
 /// 3. Rays are cast for the others, which were drawn wrong or lie on an edge. Wrong ones are repaired.
-/// 4. A pixel that shows what the bound rules out is refused: driver, renderer or scene are not what they are said to be.
+/// 4. Where a masked surface may be the nearest one, or before it, a ray is cast. It keeps what the mask keeps in float64, as
+///    TruthCaster filters textures. No bound of a device's filter is used.
+/// 5. A pixel that shows what the bound rules out is refused: driver, renderer or scene are not what they are said to be.
 ///
 /// Why a certified pixel is right: float64 places triangles to 10^-9 pixels, and every margin is larger than that. So an
 /// object that covers a pixel by more than the margins covers it. One that is nearer by more than them is nearer. The
@@ -65,7 +68,7 @@ struct Certificate {
 class Certifier {
   public:
     /// @param scene must outlive the certifier. Instances may change, and meshes that follow() is told of, materials not.
-    /// base::InputError for a scene with surfaces that are blended, masked or in layers, and as TruthCaster.
+    /// base::InputError for a scene with surfaces that are blended or in layers, and as TruthCaster.
     Certifier(const scene::Scene& scene, platform::WorkerPool& workers);
 
     /// As TruthCaster::follow().

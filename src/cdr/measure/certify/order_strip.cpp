@@ -111,23 +111,23 @@ PixelRect OrderStrip::boxOf(const ScreenTriangle& triangle) const {
     return intersection(box, m_pixels);
 }
 
-void OrderStrip::enter(const ScreenTriangle& triangle, std::uint32_t id) {
+void OrderStrip::enter(const ScreenTriangle& triangle, const StripSurface& surface) {
     const PixelRect box = boxOf(triangle);
     if (box.empty() || hides(box, triangle.leastView)) {
         return;
     }
     if (triangle.isThin) {
-        enterThin(triangle, id, box);
+        enterThin(triangle, surface, box);
         return;
     }
     const std::array<Edge, 3> edges = edgesOf(triangle);
     for (std::uint32_t row = box.top; row < box.bottom; ++row) {
-        enterRow(triangle, id, edges, box, row);
+        enterRow(triangle, surface, edges, box, row);
     }
 }
 
-void OrderStrip::enterRow(const ScreenTriangle& triangle, std::uint32_t id, const std::array<Edge, 3>& edges,
-                          const PixelRect& box, std::uint32_t row) {
+void OrderStrip::enterRow(const ScreenTriangle& triangle, const StripSurface& surface,
+                          const std::array<Edge, 3>& edges, const PixelRect& box, std::uint32_t row) {
     Span outer{static_cast<double>(box.left), box.right - 1.0};
     Span inner = outer;
     for (const Edge& edge : edges) {
@@ -140,7 +140,7 @@ void OrderStrip::enterRow(const ScreenTriangle& triangle, std::uint32_t id, cons
     const auto end = static_cast<std::uint32_t>(outer.last) + 1;
     for (auto x = static_cast<std::uint32_t>(outer.first); x < end; ++x) {
         const bool isWithin = x >= inner.first && x <= inner.last;
-        enterPixel(triangle, id, x, row, isWithin ? Cover::within : coverAt(triangle, edges, x, row));
+        enterPixel(triangle, surface, x, row, isWithin ? Cover::within : coverAt(triangle, edges, x, row));
     }
 }
 
@@ -163,7 +163,8 @@ OrderStrip::Cover OrderStrip::coverAt(const ScreenTriangle& triangle, const std:
 }
 
 /// A thin triangle lies within four times of what its corners are off from its longest edge.
-void OrderStrip::enterThin(const ScreenTriangle& triangle, std::uint32_t id, const PixelRect& box) {
+void OrderStrip::enterThin(const ScreenTriangle& triangle, const StripSurface& surface,
+                           const PixelRect& box) {
     std::array<Edge, 3> edges = edgesOf(triangle);
     Edge& longest = *std::max_element(edges.begin(), edges.end(),
                                       [](const Edge& a, const Edge& b) { return a.margin < b.margin; });
@@ -180,17 +181,20 @@ void OrderStrip::enterThin(const ScreenTriangle& triangle, std::uint32_t id, con
             const auto column = static_cast<std::uint32_t>(x);
             const double least = triangle.leastView;
             if (least <= m_reach[indexOf(column, row)]) {
-                enterPerhaps(id, column, row, least - m_bound.orderView(triangle.bound, least, 0.0),
+                enterPerhaps(surface, column, row, least - m_bound.orderView(triangle.bound, least, 0.0),
                              depthView);
             }
         }
     }
 }
 
-void OrderStrip::enterPerhaps(std::uint32_t id, std::uint32_t x, std::uint32_t y, double least,
+void OrderStrip::enterPerhaps(const StripSurface& surface, std::uint32_t x, std::uint32_t y, double least,
                               double offView) {
     Order& order = m_orders[indexOf(x, y)];
-    if (id == m_frame.ids.at(x, y)) {
+    if (surface.isMasked) {
+        order.maskedLeast = std::min(order.maskedLeast, least);
+    }
+    if (surface.id == m_frame.ids.at(x, y)) {
         order.least = std::min(order.least, least);
         order.mostBeside = kNever;
         order.offView = std::max(order.offView, offView);
@@ -199,7 +203,7 @@ void OrderStrip::enterPerhaps(std::uint32_t id, std::uint32_t x, std::uint32_t y
     }
 }
 
-void OrderStrip::enterPixel(const ScreenTriangle& triangle, std::uint32_t id, std::uint32_t x,
+void OrderStrip::enterPixel(const ScreenTriangle& triangle, const StripSurface& surface, std::uint32_t x,
                             std::uint32_t y, Cover cover) {
     const double w =
         std::clamp(1.0 / (triangle.inverse[0] + triangle.inverse[1] * x + triangle.inverse[2] * y),
@@ -214,12 +218,12 @@ void OrderStrip::enterPixel(const ScreenTriangle& triangle, std::uint32_t id, st
         cover = Cover::perhaps;
     }
     const double surfaceOff = kSurfaceRoundings * DeviceBound::surfaceView(triangle.bound, w, slope);
-    if (cover == Cover::perhaps) {
-        enterPerhaps(id, x, y, w - off, surfaceOff);
+    if (cover == Cover::perhaps || surface.isMasked) {
+        enterPerhaps(surface, x, y, w - off, surfaceOff);
         return;
     }
     Order& order = m_orders[indexOf(x, y)];
-    if (id != m_frame.ids.at(x, y)) {
+    if (surface.id != m_frame.ids.at(x, y)) {
         order.otherLeast = std::min(order.otherLeast, w - off);
         // Near an edge beyond which it goes on, it may end there too: another triangle says so, to the drawn object alone.
         if (cover == Cover::within) {
@@ -242,8 +246,9 @@ PixelFinding OrderStrip::findingAt(std::uint32_t x, std::uint32_t y) const {
     const Order& order = m_orders[indexOf(x, y)];
     const double reach = m_reach[indexOf(x, y)];
     const bool isBackground = m_frame.ids.at(x, y) == 0;
-    return {isBackground ? verdictOnBackground(order) : verdictOnObject(order, reach),
-            static_cast<float>(order.offView)};
+    return {.verdict = isBackground ? verdictOnBackground(order) : verdictOnObject(order, reach),
+            .isMasked = order.maskedLeast < kNever && order.maskedLeast <= order.most,
+            .offView = static_cast<float>(order.offView)};
 }
 
 PixelVerdict OrderStrip::verdictOnBackground(const Order& order) {

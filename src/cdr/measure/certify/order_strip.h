@@ -23,7 +23,14 @@ enum class PixelVerdict : std::uint8_t {
 /// A verdict. For a pixel that is cast, also how far off a device may have drawn the distance of the right surface.
 struct PixelFinding {
     PixelVerdict verdict = PixelVerdict::open;
+    bool isMasked = false; ///< a masked surface may be there, no farther than the drawn object surely is
     float offView = 0.0f;
+};
+
+/// What a triangle that goes into a strip is part of.
+struct StripSurface {
+    std::uint32_t id = 0;  ///< object index + 1
+    bool isMasked = false; ///< it may be cut away at any pixel
 };
 
 /// Some rows of a drawn picture. All triangles that may be seen there go in, in any order; verdicts come out.
@@ -31,6 +38,7 @@ struct PixelFinding {
 /// Each triangle gives a pixel an interval of view distances: where its surface is, and by how much the device may be off.
 /// It surely covers the pixel if the centre is inside it, and farther from its edges than corners may be off. It may cover
 /// the pixel if the centre is outside by no more than that. Where a surface goes on beyond an edge, inside is enough.
+/// A masked surface covers no pixel surely, since devices filter textures in ways that no bound is known of.
 /// The drawn distance says which triangles cannot matter, so most of what is hidden is never looked at.
 class OrderStrip {
   public:
@@ -44,7 +52,7 @@ class OrderStrip {
 
     /// Whether all that is `leastView` away or farther is behind what was drawn in a rectangle of the picture.
     bool hides(const PixelRect& pixels, double leastView) const;
-    void enter(const ScreenTriangle& triangle, std::uint32_t id);
+    void enter(const ScreenTriangle& triangle, const StripSurface& surface);
     PixelFinding findingAt(std::uint32_t x, std::uint32_t y) const;
 
   private:
@@ -53,14 +61,15 @@ class OrderStrip {
 
     /// Bounds of view distances at a pixel.
     struct Order {
-        double least = kNever;      ///< of the drawn object, if it is there
-        double most = kNever;       ///< of the drawn object's nearest sure surface
-        double mostBeside = 0.0;    ///< of its surfaces beyond edges nearby; infinity where it may end there
-        double otherLeast = kNever; ///< of other objects that may be there
-        double otherMost = kNever;  ///< of the nearest other one that has the pixel within a triangle
-        double offView = 0.0;       ///< most that a distance of the drawn object may be off
-        double statedOffView = 0.0; ///< of a strip of open pixels: what the device may be off
-        bool isAtDrawn = false;     ///< the nearest sure surface is at the drawn distance
+        double least = kNever;       ///< of the drawn object, if it is there
+        double most = kNever;        ///< of the drawn object's nearest sure surface
+        double mostBeside = 0.0;     ///< of its surfaces beyond edges nearby; infinity where it may end there
+        double otherLeast = kNever;  ///< of other objects that may be there
+        double maskedLeast = kNever; ///< of masked surfaces that may be there
+        double otherMost = kNever;   ///< of the nearest other one that has the pixel within a triangle
+        double offView = 0.0;        ///< most that a distance of the drawn object may be off
+        double statedOffView = 0.0;  ///< of a strip of open pixels: what the device may be off
+        bool isAtDrawn = false;      ///< the nearest sure surface is at the drawn distance
     };
     /// Of pixels in a row, none where first > last.
     struct Span {
@@ -91,13 +100,14 @@ class OrderStrip {
     std::array<Edge, 3> edgesOf(const ScreenTriangle& triangle) const;
     /// The triangle's box with what its corners may be off.
     PixelRect boxOf(const ScreenTriangle& triangle) const;
-    void enterRow(const ScreenTriangle& triangle, std::uint32_t id, const std::array<Edge, 3>& edges,
-                  const PixelRect& box, std::uint32_t row);
-    void enterThin(const ScreenTriangle& triangle, std::uint32_t id, const PixelRect& box);
+    void enterRow(const ScreenTriangle& triangle, const StripSurface& surface,
+                  const std::array<Edge, 3>& edges, const PixelRect& box, std::uint32_t row);
+    void enterThin(const ScreenTriangle& triangle, const StripSurface& surface, const PixelRect& box);
     Cover coverAt(const ScreenTriangle& triangle, const std::array<Edge, 3>& edges, double x, double y) const;
-    void enterPixel(const ScreenTriangle& triangle, std::uint32_t id, std::uint32_t x, std::uint32_t y,
-                    Cover cover);
-    void enterPerhaps(std::uint32_t id, std::uint32_t x, std::uint32_t y, double least, double offView);
+    void enterPixel(const ScreenTriangle& triangle, const StripSurface& surface, std::uint32_t x,
+                    std::uint32_t y, Cover cover);
+    void enterPerhaps(const StripSurface& surface, std::uint32_t x, std::uint32_t y, double least,
+                      double offView);
 
     std::size_t indexOf(std::uint32_t x, std::uint32_t y) const {
         return std::size_t{y - m_pixels.top} * m_frame.ids.width + x;

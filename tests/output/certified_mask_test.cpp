@@ -1,0 +1,87 @@
+#include "../support/shared_device.h"
+
+#include <cdr/render/gpu_scene.h>
+#include <cdr/render/renderer.h>
+#include <cdr/scene/gltf/open_gltf.h>
+
+#include <gtest/gtest.h>
+#include <output/certified_frame.h>
+
+#include <string>
+
+namespace {
+
+using namespace cdr;
+using namespace cdr::output;
+
+/// The garden, whose leaves are masked. What it blends is opaque here.
+scene::SceneSetup gardenOfMasks() {
+    scene::SceneSetup setup = scene::openGltf(CDR_SOURCE_DIR "/tests/assets/garden.glb").setup;
+    for (scene::Material& material : setup.scene.materials) {
+        if (material.alphaMode == scene::AlphaMode::blend) {
+            material.alphaMode = scene::AlphaMode::opaque;
+        }
+    }
+    return setup;
+}
+
+class CertifiedMaskTest : public test::DeviceTest {
+  protected:
+    /// Draws one scene, says that it is the garden, and repairs it. Tests that nothing wrong is left.
+    measure::Certificate repaired(const scene::Scene& drawn, const depth::Technique& technique) {
+        render::RenderOptions options;
+        options.width = 320;
+        options.height = 180;
+        options.technique = technique;
+        const render::GpuScene onDevice(device(), drawn);
+        const scene::Camera camera = m_garden.path.at(0);
+        render::Frame frame = render::Renderer(device(), drawn, onDevice, options).render(camera);
+        const measure::Certificate certificate =
+            m_certifier.certify(drawnFrame(frame, options, device().info().subPixelBits), m_workers);
+        EXPECT_EQ(certificate.refused, 0u);
+        putRight(frame, certificate);
+        const measure::TruthImage truth =
+            measure::castTruth(m_garden.scene, camera, options.width, options.height, m_workers);
+        std::uint64_t wrong = 0;
+        for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+            wrong += truth.pixels[i].id != frame.gbuffer.pixels[i].id() ? 1 : 0;
+        }
+        EXPECT_EQ(wrong, 0u);
+        return certificate;
+    }
+
+    scene::SceneSetup m_garden = gardenOfMasks();
+    platform::WorkerPool m_workers{2};
+    measure::Certifier m_certifier{m_garden.scene, m_workers};
+};
+
+TEST_F(CertifiedMaskTest, IsRightInEveryPixelOfEveryPreset) {
+    for (const depth::NamedTechnique& preset : depth::presets()) {
+        SCOPED_TRACE(preset.name);
+        const measure::Certificate certificate = repaired(m_garden.scene, preset.technique);
+        EXPECT_GT(certificate.castMasked, 100u);
+        EXPECT_GT(certificate.certifiedFraction(), 0.5);
+        RecordProperty(preset.name, std::to_string(certificate.certified) + " certified, " +
+                                        std::to_string(certificate.castMasked) + " of " +
+                                        std::to_string(certificate.cast) + " cast for masks, " +
+                                        std::to_string(certificate.wrong) + " wrong");
+    }
+}
+
+/// The device cuts at another alpha, or has other alphas.
+TEST_F(CertifiedMaskTest, IsRepairedWhereTheDeviceCutsInAnotherWay) {
+    const depth::Technique technique = depth::parseTechnique("anchored");
+    const std::uint64_t before = repaired(m_garden.scene, technique).wrong;
+    scene::Scene cut = m_garden.scene;
+    scene::Scene faded = m_garden.scene;
+    for (std::size_t i = 0; i < cut.materials.size(); ++i) {
+        if (cut.materials[i].alphaMode == scene::AlphaMode::mask) {
+            cut.materials[i].alphaCutoff = 0.9f;
+            faded.materials[i].baseColorFactor.a = 0.3f;
+        }
+    }
+    EXPECT_GT(repaired(cut, technique).wrong, before + 10);
+    EXPECT_GT(repaired(faded, technique).wrong, before + 10);
+}
+
+} // namespace
