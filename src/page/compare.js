@@ -1,7 +1,7 @@
-// The experiment on people: shows the trials of logic/session.js and keeps their answers.
+// The experiment on people: shows the trials of logic/sitting.js and keeps their answers.
 
 import { pairRows } from "./logic/flicker.js";
-import { answered, freshSeed, nextTrial, restore, startSession, store } from "./logic/session.js";
+import { answered, freshSeed, nextTrial, restore, startSitting, store } from "./logic/sitting.js";
 import { compared, fromCsv, maxBytes, toCsv, withoutRepeats } from "./logic/trials.js";
 import { makeAgreement, makePairs, makeTally } from "./view/tally.js";
 import { Trial } from "./view/trial.js";
@@ -28,7 +28,7 @@ const kept = {
 };
 
 const askedSeed = new URLSearchParams(location.search).get("seed");
-let session = restore(kept.read(), askedSeed);
+let sitting = restore(kept.read(), askedSeed);
 const flicker = window.cdrReport?.sections.flicker ?? { results: [] }; // a copy of this page may lie elsewhere
 /** Pictures of the scene that the videos show, if this report has them. */
 const stills = {
@@ -38,8 +38,8 @@ const stills = {
 let others = [];
 const trial = new Trial({
     onAnswer(answer) {
-        session = answered(session, answer);
-        kept.write(store(session));
+        sitting = answered(sitting, answer);
+        kept.write(store(sitting));
         showNext(true);
     },
 });
@@ -51,21 +51,21 @@ function show(id) {
 }
 
 function showWelcome(seed) {
-    session = startSession("", seed);
-    byId("seed").textContent = session.seed;
-    byId("seed-link").href = `?seed=${encodeURIComponent(session.seed)}`;
+    sitting = startSitting("", seed);
+    byId("seed").textContent = sitting.seed;
+    byId("seed-link").href = `?seed=${encodeURIComponent(sitting.seed)}`;
     show("welcome");
     showTally();
 }
 
 /** @param {boolean} focus whether somebody is at work, whose keyboard should land in the right place. */
 function showNext(focus) {
-    const next = nextTrial(session);
+    const next = nextTrial(sitting);
     show(next ? "trial" : "done");
     if (next) {
         trial.begin(next, focus);
     } else {
-        const answers = compared(session.answers, pairRows(flicker));
+        const answers = compared(sitting.answers, pairRows(flicker));
         byId("agreement").replaceChildren(...makeAgreement(answers));
         byId("pairs").replaceChildren(...makePairs(answers, stills.pictures, stills.folder));
     }
@@ -76,7 +76,7 @@ function showNext(focus) {
 }
 
 function allAnswers() {
-    return withoutRepeats([...session.answers, ...others]);
+    return withoutRepeats([...sitting.answers, ...others]);
 }
 
 function showTally() {
@@ -114,11 +114,11 @@ async function loadFiles(files) {
 
 byId("start").addEventListener("submit", (event) => {
     event.preventDefault();
-    session = startSession(byId("participant").value, session.seed);
-    kept.write(store(session));
+    sitting = startSitting(byId("participant").value, sitting.seed);
+    kept.write(store(sitting));
     showNext(true);
 });
-byId("save").addEventListener("click", () => download(`answers-${session.seed}.csv`, toCsv(session.answers)));
+byId("save").addEventListener("click", () => download(`answers-${sitting.seed}.csv`, toCsv(sitting.answers)));
 byId("save-all").addEventListener("click", () => download("answers-all.csv", toCsv(allAnswers())));
 byId("again").addEventListener("click", () => {
     others = allAnswers();
@@ -128,7 +128,7 @@ byId("again").addEventListener("click", () => {
 });
 byId("load").addEventListener("change", (event) => loadFiles(event.target.files));
 
-if (session) {
+if (sitting) {
     showNext(false);
 } else {
     showWelcome(askedSeed ?? freshSeed(crypto.getRandomValues(new Uint8Array(8))));

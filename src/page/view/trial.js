@@ -10,7 +10,7 @@ export class Trial {
         this.video.addEventListener("ended", () => this.ended());
         this.video.addEventListener("error", () => this.missing());
         this.video.addEventListener("loadedmetadata", () => {
-            byId("stage").style.aspectRatio = `${this.video.videoWidth} / ${this.video.videoHeight}`;
+            byId("screen").style.aspectRatio = `${this.video.videoWidth} / ${this.video.videoHeight}`;
         });
         byId("play").addEventListener("click", () => this.play());
         byId("left").addEventListener("click", () => this.answer("left"));
@@ -25,7 +25,7 @@ export class Trial {
         this.seenAt = null;
         byId("trial-title").textContent = `Video ${trial.number} of ${trial.of}`;
         byId("progress").value = trial.number - 1;
-        byId("stage").classList.toggle("mirrored", trial.mirrored);
+        byId("screen").classList.toggle("mirrored", trial.mirrored);
         byId("missing").hidden = true;
         this.video.src = `videos/${trial.pair.left}_${trial.pair.right}.mp4`;
         this.allow(false);

@@ -18,7 +18,7 @@ export function makeWipe({ scene, width, height, items, alt, start = [0, items.l
     const names = [h("span", { class: "wipe-name of-left" }), h("span", { class: "wipe-name of-right" })];
     const caption = h("figcaption");
     const range = h("input", { type: "range", min: 0, max: 100, step: 1, value: 50 });
-    const stage = h("div", { class: "wipe-stage" }, lower, upper, h("div", { class: "wipe-bar" }), names, range);
+    const box = h("div", { class: "wipe-box" }, lower, upper, h("div", { class: "wipe-bar" }), names, range);
 
     const show = () => {
         const [a, b] = [items[left.select.value], items[right.select.value]];
@@ -33,7 +33,7 @@ export function makeWipe({ scene, width, height, items, alt, start = [0, items.l
         caption.textContent = `${a.title}: ${a.note}. ${b.title}: ${b.note}.`;
     };
     const move = () => {
-        stage.style.setProperty("--at", `${range.value}%`);
+        box.style.setProperty("--at", `${range.value}%`);
         range.setAttribute("aria-valuetext", `${range.value} percent`);
     };
     range.addEventListener("input", move);
@@ -43,7 +43,7 @@ export function makeWipe({ scene, width, height, items, alt, start = [0, items.l
     show();
     move();
     const hasHeatMaps = items.every((item) => item.heatMap);
-    return h("figure", { class: "wipe" }, h("div", { class: "choices" }, items.length > 2 ? [left.label, right.label] : null, hasHeatMaps ? kinds.element : null), stage, caption);
+    return h("figure", { class: "wipe" }, h("div", { class: "choices" }, items.length > 2 ? [left.label, right.label] : null, hasHeatMaps ? kinds.element : null), box, caption);
 }
 
 function picker(label, items, chosen) {

@@ -139,10 +139,10 @@ test("it opens with the runway's number under two techniques, and a table of all
 
 test("the bar between two pictures moves by mouse and by keyboard", async () => {
     const page = await openReport();
-    const stage = page.locator(".wipe-stage").first();
-    const at = () => stage.evaluate((element) => element.querySelector(".wipe-bar").getBoundingClientRect().x - element.getBoundingClientRect().x);
-    await stage.scrollIntoViewIfNeeded();
-    const { x, y, width, height } = await stage.boundingBox();
+    const box = page.locator(".wipe-box").first();
+    const at = () => box.evaluate((element) => element.querySelector(".wipe-bar").getBoundingClientRect().x - element.getBoundingClientRect().x);
+    await box.scrollIntoViewIfNeeded();
+    const { x, y, width, height } = await box.boundingBox();
     await page.mouse.move(x + width * 0.5, y + height * 0.5);
     await page.mouse.down();
     await page.mouse.move(x + width * 0.8, y + height * 0.5, { steps: 5 });
@@ -153,7 +153,7 @@ test("the bar between two pictures moves by mouse and by keyboard", async () => 
     assert.ok(await at() < before);
     await page.keyboard.press("Home");
     assert.ok(Math.abs(await at()) < 3);
-    const clipped = await stage.locator(".upper").evaluate((image) => getComputedStyle(image).clipPath);
+    const clipped = await box.locator(".upper").evaluate((image) => getComputedStyle(image).clipPath);
     assert.match(clipped, /100%/);
     await close(page);
 });

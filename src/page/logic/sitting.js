@@ -1,9 +1,9 @@
-// One person's run through the experiment, as plain data that survives a reload.
+// A sitting: one person's run through the experiment, as plain data that survives a reload.
 
 import { fromCsv, makeAnswer, makeTrials, toCsv } from "./trials.js";
 
 /** @returns {{participant: string, seed: string, answers: object[]}} */
-export function startSession(participant, seed) {
+export function startSitting(participant, seed) {
     return { participant: plainText(participant) || "anonymous", seed: plainText(seed) || "0", answers: [] };
 }
 
@@ -13,23 +13,23 @@ export function plainText(text) {
 }
 
 /** The trial that comes next, with its number from 1, or null when all are answered. */
-export function nextTrial(session) {
-    const trials = makeTrials(session.seed);
-    const index = session.answers.length;
+export function nextTrial(sitting) {
+    const trials = makeTrials(sitting.seed);
+    const index = sitting.answers.length;
     return index < trials.length ? { ...trials[index], number: index + 1, of: trials.length } : null;
 }
 
-/** The session with one more answer. */
-export function answered(session, { side, seconds, plays }) {
-    const trial = nextTrial(session);
-    const { participant, seed } = session;
+/** The sitting with one more answer. */
+export function answered(sitting, { side, seconds, plays }) {
+    const trial = nextTrial(sitting);
+    const { participant, seed } = sitting;
     const answer = makeAnswer({ participant, seed, number: trial.number, trial, side, seconds, plays });
-    return { ...session, answers: [...session.answers, answer] };
+    return { ...sitting, answers: [...sitting.answers, answer] };
 }
 
 /** As text, to be kept. */
-export function store(session) {
-    return JSON.stringify({ participant: session.participant, seed: session.seed, csv: toCsv(session.answers) });
+export function store(sitting) {
+    return JSON.stringify({ participant: sitting.participant, seed: sitting.seed, csv: toCsv(sitting.answers) });
 }
 
 /** What was kept, or null when it is nothing this page wrote or belongs to another seed than the one asked for. */
@@ -39,11 +39,11 @@ export function restore(text, seed = null) {
         if (seed !== null && kept !== plainText(seed)) {
             return null;
         }
-        const session = { ...startSession(participant, kept), answers: fromCsv(csv) };
+        const sitting = { ...startSitting(participant, kept), answers: fromCsv(csv) };
         const trials = makeTrials(kept);
-        const fits = session.answers.length <= trials.length && session.answers.every((answer, i) =>
+        const fits = sitting.answers.length <= trials.length && sitting.answers.every((answer, i) =>
             answer.left === trials[i].left && answer.right === trials[i].right);
-        return fits ? session : null;
+        return fits ? sitting : null;
     } catch {
         return null;
     }
