@@ -33,19 +33,6 @@ export function median(values) {
     return Number.isInteger(middle) ? (ordered[middle - 1] + ordered[middle]) / 2 : ordered[Math.floor(middle)];
 }
 
-/** Wilson's 95 % interval of a share, as [low, high] in 0..1. */
-export function wilson95(hits, all) {
-    if (all === 0) {
-        return [0, 1];
-    }
-    const z = 1.959963984540054;
-    const share = hits / all;
-    const shrink = 1 + z ** 2 / all;
-    const middle = share + z ** 2 / (2 * all);
-    const reach = z * Math.sqrt((share * (1 - share)) / all + z ** 2 / (4 * all ** 2));
-    return [Math.max(0, (middle - reach) / shrink), Math.min(1, (middle + reach) / shrink)];
-}
-
 /** Complementary error function for x >= 0: series near 0, continued fraction (Lentz) beyond. */
 function erfc(x) {
     const square = x * x;

@@ -11,11 +11,6 @@ export const columns = ["participant", "seed", "trial", "left", "right", "side",
 /** Largest file of answers that is read, bytes. */
 export const maxBytes = 1_000_000;
 
-/** A pair's name, whatever side it is shown on. */
-export function pairName(pair) {
-    return `${pair.left}-${pair.right}`;
-}
-
 /**
  * The six pairs in random order, each on random sides; the same for the same seed.
  * @returns {{pair: object, mirrored: boolean, left: string, right: string}[]} `mirrored`: sides swapped.

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { binomialP, chiSquared, chiSquaredP, median, wilson95 } from "../../../src/page/logic/statistics.js";
+import { binomialP, chiSquared, chiSquaredP, median } from "../../../src/page/logic/statistics.js";
 
 const near = (actual, expected, tolerance) =>
     assert.ok(Math.abs(actual - expected) <= tolerance, `${actual} is not ${expected} within ${tolerance}`);
@@ -34,15 +34,6 @@ test("the exact p counts both tails", () => {
 test("without answers there is no p", () => {
     assert.ok(Number.isNaN(binomialP(0, 0)));
     assert.ok(Number.isNaN(chiSquared(0, 0)));
-});
-
-test("Wilson's interval holds its share and stays in 0 to 1", () => {
-    const [low, high] = wilson95(0, 12);
-    near(low, 0, 1e-15);
-    near(high, 0.24249, 1e-4);
-    const middle = wilson95(6, 12);
-    near(middle[0] + middle[1], 1, 1e-12);
-    assert.deepEqual(wilson95(0, 0), [0, 1]);
 });
 
 test("a median is the middle one, or the mean of the two there", () => {

@@ -4,8 +4,9 @@ import { formatRow, parseRows } from "../../../src/page/logic/csv.js";
 import { randomFrom, shuffled } from "../../../src/page/logic/random.js";
 import { pairRows } from "../../../src/page/logic/flicker.js";
 import { pairs, table62, thesisTechniques } from "../../../src/page/logic/thesis.js";
-import { agreement, columns, compared, fromCsv, makeAnswer, makeTrials, pairName, tally, toCsv, withoutRepeats } from "../../../src/page/logic/trials.js";
+import { agreement, columns, compared, fromCsv, makeAnswer, makeTrials, tally, toCsv, withoutRepeats } from "../../../src/page/logic/trials.js";
 
+const pairName = (pair) => `${pair.left}-${pair.right}`;
 const answersOf = (seed, participant, side = "left") =>
     makeTrials(seed).map((trial, number) =>
         makeAnswer({ participant, seed, number: number + 1, trial, side, seconds: 1.23, plays: 1 }));
