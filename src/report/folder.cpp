@@ -6,6 +6,7 @@
 #include <cdr/base/error.h>
 #include <cdr/platform/file.h>
 #include <cdr/platform/process.h>
+#include <cdr/platform/system_failure.h>
 
 #include <fmt/format.h>
 #include <program/sha256.h>
@@ -23,12 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMaxManifestBytes = 10'000'000;
-
-/// Whether making a folder failed though the one who named it is not to blame.
-bool isOfTheSystem(const std::error_code& error) {
-    return error == std::errc::no_space_on_device || error == std::errc::io_error ||
-           error == std::errc::not_enough_memory;
-}
 
 /// The files that a report's manifest calls its own. base::InputError when there is no sound manifest.
 std::set<std::string> ownFiles(const fs::path& folder) {
@@ -174,7 +169,7 @@ void PendingFolder::makeTemporary(const fs::path& folder) const {
     if (!fs::create_directory(m_temporary, error)) {
         const std::string why = error ? error.message() : m_temporary.filename().string() + " is in the way";
         const std::string message = fmt::format("{}: no folder can be made here: {}", folder.string(), why);
-        if (isOfTheSystem(error)) {
+        if (platform::isOfTheSystem(error.value())) {
             throw base::RunError(message);
         }
         throw base::InputError(message);

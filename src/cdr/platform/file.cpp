@@ -2,13 +2,13 @@
 #include <cdr/platform/file.h>
 #include <cdr/platform/input_file.h>
 #include <cdr/platform/process.h>
+#include <cdr/platform/system_failure.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cerrno>
 #include <charconv>
@@ -58,12 +58,6 @@ fs::path withLinksFollowed(const fs::path& path) {
 std::string randomName() {
     std::random_device device;
     return fmt::format("{:08x}{:08x}", device(), device());
-}
-
-/// Whether a call failed though its caller asked for nothing wrong: a full disk, a broken one, no descriptor left.
-bool isOfTheSystem(int error) {
-    constexpr std::array kOfTheSystem{ENOSPC, EDQUOT, EIO, EMFILE, ENFILE, ENOMEM};
-    return std::find(kOfTheSystem.begin(), kOfTheSystem.end(), error) != kOfTheSystem.end();
 }
 
 /// An empty file, or the error number of why there is none.
