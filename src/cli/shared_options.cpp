@@ -117,14 +117,21 @@ std::vector<std::string> techniqueNames(const std::vector<std::string>& parts) {
     return names;
 }
 
-void requireDistinct(const std::vector<depth::NamedTechnique>& techniques) {
-    std::set<std::string> names;
-    for (const depth::NamedTechnique& named : techniques) {
-        if (!names.insert(named.name).second) {
-            throw base::InputError(
-                fmt::format("{} is there twice: its pictures would have one name", named.name));
+void requireDistinct(const std::vector<std::string>& names) {
+    std::set<std::string> seen;
+    for (const std::string& name : names) {
+        if (!seen.insert(name).second) {
+            throw base::InputError(fmt::format("{} is there twice: its pictures would have one name", name));
         }
     }
+}
+
+void requireDistinct(const std::vector<depth::NamedTechnique>& techniques) {
+    std::vector<std::string> names;
+    for (const depth::NamedTechnique& named : techniques) {
+        names.push_back(named.name);
+    }
+    requireDistinct(names);
 }
 
 void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techniques) {

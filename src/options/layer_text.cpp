@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace cdr::options {
 
@@ -22,10 +23,16 @@ scenes::LayerChoice parseLayer(std::string_view text) {
         throw base::InputError(fmt::format("a layer must be MATERIAL=LAYER, such as paint=0.002, not '{}'",
                                            text.substr(0, kMaxShown)));
     }
-    const auto layer = static_cast<float>(base::parseNumber("a layer", text.substr(equals + 1)));
+    const double number = base::parseNumber("a layer", text.substr(equals + 1));
+    const auto layer = static_cast<float>(number);
     if (!std::isfinite(layer)) {
         throw base::InputError(
             fmt::format("a layer must be a finite float, not '{}'", text.substr(equals + 1, kMaxShown)));
+    }
+    if (number != 0.0 && std::abs(number) < static_cast<double>(std::numeric_limits<float>::min())) {
+        throw base::InputError(
+            fmt::format("a layer must be 0 or at least {}, since devices take less for 0, not '{}'",
+                        std::numeric_limits<float>::min(), text.substr(equals + 1, kMaxShown)));
     }
     return {.material = std::string(text.substr(0, equals)), .layer = layer};
 }

@@ -7,7 +7,7 @@
 
 namespace cdr::options {
 
-/// Reads "MATERIAL=LAYER". base::InputError unless the layer is a finite number that a float can hold.
+/// Reads "MATERIAL=LAYER". base::InputError unless the layer is 0 or a normal float.
 scenes::LayerChoice parseLayer(std::string_view text);
 /// What parseLayer() reads.
 std::string textOf(const scenes::LayerChoice& choice);

@@ -67,6 +67,10 @@ void run(Command& command, ShadowArguments& arguments) {
     }
     const options::FrameCameras cameras(arguments.camera);
     const PictureFolder folder(arguments.folder, command.files());
+    if (folder.isWanted()) {
+        requireDistinct(experiment.techniques);
+        requireDistinct(experiment.methods);
+    }
     const scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed, arguments.choice);
     const auto columns = shadowColumns();
     output::Table table = output::tableOf(columns, std::vector<experiments::ShadowResult>());
