@@ -1,4 +1,4 @@
-// Runs a fuzzer without libFuzzer, over each file of the folders it is given. Then it runs it over files that are made from
+// Runs a fuzzer without libFuzzer, over each file that it is given and each file of the folders that it is given. Then it runs it over files that are made from
 // these by random cuts, splices and changes. The same seed makes the same files. CDR_FUZZ_CASES is their number. Without it they
 // are 25,000, or 100,000 with CDR_ALL_CASES.
 
@@ -13,6 +13,7 @@
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
@@ -22,9 +23,14 @@ namespace {
 using Input = std::vector<std::uint8_t>;
 constexpr std::size_t kMaxBytes = 4096; // larger seeds are run, but nothing is made of them
 
-std::vector<Input> readSeeds(int count, char** paths) {
+/// std::filesystem::filesystem_error for a folder that cannot be read.
+std::vector<std::filesystem::path> seedFiles(int count, char** paths) {
     std::vector<std::filesystem::path> files;
     for (int i = 1; i < count; ++i) {
+        if (!std::filesystem::is_directory(paths[i])) {
+            files.emplace_back(paths[i]);
+            continue;
+        }
         for (const auto& entry : std::filesystem::directory_iterator(paths[i])) {
             if (entry.is_regular_file()) {
                 files.push_back(entry.path());
@@ -32,10 +38,18 @@ std::vector<Input> readSeeds(int count, char** paths) {
         }
     }
     std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// std::runtime_error for a file or folder that cannot be read.
+std::vector<Input> readSeeds(int count, char** paths) {
     std::vector<Input> seeds;
-    for (const auto& file : files) {
+    for (const auto& file : seedFiles(count, paths)) {
         std::ifstream stream(file, std::ios::binary);
         seeds.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+        if (!stream) {
+            throw std::runtime_error(file.string() + ": cannot be read");
+        }
     }
     return seeds;
 }
@@ -88,7 +102,13 @@ class Mutator {
 } // namespace
 
 int main(int argc, char** argv) {
-    std::vector<Input> seeds = readSeeds(argc, argv);
+    std::vector<Input> seeds;
+    try {
+        seeds = readSeeds(argc, argv);
+    } catch (const std::runtime_error& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 2;
+    }
     for (const Input& seed : seeds) {
         LLVMFuzzerTestOneInput(seed.data(), seed.size());
     }
