@@ -103,7 +103,7 @@ void run(const DriveArguments& arguments) {
 int runDriveProgram(int argc, char** argv) {
     return exitStatusOf("cdr-viewer-drive", [&] {
         DriveArguments arguments;
-        CLI::App program("The viewer, driven by a script or by random input instead of a person: for tests.",
+        CLI::App program("The viewer, played by a script or by random input instead of a person: for tests.",
                          "cdr-viewer-drive");
         addViewerOptions(program, arguments.viewer);
         addDriveOptions(program, arguments);

@@ -95,7 +95,7 @@ bool ScriptPlayer::waits(const Session& session, const ViewerModel& model) {
     return isWaiting;
 }
 
-void ScriptPlayer::play(const ScriptStep& step, const DrivenViewer& viewer) {
+void ScriptPlayer::play(const ScriptStep& step, const PlayedViewer& viewer) {
     Window& window = viewer.window;
     const auto printLine = [](const std::string& line) { platform::printNow(line + "\n"); };
     std::visit(Overloaded{[&](const InputEvent& event) { window.inject(event); },
@@ -120,22 +120,22 @@ void ScriptPlayer::play(const ScriptStep& step, const DrivenViewer& viewer) {
                               window.restore();
                               window.inject(window.currentSize());
                           },
-                          [&](const Quit&) { m_state = DriverState::quits; }, [](const auto&) {}},
+                          [&](const Quit&) { m_state = PlayerState::quits; }, [](const auto&) {}},
                step);
 }
 
-DriverState ScriptPlayer::step(const DrivenViewer& viewer) {
+PlayerState ScriptPlayer::step(const PlayedViewer& viewer) {
     if (!m_steps.empty()) {
         if (waits(viewer.session, viewer.model)) {
             const bool isForPicture = std::holds_alternative<WaitFrame>(m_steps.front());
-            return isForPicture ? DriverState::waits : m_state;
+            return isForPicture ? PlayerState::waits : m_state;
         }
         const ScriptStep step = m_steps.front();
         m_steps.pop_front();
         play(step, viewer);
     }
-    const bool hasEnded = m_steps.empty() && m_state == DriverState::drives;
-    return hasEnded ? DriverState::hasEnded : m_state;
+    const bool hasEnded = m_steps.empty() && m_state == PlayerState::plays;
+    return hasEnded ? PlayerState::hasEnded : m_state;
 }
 
 } // namespace cdr::viewer

@@ -2,7 +2,7 @@
 
 #include "script.h"
 
-#include <viewer/session/driver.h>
+#include <viewer/session/player.h>
 
 #include <chrono>
 #include <deque>
@@ -13,15 +13,15 @@
 namespace cdr::viewer {
 
 /// Plays a script, a step per frame of the interface.
-class ScriptPlayer : public Driver {
+class ScriptPlayer : public Player {
   public:
     explicit ScriptPlayer(std::vector<ScriptStep> steps) : m_steps(steps.begin(), steps.end()) {}
 
     /// Plays the step that is due. base::RunError for an item that is not there, or a frame that does not come.
-    DriverState step(const DrivenViewer& viewer) override;
+    PlayerState step(const PlayedViewer& viewer) override;
 
   private:
-    void play(const ScriptStep& step, const DrivenViewer& viewer);
+    void play(const ScriptStep& step, const PlayedViewer& viewer);
     bool waits(const Session& session, const ViewerModel& model);
     bool waitsForFrame(const WaitFrame& frame, const Session& session);
     /// Begins or goes on waiting; base::RunError when it has taken too long.
@@ -30,7 +30,7 @@ class ScriptPlayer : public Driver {
     static ItemPlaces::Place placeOf(const std::string& name, const ItemPlaces& places);
 
     std::deque<ScriptStep> m_steps;
-    DriverState m_state = DriverState::drives;
+    PlayerState m_state = PlayerState::plays;
     std::optional<std::uint64_t> m_resultsWanted;
     std::optional<std::chrono::steady_clock::time_point> m_waitBegan;
 };

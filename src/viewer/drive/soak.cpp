@@ -41,7 +41,7 @@ Soak::Soak(double seconds, SoakOptions input)
           return std::move(input);
       }()) {}
 
-void Soak::play(const DrivenViewer& viewer) {
+void Soak::play(const PlayedViewer& viewer) {
     Window& window = viewer.window;
     ViewerModel& model = viewer.model;
     const SoakStep step = m_input.next();
@@ -127,7 +127,7 @@ std::uint64_t Soak::stepsBeforeRest() const {
     return static_cast<std::uint64_t>(static_cast<double>(m_steps) * (kWarmUp + (1.0 - kWarmUp) * share));
 }
 
-DriverState Soak::step(const DrivenViewer& viewer) {
+PlayerState Soak::step(const PlayedViewer& viewer) {
     const auto& [window, session, model, places, area, capture] = viewer;
     if (!m_home) {
         m_home = Home{.settings = model.settings, .size = window.currentSize()};
@@ -142,9 +142,9 @@ DriverState Soak::step(const DrivenViewer& viewer) {
             ++m_done;
         }
     } else {
-        return DriverState::waits;
+        return PlayerState::waits;
     }
-    return isDone() ? DriverState::quits : DriverState::drives;
+    return isDone() ? PlayerState::quits : PlayerState::plays;
 }
 
 double Soak::Change::percent() const {

@@ -2,7 +2,7 @@
 
 #include "soak_input.h"
 
-#include <viewer/session/driver.h>
+#include <viewer/session/player.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -14,10 +14,10 @@ namespace cdr::viewer {
 
 /// Plays seeded random input, one step per frame of the interface, as fast as frames come, and watches the
 /// memory. Memory is always read in the same view, first after a warm-up, then at each tenth of the rest. What
-/// the driver keeps for later depends on what it drew last, and differs by tens of megabytes. For instance llvmpipe
+/// the Vulkan driver keeps for later depends on what it drew last, and differs by tens of megabytes. For instance llvmpipe
 /// keeps up to 36 MiB of bins for each of the passes that it once worked on together. So the renderer's device is
 /// made again for each measurement.
-class Soak : public Driver {
+class Soak : public Player {
   public:
     static constexpr double kStepsPerSecond = 60.0;
     /// The share of the steps that warms up.
@@ -33,7 +33,7 @@ class Soak : public Driver {
     Soak(double seconds, SoakOptions input);
 
     /// Plays a step, if the renderer has taken the last one.
-    DriverState step(const DrivenViewer& viewer) override;
+    PlayerState step(const PlayedViewer& viewer) override;
     /// "soak: 1800 steps, ...", one line.
     std::string report() const;
     /// By how many percent memory grew from the warm-up to the end: what is allocated or what is resident, whichever grew more.
@@ -64,7 +64,7 @@ class Soak : public Driver {
     Change changeOf(std::uint64_t Memory::*bytes) const;
     std::string growthOf(std::uint64_t Memory::*bytes) const;
     void enter(Phase phase, const Session& session);
-    void play(const DrivenViewer& viewer);
+    void play(const PlayedViewer& viewer);
     void rest(Window& window, const Session& session, ViewerModel& model);
     void measure(Window& window, Session& session, ViewerModel& model);
     std::uint64_t stepsBeforeRest() const; ///< played before the next measurement

@@ -44,10 +44,10 @@ double secondsSince(std::chrono::steady_clock::time_point then) {
 
 } // namespace
 
-Application::Application(const Arguments& arguments, Driver* driver)
+Application::Application(const Arguments& arguments, Player* player)
     : m_arguments(arguments),
       m_model(initialModel(arguments)),
-      m_driver(driver),
+      m_player(player),
       m_system(fmt::format("cdr render {} -o picture.png", arguments.scene)),
       m_renderInstance({.validate = arguments.validate, .extensions = {}}),
       m_renderDevice(m_renderInstance, arguments.device),
@@ -66,43 +66,43 @@ bool Application::goesOn() const {
 }
 
 bool Application::waitsForPicture() const {
-    return m_driver != nullptr && m_driverWaits && !m_session.isSettled();
+    return m_player != nullptr && m_playerWaits && !m_session.isSettled();
 }
 
 void Application::wait() const {
-    const bool isDriven = m_driver != nullptr;
+    const bool isPlayed = m_player != nullptr;
     const bool isMinimised = m_window.extent().width == 0 || m_window.extent().height == 0;
-    const bool isBusy = isDriven || ((m_redraws > 0 || m_control.isActive()) && !isMinimised);
+    const bool isBusy = isPlayed || ((m_redraws > 0 || m_control.isActive()) && !isMinimised);
     if (waitsForPicture()) {
         m_window.wait(std::chrono::duration<double>(kRedrawEvery).count()); // or until the picture is there
     } else if (isBusy) {
-        m_window.wait(isDriven && m_session.isSettled() ? 0.0 : kBusySeconds);
+        m_window.wait(isPlayed && m_session.isSettled() ? 0.0 : kBusySeconds);
     } else {
         m_window.wait(isMoving() && !isMinimised ? std::chrono::duration<double>(kRedrawEvery).count()
                                                  : kIdleSeconds);
     }
 }
 
-void Application::stepDriver() {
-    const DriverState state = m_driver->step({.window = m_window,
+void Application::stepPlayer() {
+    const PlayerState state = m_player->step({.window = m_window,
                                               .session = m_session,
                                               .model = m_model,
                                               .places = m_places,
                                               .area = pictureArea(),
                                               .capture = m_capture});
-    m_quits = m_quits || state == DriverState::quits;
-    m_driverWaits = state == DriverState::waits;
+    m_quits = m_quits || state == PlayerState::quits;
+    m_playerWaits = state == PlayerState::waits;
     if (!waitsForPicture()) {
         m_redraws = std::max(m_redraws, 1);
     }
-    if (state == DriverState::hasEnded) {
-        m_driver = nullptr;
+    if (state == PlayerState::hasEnded) {
+        m_player = nullptr;
     }
 }
 
 double Application::secondsOfUpdate() {
     const double seconds = secondsSince(std::exchange(m_lastUpdate, Clock::now()));
-    return m_driver != nullptr ? Driver::kStepSeconds : seconds;
+    return m_player != nullptr ? Player::kStepSeconds : seconds;
 }
 
 InputOwner Application::handleKey(const KeyInput& key) {
@@ -217,7 +217,7 @@ void Application::drawFrame() {
     }
     m_lastFrame = begin;
     m_places.beginFrame();
-    m_interface.begin(m_driver != nullptr ? Driver::kStepSeconds : interval,
+    m_interface.begin(m_player != nullptr ? Player::kStepSeconds : interval,
                       m_model.interface.panelKeys ? ArrowKeys::choose : ArrowKeys::fly);
     layOut();
     ImDrawData* drawn = m_interface.end();
@@ -235,8 +235,8 @@ void Application::run() {
     const auto began = Clock::now();
     while (goesOn()) {
         wait();
-        if (m_driver != nullptr) {
-            stepDriver();
+        if (m_player != nullptr) {
+            stepPlayer();
         }
         handleInput();
         for (const Action action : std::exchange(m_model.actions, {})) {

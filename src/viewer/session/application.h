@@ -2,7 +2,7 @@
 
 #include "arguments.h"
 #include "camera_control.h"
-#include "driver.h"
+#include "player.h"
 #include "render_device.h"
 #include "session.h"
 
@@ -28,8 +28,8 @@ namespace cdr::viewer {
 class Application {
   public:
     /// base::InputError for what cannot be asked for, base::RunError where there is no window system.
-    /// @param driver plays input if not null; must outlive the application.
-    explicit Application(const Arguments& arguments, Driver* driver = nullptr);
+    /// @param player plays input if not null; must outlive the application.
+    explicit Application(const Arguments& arguments, Player* player = nullptr);
     /// Until the window closes. base::RunError after a failure that no other request can correct.
     void run();
     /// What validation says of both devices, as long as they live and when they go.
@@ -43,7 +43,7 @@ class Application {
     /// Whether there is nothing to do but for the renderer, which wakes this.
     bool waitsForPicture() const;
     void wait() const;
-    void stepDriver();
+    void stepPlayer();
     double secondsOfUpdate();
     void handleInput();
     /// @return who has the key. Panels that do not fit beside the picture get none.
@@ -73,7 +73,7 @@ class Application {
 
     Arguments m_arguments;
     ViewerModel m_model;
-    Driver* m_driver; ///< null once it has ended, or when a person is in charge
+    Player* m_player; ///< null once it has ended, or when a person is in charge
     WindowSystem m_system;
     gpu::Instance m_renderInstance;
     RenderDevice m_renderDevice; ///< before the window, since a device that is not there needs none
@@ -96,7 +96,7 @@ class Application {
     std::uint64_t m_uiFrames = 0;
     std::vector<double> m_uiIntervals; ///< milliseconds, for --statistics
     bool m_isMissed = false;           ///< the last frame does not show, so another is due
-    bool m_driverWaits = false;        ///< for a picture
+    bool m_playerWaits = false;        ///< for a picture
     bool m_quits = false;
 };
 

@@ -15,10 +15,10 @@
 
 namespace cdr::viewer {
 
-void runViewer(const Arguments& arguments, Driver* driver) {
+void runViewer(const Arguments& arguments, Player* player) {
     std::array<std::shared_ptr<const gpu::ValidationLog>, 2> logs;
     {
-        Application application(arguments, driver);
+        Application application(arguments, player);
         logs = application.validationLogs();
         application.run();
     }

@@ -6,11 +6,11 @@
 
 namespace cdr::viewer {
 
-class Driver;
+class Player;
 
 /// Runs the viewer until it closes. base::RunError when the validation layer reported anything, its end included.
-/// @param driver plays input if not null; must outlive the call.
-void runViewer(const Arguments& arguments, Driver* driver = nullptr);
+/// @param player plays input if not null; must outlive the call.
+void runViewer(const Arguments& arguments, Player* player = nullptr);
 
 /// The exit status of `body`. What it throws becomes one line on standard error and a status for main().
 /// @param program the name that begins the line.

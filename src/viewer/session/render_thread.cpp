@@ -13,12 +13,12 @@ namespace cdr::viewer {
 
 namespace {
 
-/// The stage's answer, or why there is none. What the next request cannot mend passes through.
-RenderResult answerOrExplain(SceneRenderer& stage, const RenderRequest& request,
+/// The renderer's answer, or why there is none. What the next request cannot mend passes through.
+RenderResult answerOrExplain(SceneRenderer& renderer, const RenderRequest& request,
                              const std::stop_token& stop) {
     RenderFailure failure;
     try {
-        return stage.answer(request, stop);
+        return renderer.answer(request, stop);
     } catch (const base::InputError& error) {
         failure = {error.what(), std::current_exception()};
     } catch (const base::RunError& error) {
@@ -29,7 +29,7 @@ RenderResult answerOrExplain(SceneRenderer& stage, const RenderRequest& request,
     // On the heap: GCC 12 takes part of one on the stack for uninitialised.
     const auto result = std::make_unique<RenderResult>();
     result->serial = request.serial;
-    result->sceneName = stage.sceneName();
+    result->sceneName = renderer.sceneName();
     result->failure = std::move(failure);
     return std::move(*result);
 }
@@ -42,13 +42,13 @@ RenderThread::RenderThread(const gpu::Device& device, std::function<void()> noti
 
 void RenderThread::serve(const std::stop_token& stop, const gpu::Device& device) {
     try {
-        SceneRenderer stage(device, [this](OpenProgress progress) {
+        SceneRenderer renderer(device, [this](OpenProgress progress) {
             m_opening.put(std::move(progress));
             m_notify();
         });
         while (const auto request = m_requests.wait(stop)) {
             m_notify();
-            m_results.put(answerOrExplain(stage, *request, stop));
+            m_results.put(answerOrExplain(renderer, *request, stop));
             m_notify();
         }
     } catch (...) {
