@@ -71,7 +71,7 @@ void addPictureEffects(CLI::App& command, render::Effects& effects) {
              "How edges are smoothed: none or edges");
     addParsed(command, "--occlusion", effects.occlusion, occlusionOf,
               "Ambient occlusion within RADIUS scene units; RADIUS:layers works it out on each "
-              "cascade's layer alone, as the thesis' method 2 has it");
+              "cascade alone, as the thesis' method 2 has it");
     addParsed(command, "--fog", effects.fog, fogOf,
               "Fog with a VISIBILITY in scene units, in which 2 % of a colour is left; "
               "VISIBILITY,r,g,b gives its linear colour");

@@ -44,12 +44,12 @@ std::string noteOn(const render::ListRefusal& refusal, std::string_view device, 
 }
 
 std::string_view noteOnLostEmission() {
-    return "surfaces emit no light and occlusion textures are left out, since neither ambient occlusion per layer nor a "
+    return "surfaces emit no light and occlusion textures are left out, since neither ambient occlusion per cascade nor a "
            "lens with a focus keeps them";
 }
 
 std::string_view noteOnLostMetallicRoughness() {
-    return "surfaces are matt, since ambient occlusion per layer takes the bits of metallic and roughness";
+    return "surfaces are matt, since ambient occlusion per cascade takes the bits of metallic and roughness";
 }
 
 } // namespace cdr::output

@@ -15,7 +15,7 @@ const render::DrawnScene& requireComparable(const render::DrawnScene& scene) {
     for (const render::DrawKind& kind : scene.uploaded.kinds()) {
         if ((kind.variant & (render::kLayeredVariant | render::kMaskedVariant)) != 0) {
             throw base::InputError(
-                "rivals draw ids and distances alone: a scene must have neither layers nor masked materials");
+                "rivals draw ids and distances alone: a scene must have neither layer offsets nor masked materials");
         }
     }
     return scene;

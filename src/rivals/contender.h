@@ -20,7 +20,7 @@ using Competing = std::variant<depth::Technique, Rival>;
 /// @lifetime The device, the scene and the workers must outlive it.
 class Contender {
   public:
-    /// base::InputError for a scene that lies in layers or hides parts behind masks, which no contender knows; and for what
+    /// base::InputError for a scene that has layer offsets or hides parts behind masks, which no contender knows; and for what
     /// the device cannot do.
     Contender(const gpu::Device& device, const render::DrawnScene& scene, const Competing& competing,
               vk::Extent2D extent, platform::WorkerPool& workers);

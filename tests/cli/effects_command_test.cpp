@@ -46,7 +46,7 @@ TEST(EffectsCommand, ComparesTheTechniquesThatAreGiven) {
     }
 }
 
-/// One byte of a surface is either how it shines or its occlusion per layer.
+/// One byte of a surface is either how it shines or its occlusion per cascade.
 TEST(EffectsCommand, OcclusionPerLayerDrawsShinyScenesMattAndSaysSo) {
     const TemporaryFolder folder;
     const std::string render =

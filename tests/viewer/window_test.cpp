@@ -306,7 +306,7 @@ TEST_F(ViewerTest, SaysWhatIsWrongInOneLine) {
     expectError("--frames 1 --focus 10:0.3 alley", 2, "a lens with a focus needs targets layers, not single");
     expectError("--frames 1 --focus 10:0.3 --targets layers --shadows plain alley", 2,
                 "a lens with a focus does without shadows");
-    expectError("--frames 1 --occlusion 1:layers alley", 2, "needs targets with layers");
+    expectError("--frames 1 --occlusion 1:layers alley", 2, "needs layered targets");
     expectError("--frames 1 --time nan afc", 2, "--time must be finite");
     // Before the window opens, not when it quits.
     expectError("--device 99 --screenshot x.jpg afc", 2, "cannot write '.jpg' pictures");

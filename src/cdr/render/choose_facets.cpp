@@ -64,7 +64,7 @@ const char* refusalOf(const DrawnScene& drawn, const RenderOptions& options) {
         return "its triangles are written by the CPU, which lacks the vertices of meshes that the device deforms";
     }
     if (drawn.uploaded.hasLayers()) {
-        return "materials with a layer set their depth per pixel";
+        return "materials with a layer offset set their depth per pixel";
     }
     return nullptr;
 }

@@ -146,7 +146,7 @@ void requireCompatible(const RenderOptions& options) {
     requireFocusable(options);
     requireShadows(options);
     if (options.effects.occlusion.perLayer && !hasLayers(options.targets.kind)) {
-        throw base::InputError(fmt::format("ambient occlusion per layer needs targets with layers "
+        throw base::InputError(fmt::format("ambient occlusion per cascade needs layered targets "
                                            "(accumulate, pool or layers), not {}",
                                            nameOf(options.targets.kind)));
     }

@@ -53,7 +53,7 @@ output::Columns<experiments::CoplanarResult> coplanarColumns() {
             {.key = "wrong_views", .value = &Result::wrongViews, .heading = "views with any"},
             {.key = "through", .value = &Result::through, .heading = "through a wall"},
             {.key = "flips", .value = &Result::flips, .heading = "flips"},
-            {.key = "coverage_flips", .value = &Result::coverageFlips, .heading = "by coverage"}};
+            {.key = "coverage_flips", .value = &Result::coverageFlips, .heading = "by rounded vertices"}};
 }
 
 void run(Command& command, CoplanarArguments& arguments) {
@@ -115,10 +115,8 @@ void addOptions(CLI::App& command, CoplanarArguments& arguments) {
                     "Views that settings of polygon offset are compared over")
         ->check(CLI::Range(1u, 10'000u))
         ->capture_default_str();
-    addFactors(command, "--slopes", options.offsets.slopes,
-               "Slope factors of polygon offset that are compared, separated by commas");
-    addFactors(command, "--constants", options.offsets.constants,
-               "Constant factors that each is compared with, separated by commas");
+    addFactors(command, "--slopes", options.offsets.slopes, "Slope factors of polygon offset to try");
+    addFactors(command, "--constants", options.offsets.constants, "Constant factors for each slope");
     addSize(command, options.width, options.height);
     addThreads(command, options.threads, "Threads that render and cast the truth");
     addSeed(command, options.seed, "Seed of the views");

@@ -37,7 +37,7 @@ std::array<scene::Camera, 2> viewPair(std::uint64_t seed, std::uint32_t view) {
 /// One technique and method in a pair of views.
 struct PairCount {
     std::array<std::uint64_t, 2> pixels{};
-    std::array<std::uint64_t, 2> wrong{}; ///< except for `coverage`
+    std::array<std::uint64_t, 2> wrong{}; ///< coverage differences left out
     std::array<std::uint64_t, 2> coverage{};
     std::array<std::uint64_t, 2> through{};
     std::uint64_t flips = 0;
@@ -192,7 +192,7 @@ class CoplanarComparison {
                            [&](const measure::TruthPixel& seen) { return seen.id == id; });
     }
 
-    /// @param steady loses the pixels that count as `coverage`.
+    /// @param steady loses the pixels that are coverage differences.
     void count(const render::Frame& frame, const image::ImageU32& ids, const measure::TruthImage& truth,
                const image::Raster<std::uint8_t>& inner, std::size_t eye, PairCount& counted,
                image::Raster<std::uint8_t>& steady) {

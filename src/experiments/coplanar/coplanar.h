@@ -41,7 +41,7 @@ struct CoplanarOptions {
 enum class CoplanarMethod : std::uint8_t {
     none,          ///< nothing: as they come
     polygonOffset, ///< Vulkan's depth bias at the best of many settings
-    layers,        ///< layers, in scene units
+    layers,        ///< layer offsets, in scene units
 };
 inline constexpr std::array kCoplanarMethods{CoplanarMethod::none, CoplanarMethod::polygonOffset,
                                              CoplanarMethod::layers};
@@ -54,13 +54,14 @@ struct CoplanarResult {
     CoplanarMethod method = CoplanarMethod::none;
     render::LayerOptions layers{}; ///< how it was drawn
     std::uint64_t pixels = 0;
-    std::uint64_t wrong = 0; ///< that show another object than the truth, except for `coverage`
-    std::uint64_t coverage =
-        0; ///< whose object touches the pixel's centre by what the device rounds vertices alone
+    std::uint64_t wrong = 0; ///< that show another object than the truth, coverage differences left out
+    /// Coverage differences: what is shown touches the pixel's centre because the device rounds vertices, and only then.
+    std::uint64_t coverage = 0;
     std::uint64_t wrongViews = 0; ///< with any
     std::uint64_t through = 0;    ///< that show what lies behind the thin wall
-    std::uint64_t flips = 0; ///< from a view to its second one, measure::countFlips(), `coverage` included
-    std::uint64_t coverageFlips = 0; ///< of those: where a pixel of either view is one of `coverage`
+    std::uint64_t flips =
+        0; ///< from a view to its second one, measure::countFlips(), coverage differences included
+    std::uint64_t coverageFlips = 0; ///< of those: where either view has a coverage difference
     image::ImageRgba8
         picture{}; ///< heat map of the view with the most wrong pixels; empty where there is none
 };

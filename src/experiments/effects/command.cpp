@@ -54,7 +54,7 @@ void run(Command& command, EffectsArguments& arguments) {
 
     const auto columns = effectsColumns();
     command.console().table(output::tableOf(columns, report.results));
-    command.console().line(fmt::format("\nocclusion per layer leaves {} % of the pixels too bright",
+    command.console().line(fmt::format("\nocclusion per cascade leaves {} % of the pixels too bright",
                                        output::percent(report.lostPerLayer)));
     command.console().line(fmt::format(
         "{}; {}, {} frames, {}x{}, radius {}, visibility {}, {} threads; differing: by "

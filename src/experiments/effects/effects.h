@@ -61,7 +61,8 @@ inline constexpr int kEffectTolerance = 3;
 
 struct EffectsReport {
     std::vector<EffectsResult> results;
-    double lostPerLayer = 0.0; ///< share of pixels that occlusion per layer leaves brighter by more than that
+    double lostPerLayer =
+        0.0; ///< share of pixels that occlusion per cascade leaves brighter by more than that
 };
 
 /// Every mode draws a frame, in a newly shuffled order, before the next; then each is drawn by every technique.

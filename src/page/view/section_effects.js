@@ -5,7 +5,7 @@ import { h, slot, table } from "./elements.js";
 import { figure, interval, share } from "./figures.js";
 import { makeWipe } from "./wipe.js";
 
-const titles = { plain: "Plain", edges: "Smooth edges", occlusion: "Ambient occlusion", "occlusion-layers": "Occlusion per layer", fog: "Fog" };
+const titles = { plain: "Plain", edges: "Smooth edges", occlusion: "Ambient occlusion", "occlusion-layers": "Occlusion per cascade", fog: "Fog" };
 const titleOf = (row) => titles[row.mode] ?? row.mode;
 
 export function fillEffects(document, folder) {
@@ -16,7 +16,7 @@ export function fillEffects(document, folder) {
             start: modesOrWorst(document.results, ["occlusion", "occlusion-layers"], (row) => row.execute_ratio), alt: altOf }));
     }
     slot("effects", "table").append(makeTable(document),
-        h("p", {}, `Worked out on each layer alone, occlusion leaves ${percent(document.lost_per_layer)} of the pixels too bright.`));
+        h("p", {}, `Worked out on each cascade alone, occlusion leaves ${percent(document.lost_per_layer)} of the pixels too bright.`));
 }
 
 function itemOf(row, folder) {

@@ -27,7 +27,7 @@ function altOf(item) {
 }
 
 function makeTable(document) {
-    return table("Execute over drawing the same layers sharp, the median of the ratios frame by frame; FLIP and RMSE compare with the mean of the cameras.",
+    return table("Execute over drawing the same cascades sharp, the median of the ratios frame by frame; FLIP and RMSE compare with the mean of the cameras.",
         ["Lens", "megapixels", "execute, ms", "times faster", "95 % interval", "FLIP", "RMSE"],
         document.results.map((row) => [
             h("span", {}, titleOf(row)), figure(row.pixels / 1e6), figure(row.execute_ms), figure(row.execute_speedup),

@@ -42,7 +42,7 @@ void drawFinishPanel(const Widgets& widgets, ViewSettings& settings) {
     choose(widgets, "tone mapping", render::kToneMaps, finish.effects.finish.toneMap);
     chooseLength(widgets, "occlusion", finish.effects.occlusion.radius);
     if (hasLayers(settings.targets.kind)) {
-        widgets.checkbox("on each layer alone", finish.effects.occlusion.perLayer);
+        widgets.checkbox("on each cascade alone", finish.effects.occlusion.perLayer);
     }
     widgets.sentence(explain(finish.effects.occlusion));
     chooseLength(widgets, "fog", finish.effects.fog.visibility);

@@ -67,8 +67,8 @@ std::string_view explain(const render::Occlusion& occlusion) {
         return "Corners get as much ambient light as open ground.";
     }
     return occlusion.perLayer
-               ? "Corners lose ambient light, on each cascade's layer alone (thesis method 2). Surfaces in "
-                 "another cascade do not darken them. It needs targets with layers."
+               ? "Corners lose ambient light, on each cascade alone (thesis method 2). Surfaces in "
+                 "another cascade do not darken them. It needs layered targets."
                : "Corners lose ambient light, by distances that all cascades share. So no boundary is "
                  "visible.";
 }

@@ -17,7 +17,7 @@ struct Finish {
     bool operator==(const Finish&) const = default;
 };
 
-/// Puts it into the options of a renderer. Occlusion per layer is for targets that have layers, so with
+/// Puts it into the options of a renderer. Occlusion per cascade is for layered targets, so with
 /// others it is worked out over the whole picture. A focus is for `layers` alone, so with others there is
 /// none. There are no shadows with a focus or levels of detail.
 void apply(const Finish& finish, render::RenderOptions& options);

@@ -142,7 +142,7 @@ TEST_F(MetallicRoughnessTest, EverySurfaceHoldsItsCode) {
     }
 }
 
-/// The byte is one, and occlusion per layer was asked for: so all is matt, and the frame says so.
+/// The byte is one, and occlusion per cascade was asked for: so all is matt, and the frame says so.
 TEST_F(MetallicRoughnessTest, OcclusionPerLayerLeavesAllMattAndSaysSo) {
     scene::Scene metallicRoughness = slabScene(MetallicRoughness{.metallic = 1.0f, .roughness = 0.3f});
     addBox(metallicRoughness, {1.0, 0.0, 3.1});

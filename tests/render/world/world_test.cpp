@@ -212,7 +212,7 @@ std::string describe(const render::RenderOptions& options) {
     return text + said(options.occlusionCulling, ", occlusion culling") + said(options.motion, ", motion") +
            said(options.focus.isOn(), ", focus") +
            said(options.effects.occlusion.radius > 0.0, ", ambient occlusion") +
-           said(options.effects.occlusion.perLayer, " per layer") + ", " + std::to_string(options.threads) +
+           said(options.effects.occlusion.perLayer, " per cascade") + ", " + std::to_string(options.threads) +
            " threads, " + std::to_string(options.framesInFlight) + " in flight";
 }
 

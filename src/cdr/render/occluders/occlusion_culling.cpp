@@ -53,7 +53,7 @@ OccluderStats OcclusionCulling::drop(const FrameView& view, platform::WorkerPool
                                      visibility::VisibleCells& visible) {
     OccluderStats stats;
     const visibility::VisibleCells& occluders = m_occluders.choose(m_drawn.scene, view.frustum, visible);
-    // Layers are drawn nearer than they are, by what a technique decides.
+    // Layer offsets draw faces nearer than they are, by what a technique decides.
     if (!occluders.parts.empty() && !m_drawn.uploaded.hasLayers()) {
         drawDepth(occluderView(view), occluders, stats);
         reduceDepth(m_copy.as<const float>(occluderCopyBytes(m_extent) / sizeof(float)), m_extent.width,

@@ -70,7 +70,8 @@ void requireDraws(const HostFrame& host, const RenderOptions& options) {
             "occlusion culling submits commands of its own before a frame's");
     require(!host.draw || options.surface == SurfacePath::gbuffer,
             fmt::format("a host draws into a G-buffer, and surface {} keeps none", nameOf(options.surface)));
-    require(!host.draw || !options.focus.isOn(), "a host cannot draw into the layers of a lens with a focus");
+    require(!host.draw || !options.focus.isOn(),
+            "a host cannot draw inside cascades where a lens has a focus");
     require(std::all_of(host.occupied.begin(), host.occupied.end(),
                         [](const depth::Interval& interval) {
                             return std::isfinite(interval.nearView) && std::isfinite(interval.farView) &&

@@ -19,11 +19,11 @@ constexpr auto kTargetsRows = std::to_array<base::ExplainedName>(
       "(the thesis' method 1). It takes the least memory and needs no merging, but draws what a nearer "
       "cascade hides."},
      {"accumulate",
-      "Each cascade is drawn into a layer and merged into an accumulated G-buffer (method 2). An effect "
-      "may run on each layer, at the price of one merge per cascade."},
+      "Each cascade is drawn into a G-buffer and merged into an accumulated one (method 2). An effect "
+      "may run on each cascade, at the price of one merge per cascade."},
      {"pool",
-      "Several layers in flight, merged in depth order (method 3). Cascades need not wait for each other's "
-      "merge, but each layer takes memory."},
+      "Several G-buffers in flight, merged in depth order (method 3). Cascades need not wait for each other's "
+      "merge, but each G-buffer takes memory."},
      {"layers",
       "One G-buffer per cascade, all kept and merged at the end (method 4). All hidden surfaces stay "
       "available, but it takes the most memory."},
