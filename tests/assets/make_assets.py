@@ -3,6 +3,7 @@
 
 garden.glb: 54 nodes, nested, one mirrored; opaque, masked and blended materials; two PNG pictures inside; a camera.
 materials.glb: every texture of a material, read in every way that the importer knows; a camera.
+shield.glb: five textures of one size, which are read as three.
 machine.glb: animations of every path and interpolation, a skin of six joints, morph targets, a camera that moves.
 survey.glb: points and lines of every mode, lit and unlit, in colours, with and without indices; a camera.
 stage.glb: a spot, a point light with a range and a directional light, two of which move; a camera.
@@ -447,9 +448,51 @@ def materials():
     model.write_glb("materials.glb")
 
 
+def shield():
+    """Five textures of one size, place and sampler, which are read as three."""
+    model = Model()
+
+    def share(x):
+        return max(0, min(255, round(255 * x)))
+
+    def brick(x, y):
+        return (x + 16 * (y // 16 % 2)) % 32, y % 16
+
+    def isJoint(x, y):
+        return min(brick(x, y)) < 2
+
+    pictures = [
+        png(64, 64, lambda x, y: (120, 115, 105) if isJoint(x, y) else (190, 90 + x // 2, 60 + y // 2)),
+        png(64, 64, lambda x, y: (0, share(0.9 if isJoint(x, y) else 0.25 + 0.006 * x), 255 * (y // 32))),
+        bumps(64, lambda u, v: (0.6 * math.sin(25.133 * u), 0.6 * math.sin(25.133 * v))),
+        png(64, 64, lambda x, y: (share(0.4 if isJoint(x, y) else 0.7 + 0.3 * math.sin(0.1963 * y)), 0, 0)),
+        png(64, 64, lambda x, y: (255, 150, 40) if 24 <= x < 40 and 24 <= y < 40 else (0, 0, 0)),
+    ]
+    model.root["images"] = [{"bufferView": model.view(data), "mimeType": "image/png"} for data in pictures]
+    model.root["textures"] = [{"source": i} for i in range(5)]
+    bricks = {
+        "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicRoughnessTexture": {"index": 1}},
+        "normalTexture": {"index": 2},
+        "occlusionTexture": {"index": 3},
+        "emissiveTexture": {"index": 4},
+        "emissiveFactor": [0.8, 0.8, 0.8],
+    }
+    panel = grid(2, 2, lambda u, v: [u - 0.5, 0.5 - v, 0])
+    panel["indices"] = panel["indices"][::-1]  # v runs down
+    panel["normals"] = [[0, 0, 1]] * 9
+    material = model.append("materials", {"name": "bricks", **bricks})
+    roots = [
+        model.node("ball", model.mesh("ball", sphere(0.5), material), translation=[-0.6, 0, 0]),
+        model.node("panel", model.mesh("panel", panel, material), translation=[0.5, 0, 0], rotation=turn(-20)),
+    ]
+    model.root["scenes"] = [{"name": "shield", "nodes": roots}]
+    model.write_glb("shield.glb")
+
+
 garden()
 materials()
 machine()
+shield()
 stage()
 survey()
 veils()

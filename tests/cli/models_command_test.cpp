@@ -81,6 +81,22 @@ TEST(ModelsCommand, ModelsUnderASkyAreCloseToTheReferenceWhereTheyCover) {
     }
 }
 
+/// Five textures that are read as three, under a sky and under lamps.
+TEST(ModelsCommand, AModelWithPackedTexturesIsCloseToTheReference) {
+    for (const std::string light : {"sky", "lamps"}) {
+        const TemporaryFolder folder;
+        const ProgramResult result = runProgram("models " + kAssets + "shield.glb --size 320x180 --threads 2 --light " +
+                                                    light + " --json m.json",
+                                                folder.path());
+        ASSERT_EQ(result.status, 0) << result.err;
+        const json row = json::parse(readText(folder.path() / "m.json"))["results"][0];
+        EXPECT_EQ(row["textures"], 5) << row;
+        EXPECT_GT(row["covered_fraction"], 0.3) << row;
+        EXPECT_LE(row["flip"], 0.05) << row;
+        EXPECT_LE(row["mean_steps"], 1.5) << row;
+    }
+}
+
 /// Nothing of it is opaque.
 TEST(ModelsCommand, AModelThatBlendsAloneIsCovered) {
     const TemporaryFolder folder;
