@@ -85,9 +85,9 @@ TEST(ModelsCommand, ModelsUnderASkyAreCloseToTheReferenceWhereTheyCover) {
 TEST(ModelsCommand, AModelWithPackedTexturesIsCloseToTheReference) {
     for (const std::string light : {"sky", "lamps"}) {
         const TemporaryFolder folder;
-        const ProgramResult result = runProgram("models " + kAssets + "shield.glb --size 320x180 --threads 2 --light " +
-                                                    light + " --json m.json",
-                                                folder.path());
+        const ProgramResult result = runProgram(
+            "models " + kAssets + "shield.glb --size 320x180 --threads 2 --light " + light + " --json m.json",
+            folder.path());
         ASSERT_EQ(result.status, 0) << result.err;
         const json row = json::parse(readText(folder.path() / "m.json"))["results"][0];
         EXPECT_EQ(row["textures"], 5) << row;
