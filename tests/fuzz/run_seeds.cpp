@@ -1,6 +1,6 @@
-// Runs a fuzzer without libFuzzer, over each file that it is given and each file of the folders that it is given. Then it runs it over files that are made from
-// these by random cuts, splices and changes. The same seed makes the same files. CDR_FUZZ_CASES is their number. Without it they
-// are 25,000, or 100,000 with CDR_ALL_CASES.
+// Runs a fuzzer without libFuzzer, over the files that it is given and those of the folders that it is given. Then it runs it
+// over files that are made from these by random cuts, splices and changes. The same seed makes the same files. CDR_FUZZ_CASES is
+// their number. Without it they are 25,000, or 100,000 with CDR_ALL_CASES.
 
 #include "../support/all_cases.h"
 
