@@ -111,7 +111,7 @@ TEST_F(RivalsExperiment, WhatCannotBeComparedIsRefused) {
     options = small();
     options.distancesView = {0.0};
     EXPECT_NE(refusalOf(options).find("distance"), std::string::npos);
-    EXPECT_NE(refusalOf(small(), "coplanar").find("layers"), std::string::npos);
+    EXPECT_NE(refusalOf(small(), "coplanar").find("layer offsets"), std::string::npos);
     options = small();
     options.frames = 0;
     EXPECT_NE(refusalOf(options).find("frame"), std::string::npos);
