@@ -145,8 +145,7 @@ scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_
     bounded.pointRadius = m_global.pointRadius;
     scene::OpenedScene opened =
         scenes::openScene(nameOrPath, seed, bounded, [&](std::size_t done, std::size_t all) {
-            m_console.progress(100 * done / std::max<std::size_t>(all, 1), 100,
-                               "hundredths of " + nameOrPath);
+            m_console.progress(100 * done / std::max<std::size_t>(all, 1), 100, "% of " + nameOrPath);
         });
     m_console.endProgress();
     note(source, opened.notes);
