@@ -1,4 +1,4 @@
-// Depth of surfaces that are in a layer: moved towards the camera by an offset in scene units. Only the difference that
+// Depth of surfaces with a layer offset: they are moved towards the camera by an offset in scene units. Only the difference that
 // the offset makes is formed here. So what the device rounds of the surface, it rounds of the surface below it too.
 #ifndef CDR_SHADERS_LAYERED_DEPTH_GLSL
 #define CDR_SHADERS_LAYERED_DEPTH_GLSL

@@ -55,7 +55,7 @@ Face groundAt(const glm::dvec3& origin) {
     return {origin, {{1.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}}};
 }
 
-/// Puts flat objects on faces, each in a layer.
+/// Puts flat objects on faces, each with a layer offset.
 class Yard {
   public:
     explicit Yard(scene::Scene& scene) : m_builder(scene) {}

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <string>
 
 namespace cdr::cli_test {
 
@@ -55,6 +57,29 @@ TEST(CertifyCommand, WritesPicturesThatAreRightAndTheirCertificate) {
         EXPECT_EQ(rows[i].at("edge_wrong"), 0);
     }
     EXPECT_GT(certificate.at("results")[0].at("wrong_before"), 0) << "edges that float64 decides otherwise";
+}
+
+/// The garden with all that is blended made masked, in as many bytes.
+TEST(CertifyCommand, CastsWhereAMaskDecides) {
+    const TemporaryFolder folder;
+    std::string model = readText(CDR_SOURCE_DIR "/tests/assets/garden.glb");
+    const std::string blended = R"("alphaMode":"BLEND")";
+    for (std::size_t at = model.find(blended); at != std::string::npos; at = model.find(blended, at)) {
+        model.replace(at, blended.size(), R"("alphaMode":"MASK" )");
+    }
+    std::ofstream(folder.path() / "masked.glb", std::ios::binary) << model;
+    const ProgramResult result = runProgram(
+        "render masked.glb --technique anchored --size 320x180 --certify c.json --aov wrong --json a.json",
+        folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json frame = json::parse(readText(folder.path() / "c.json")).at("results")[0];
+    EXPECT_GT(frame.at("cast_masked").get<int>(), 320 * 180 / 100);
+    EXPECT_LE(frame.at("cast_masked"), frame.at("cast"));
+    EXPECT_EQ(frame.at("certified").get<int>() + frame.at("cast").get<int>(), 320 * 180);
+    EXPECT_EQ(frame.at("refused"), 0);
+    const json row = json::parse(readText(folder.path() / "a.json")).at("results")[0];
+    EXPECT_EQ(row.at("wrong"), 0);
+    EXPECT_EQ(row.at("edge_wrong"), 0);
 }
 
 /// A driver that draws an eighth of a pixel beside the place.

@@ -172,7 +172,7 @@ TEST(InspectCommand, FindsABlendedDecalInThePlaneOfItsWall) {
     EXPECT_EQ(rowOf(run.document, "anchored", "d32f").at("wrong"), 0);
     const auto picture = readPicture(folder.path() / "H.png").pixels;
     EXPECT_GT(std::count(picture.begin(), picture.end(), image::Rgba8{255, 0, 255, 255}), 100);
-    // Before the wall, and in a layer.
+    // Before the wall, and with a layer offset.
     EXPECT_EQ(findings(writeAt(-30.09, "poster").document), std::vector<std::string>());
     EXPECT_EQ(findings(writeAt(-30.1, "poster@layer=0.01").document), std::vector<std::string>());
 }

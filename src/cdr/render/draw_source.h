@@ -43,7 +43,7 @@ inline constexpr std::uint32_t kMaskedVariant = 2;
 /// Every triangle is of one colour and normal and seen from one side, so its surface is encoded per vertex.
 /// Never textured or masked.
 inline constexpr std::uint32_t kFacetedVariant = 4;
-/// It lies in a layer. Never faceted.
+/// It has a layer offset. Never faceted.
 inline constexpr std::uint32_t kLayeredVariant = 8;
 /// Every triangle is of one colour and normal, as of kFacetedVariant, but its material needs more. For Snapping::inPlane.
 inline constexpr std::uint32_t kPlanesVariant = 16;

@@ -58,7 +58,7 @@ struct Finish {
 struct Occlusion {
     double radius = 0.0; ///< within which surfaces take each other's light, scene units; 0 for none
     /// Computes it in the image of each cascade before these are merged, as in the thesis' method 2, instead of over the
-    /// whole picture. Then surfaces in another cascade take no light. For targets with layers.
+    /// whole picture. Then surfaces in another cascade take no light. For layered targets.
     bool perLayer = false;
 
     bool operator==(const Occlusion&) const = default;

@@ -26,7 +26,7 @@ struct Focus {
 /// @throws base::InputError that names the value, unless both are finite and not negative.
 CDR_EXPORT void requireUsable(const Focus& focus);
 
-/// Fewest pixels a layer has: a sixteenth of the picture's along each side.
+/// Fewest pixels of a cascade's own G-buffer: a sixteenth of the picture's along each side.
 inline constexpr std::uint32_t kMaxFocusScale = 16;
 
 /// A focused lens as a picture sees it.
@@ -44,8 +44,8 @@ class CDR_EXPORT FocusLens {
     /// and Chakravarty 1981).
     double circleAt(double distanceView) const;
 
-    /// Pixels of the picture along the side of one pixel of a cascade's layer. It is the largest power of two
-    /// up to kMaxFocusScale not above the smallest circle in the range. So nothing is blurred more than the
+    /// Pixels of the picture along the side of one pixel of a cascade's own G-buffer. It is the largest
+    /// power of two up to kMaxFocusScale not above the smallest circle in the range. So nothing is blurred more than the
     /// lens would.
     std::uint32_t scaleOf(const depth::Cascade& range) const;
 

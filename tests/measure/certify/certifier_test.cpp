@@ -371,7 +371,7 @@ TEST(Certifier, NamesTheMaterialThatItCannotFollow) {
     };
     EXPECT_TRUE(has(saysOf([](auto& it) { it.alphaMode = scene::AlphaMode::blend; }), "'glass' is blended"));
     EXPECT_EQ(saysOf([](auto& it) { it.alphaMode = scene::AlphaMode::mask; }), "");
-    EXPECT_TRUE(has(saysOf([](auto& it) { it.layer = 0.1f; }), "'glass' is in a layer"));
+    EXPECT_TRUE(has(saysOf([](auto& it) { it.layer = 0.1f; }), "'glass' has a layer offset"));
     EXPECT_EQ(saysOf([](auto&) {}), "");
 }
 

@@ -121,7 +121,7 @@ TEST_F(LevelsTest, EveryPipelineReadsThem) {
     EXPECT_TRUE(areGrey(redsOf(other, true))) << "masked";
     other = plain;
     other.materials[0].layer = 0.01f;
-    EXPECT_TRUE(areGrey(redsOf(other, true))) << "in a layer";
+    EXPECT_TRUE(areGrey(redsOf(other, true))) << "with a layer offset";
     for (const char* technique : {"logcdr", "anchored", "log-fragment/none"}) {
         render::RenderOptions with = options();
         with.technique = depth::parseTechnique(technique);

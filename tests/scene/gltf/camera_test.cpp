@@ -66,7 +66,7 @@ TEST_F(GltfFolder, AnotherSceneOfTheFileIsChosen) {
 TEST_F(GltfFolder, StagingLooksThroughTheCameraThatIsChosen) {
     const std::filesystem::path path = write("a.glb", withCamera().glb());
     const OpenedScene framed = openGltf(path);
-    EXPECT_TRUE(anySays(framed.notes, "3 cameras, which render --camera 0 to 2 looks through"));
+    EXPECT_TRUE(anySays(framed.notes, "3 cameras, which --camera 0 to 2 looks through"));
     EXPECT_NE(framed.setup.path.at(0).fovY, 0.5);
     const OpenedScene seen = openGltf(path, {.scene = {}, .camera = 0});
     EXPECT_EQ(seen.setup.path.at(0).fovY, 0.5);

@@ -24,12 +24,12 @@ constexpr double kMarginPixels = 1.0;
 void requireCertifiable(const scene::Scene& scene) {
     for (const scene::Material& material : scene.materials) {
         const char* what = material.alphaMode == scene::AlphaMode::blend ? "is blended"
-                           : material.layer != 0.0f                      ? "is in a layer"
+                           : material.layer != 0.0f                      ? "has a layer offset"
                                                                          : nullptr;
         if (what != nullptr) {
             throw base::InputError(
-                fmt::format("certify: material '{}' {}, and only opaque and masked surfaces in no layer "
-                            "can be certified",
+                fmt::format("certify: material '{}' {}, and only opaque and masked surfaces without a layer "
+                            "offset can be certified",
                             material.name, what));
         }
     }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace cdr::render {
 
@@ -27,19 +28,24 @@ constexpr AnchorForm anchorFormOf(bool anchored, std::size_t cascades) {
 }
 
 /// Of a full-screen pass or pipeline, one for frames with as few cascades as flat varyings have room for, and one for all
-/// others. What is bound for one suits the other.
+/// others where these read anchor planes otherwise. What is bound for one suits the other.
 template <typename Pass>
 struct ByCascades {
     Pass few;
-    Pass many;
+    std::optional<Pass> many;
 
     /// @param make a Pass from the form in which it reads anchor planes. @param anchored whether the mapping has any.
     template <typename Make>
     static ByCascades make(bool anchored, const Make& make) {
-        return {make(anchorFormOf(anchored, shaders::kFlatLights)),
-                make(anchorFormOf(anchored, shaders::kFlatLights + 1))};
+        ByCascades passes{.few = make(anchorFormOf(anchored, shaders::kFlatLights)), .many = std::nullopt};
+        if (anchored) {
+            passes.many.emplace(make(anchorFormOf(anchored, shaders::kFlatLights + 1)));
+        }
+        return passes;
     }
-    const Pass& of(std::size_t cascades) const { return cascades > shaders::kFlatLights ? many : few; }
+    const Pass& of(std::size_t cascades) const {
+        return many && cascades > shaders::kFlatLights ? *many : few;
+    }
 };
 
 } // namespace cdr::render

@@ -35,7 +35,7 @@ OcclusionPass::OcclusionPass(const gpu::Device& device, const gpu::Image& gbuffe
       })) {}
 
 PassInputs OcclusionPass::makeInputs(const gpu::Buffer& lights) const {
-    PassInputs inputs = m_passes.many.makeInputs();
+    PassInputs inputs = m_passes.few.makeInputs();
     inputs.setImage(0, m_gbuffer);
     inputs.setBuffer(1, lights);
     return inputs;

@@ -70,10 +70,10 @@ ShadowPass::ShadowPass(const gpu::Device& device, const DrawnScene& scene, const
       m_receivers(ByCascades<FullscreenPass>::make(
           depth::isAnchored(mapping),
           [&](AnchorForm anchors) { return FullscreenPass(device, receiverOptions(gbuffer, anchors)); })),
-      m_slices(device, gbuffer, m_receivers.many.setLayout(), mapping) {}
+      m_slices(device, gbuffer, m_receivers.few.setLayout(), mapping) {}
 
 ShadowPass::Slot ShadowPass::makeSlot(const ShadingInputs& shading) const {
-    Slot slot{.inputs = m_receivers.many.makeInputs(), .casters = CasterDraws(m_device, m_scene)};
+    Slot slot{.inputs = m_receivers.few.makeInputs(), .casters = CasterDraws(m_device, m_scene)};
     const std::uint32_t map = isVisibilityBuffer(m_gbuffer) ? 3 : 2;
     slot.inputs.setImage(0, m_gbuffer);
     slot.inputs.setBuffer(1, shading.lights());

@@ -55,7 +55,7 @@ CDR_EXPORT std::string nameOf(const TargetsChoice& choice);
 /// @throws base::InputError with a suggestion for an unknown name, and for a number that does not fit.
 CDR_EXPORT TargetsChoice parseTargets(std::string_view text);
 
-/// Whether cascades are drawn into layers of their own before they meet: accumulate, pool and layers.
+/// Whether cascades are drawn into G-buffers of their own before they meet: accumulate, pool and layers.
 CDR_EXPORT bool hasLayers(TargetsKind kind);
 
 } // namespace cdr::render

@@ -284,11 +284,10 @@ OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice
     GltfImport import = loadGltf(path, limits, choice.scene);
     const std::optional<GltfCamera> camera = chosenCamera(path, import, choice.camera);
     if (!camera && !import.cameras.empty()) {
-        import.ignored.push_back(
-            import.cameras.size() == 1
-                ? "its camera, which render --camera 0 looks through"
-                : fmt::format("its {} cameras, which render --camera 0 to {} looks through",
-                              import.cameras.size(), import.cameras.size() - 1));
+        import.ignored.push_back(import.cameras.size() == 1
+                                     ? "its camera, which --camera 0 looks through"
+                                     : fmt::format("its {} cameras, which --camera 0 to {} looks through",
+                                                   import.cameras.size(), import.cameras.size() - 1));
     }
     noteLights(path, import, choice.light);
     OpenedScene opened;
