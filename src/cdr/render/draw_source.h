@@ -26,6 +26,8 @@ struct MeshRange {
     std::uint32_t firstClusterIndex = 0; ///< where its scene::ClusterTree::indices begin
     float boundingRadius = 0.0f;         ///< object space
     bool isFaceted = false; ///< the vertices of every triangle share their colour and its own normal
+    bool isClosed =
+        false; ///< render::isClosed(); not once it is deformed, since vertices at one place may part
 
     bool operator==(const MeshRange&) const = default;
 };

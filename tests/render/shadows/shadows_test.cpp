@@ -231,6 +231,61 @@ TEST_F(ShadowsTest, AMovedCasterMovesItsShadow) {
     EXPECT_EQ(hashOf(after), hashOf(draw(scene, camera, options)));
 }
 
+/// Of what is closed only the faces towards the light are drawn. A light that is inside sees the others, and so does one that
+/// looks into a box without a lid.
+TEST_F(ShadowsTest, WhatIsOpenOrAroundTheLightCastsAShadowToo) {
+    scene::Scene scene = boxScene();
+    scene::Mesh open = scene.meshes.front();
+    open.boxHalfSides.reset();
+    open.indices.erase(open.indices.begin() + 18, open.indices.begin() + 24); // the side up
+    const scene::Camera camera =
+        scene::lookAlong({.fovY = 1.0, .farView = 1e3}, {0.0, 4.0, 0.0}, {0.0, -0.5, -1.0});
+    RenderOptions options = shadowOptions("anchored");
+    options.width = 320;
+    options.height = 180;
+    addBox(scene, {0.0, -2.0, -10.0}, glm::mat3(20, 0, 0, 0, 0.1f, 0, 0, 0, 20));
+    addBox(scene, {-3.0, 0.5, -10.0});
+    addBox(scene, {3.0, 0.5, -10.0}, glm::mat3(-1, 0, 0, 0, 1, 0, 0, 0, 1));
+    const auto expectRight = [&](const glm::dvec3& light, const char* what) {
+        scene.lights.front() = {.position = light, .halfDistance = 100.0};
+        const measure::WrongShadows wrong =
+            wrongShadowsIn(draw(scene, camera, options), ShadowTruth(scene).cast(camera, options));
+        EXPECT_GT(wrong.shadowed, 100u) << what;
+        EXPECT_LE(wrong.wrong, 1u) << what << ", of " << wrong.pixels;
+    };
+    expectRight({0.0, 60.0, -10.0}, "closed");
+    expectRight({-3.0, 0.5, -10.0}, "closed around the light");
+    expectRight({3.0, 0.5, -10.0}, "mirrored around the light");
+    scene.meshes.push_back(open);
+    scene.instances.mesh[1] = 1;
+    scene.instances.mesh[2] = 1;
+    expectRight({0.0, 60.0, -10.0}, "open");
+}
+
+/// A box whose lid rises: light comes in below the lid, and a wall keeps it from the inside.
+TEST_F(ShadowsTest, AClosedMeshThatBendsOpenCastsItsShadow) {
+    scene::Scene scene = boxScene();
+    scene.lights.front() = {.position = {20.0, 12.0, -10.0}, .halfDistance = 100.0};
+    scene.meshes.push_back(scene.meshes.front());
+    addBox(scene, {0.0, -2.0, -10.0}, glm::mat3(20, 0, 0, 0, 0.1f, 0, 0, 0, 20));
+    scene::addInstance(scene, 1, 0, 1, {0.0, -0.5, -10.0}, glm::mat3(3.0f));
+    const scene::Camera camera =
+        scene::lookAlong({.fovY = 1.0, .farView = 1e3}, {-2.0, 4.0, 0.0}, {0.0, -0.5, -1.0});
+    const RenderOptions options = shadowOptions("anchored");
+    scene::World world(scene);
+    render::GpuScene live(device(), world);
+    render::Renderer renderer(device(), live, options);
+    const render::Frame closed = renderer.render(camera);
+    std::vector<scene::Vertex> vertices = scene.meshes.back().vertices;
+    for (scene::Vertex& vertex : vertices) {
+        vertex.position.y += vertex.normal.y > 0.5f ? 0.3f : 0.0f;
+    }
+    world.setVertices(world.mesh(1), vertices);
+    const render::Frame bent = renderer.render(camera);
+    EXPECT_NE(bent.litMask, closed.litMask);
+    EXPECT_EQ(hashOf(bent), hashOf(draw(world.scene(), camera, options)));
+}
+
 TEST_F(ShadowsTest, WithoutSurfacesOrCastersAllIsReached) {
     scene::Scene scene = boxScene();
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 1e3};

@@ -22,25 +22,69 @@ CasterDraws::CasterDraws(const gpu::Device& device, const DrawnScene& scene)
       m_scene(scene) {}
 
 void CasterDraws::prepare(std::vector<LightView>& views, platform::WorkerPool& workers) {
-    std::vector<std::vector<std::uint32_t>> casters(views.size());
     const visibility::InstanceCells& cells = m_scene.uploaded.cells(workers);
-    const std::vector<DrawSource>& sources = m_scene.uploaded.sources();
-    workers.run(views.size(), [&](std::size_t view, std::size_t) {
-        views[view].nearAhead = cullCasters(cells, views[view], casters[view]);
-        std::sort(casters[view].begin(), casters[view].end(), [&](std::uint32_t a, std::uint32_t b) {
-            return std::pair(sources[a].kind, a) < std::pair(sources[b].kind, b);
-        });
-    });
+    std::vector<Found> found(views.size());
+    workers.run(views.size(), [&](std::size_t view, std::size_t) { found[view] = find(cells, views[view]); });
     m_casters.clear();
-    m_ranges.clear();
-    for (const std::vector<std::uint32_t>& some : casters) {
-        m_ranges.push_back({m_casters.size(), m_casters.size() + some.size()});
-        m_casters.insert(m_casters.end(), some.begin(), some.end());
+    m_batches.clear();
+    m_views.clear();
+    for (const Found& some : found) {
+        const std::size_t first = m_casters.size();
+        m_views.push_back({m_batches.size(), m_batches.size() + some.batches.size()});
+        m_casters.insert(m_casters.end(), some.casters.begin(), some.casters.end());
+        for (Batch batch : some.batches) {
+            batch.casters = {first + batch.casters.begin, first + batch.casters.end};
+            m_batches.push_back(batch);
+        }
     }
     growRecords();
-    workers.run(views.size(),
-                [&](std::size_t view, std::size_t) { writeRecords(views[view], m_ranges[view]); });
+    workers.run(views.size(), [&](std::size_t view, std::size_t) {
+        for (std::size_t i = m_views[view].begin; i < m_views[view].end; ++i) {
+            writeRecords(views[view], m_batches[i].casters);
+        }
+    });
     m_records.flush();
+}
+
+CasterDraws::Found CasterDraws::find(const visibility::InstanceCells& cells, LightView& view) const {
+    Found found;
+    view.nearAhead = cullCasters(cells, view, found.casters);
+    // What becomes one draw lies together, in the scene's order.
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+    order.reserve(found.casters.size());
+    for (const std::uint32_t caster : found.casters) {
+        const Faces faces = facesOf(caster, view);
+        const std::uint64_t mesh = kindOf(caster).meshIndex;
+        order.emplace_back(mesh << 2u | static_cast<std::uint64_t>(faces), caster);
+    }
+    std::sort(order.begin(), order.end());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const auto& [draw, caster] = order[i];
+        if (i == 0 || draw != order[i - 1].first) {
+            found.batches.push_back({.casters = {i, i},
+                                     .kind = m_scene.uploaded.sources()[caster].kind,
+                                     .faces = static_cast<Faces>(draw & 3u)});
+        }
+        found.batches.back().casters.end = i + 1;
+        found.casters[i] = caster;
+    }
+    return found;
+}
+
+const DrawKind& CasterDraws::kindOf(std::uint32_t caster) const {
+    const GpuScene& scene = m_scene.uploaded;
+    return scene.kinds()[scene.sources()[caster].kind];
+}
+
+CasterDraws::Faces CasterDraws::facesOf(std::uint32_t caster, const LightView& view) const {
+    const DrawKind& kind = kindOf(caster);
+    const glm::dvec3 place = m_scene.uploaded.sources()[caster].position - view.origin;
+    const auto radius = static_cast<double>(m_scene.scene.instances.radius[caster]);
+    // Of one that the near plane cuts open, the light sees the inside.
+    if (!kind.mesh.isClosed || glm::dot(view.ahead, place) - radius < view.nearAhead) {
+        return Faces::all;
+    }
+    return kind.mirrored ? Faces::mirroredFront : Faces::front;
 }
 
 void CasterDraws::growRecords() {
@@ -75,20 +119,16 @@ void CasterDraws::record(vk::CommandBuffer commands, std::size_t view) const {
     const GpuScene& scene = m_scene.uploaded;
     commands.bindVertexBuffers(0, {scene.vertices(), m_records.handle()}, {0, 0});
     commands.bindIndexBuffer(scene.indices(), 0, vk::IndexType::eUint32);
-    const auto kindOf = [&](std::size_t draw) -> const DrawKind& {
-        return scene.kinds()[scene.sources()[m_casters[draw]].kind];
-    };
-    const Range& range = m_ranges[view];
-    for (std::size_t first = range.begin; first < range.end;) {
-        const DrawKind& kind = kindOf(first);
-        const MeshRange& mesh = kind.mesh;
-        std::size_t end = first + 1;
-        while (end < range.end && kindOf(end).meshIndex == kind.meshIndex) {
-            ++end;
-        }
-        commands.drawIndexed(mesh.indexCount, static_cast<std::uint32_t>(end - first), mesh.firstIndex,
-                             mesh.vertexOffset, static_cast<std::uint32_t>(first));
-        first = end;
+    for (std::size_t i = m_views[view].begin; i < m_views[view].end; ++i) {
+        const Batch& batch = m_batches[i];
+        commands.setCullMode(batch.faces == Faces::all ? vk::CullModeFlagBits::eNone
+                                                       : vk::CullModeFlagBits::eBack);
+        commands.setFrontFace(batch.faces == Faces::mirroredFront ? vk::FrontFace::eClockwise
+                                                                  : vk::FrontFace::eCounterClockwise);
+        const MeshRange& mesh = scene.kinds()[batch.kind].mesh;
+        commands.drawIndexed(
+            mesh.indexCount, static_cast<std::uint32_t>(batch.casters.end - batch.casters.begin),
+            mesh.firstIndex, mesh.vertexOffset, static_cast<std::uint32_t>(batch.casters.begin));
     }
 }
 

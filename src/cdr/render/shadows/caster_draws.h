@@ -11,8 +11,8 @@
 
 namespace cdr::render {
 
-/// What casts shadows in the views of one frame's lights: opaque instances, both sides of them, whole. Owned by one frame
-/// slot.
+/// What casts shadows in the views of one frame's lights: opaque instances, whole. Of a closed mesh only the faces towards the
+/// light are drawn, of others both sides. Owned by one frame slot.
 class CasterDraws {
   public:
     /// What the scene refers to must outlive the draws.
@@ -30,17 +30,35 @@ class CasterDraws {
     static constexpr std::uint32_t kRecordBinding = 1;
 
   private:
+    /// Which faces of a caster are drawn.
+    enum class Faces : std::uint8_t { all, front, mirroredFront };
+    /// Of m_casters.
     struct Range {
         std::size_t begin = 0;
         std::size_t end = 0;
     };
+    /// Casters that become one draw.
+    struct Batch {
+        Range casters;
+        std::uint32_t kind = 0; ///< that of one of them, for the mesh
+        Faces faces = Faces::all;
+    };
+    /// What one view shows; ranges begin at 0.
+    struct Found {
+        std::vector<std::uint32_t> casters;
+        std::vector<Batch> batches;
+    };
+    Found find(const visibility::InstanceCells& cells, LightView& view) const;
+    const DrawKind& kindOf(std::uint32_t caster) const;
+    Faces facesOf(std::uint32_t caster, const LightView& view) const;
     void growRecords();
     void writeRecords(const LightView& view, const Range& range) const;
 
     const gpu::Device& m_device;
     DrawnScene m_scene;
-    std::vector<std::uint32_t> m_casters; ///< view by view; of a view, kind by kind
-    std::vector<Range> m_ranges;          ///< by view, of m_casters
+    std::vector<std::uint32_t> m_casters; ///< view by view; of a view, batch by batch
+    std::vector<Batch> m_batches;         ///< view by view
+    std::vector<Range> m_views;           ///< by view, of m_batches
     gpu::Buffer m_records;                ///< of each caster
 };
 

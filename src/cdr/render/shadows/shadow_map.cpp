@@ -132,8 +132,6 @@ void ShadowMap::draw(vk::CommandBuffer primary, std::span<const ShadowMapPart> p
                             .pColorAttachments = &slope,
                             .pDepthAttachment = &depth});
     primary.bindPipeline(vk::PipelineBindPoint::eGraphics, *m_pipeline);
-    primary.setCullMode(vk::CullModeFlagBits::eNone);
-    primary.setFrontFace(vk::FrontFace::eCounterClockwise);
     for (const ShadowMapPart& part : parts) {
         const vk::Extent2D size = part.view.size;
         primary.setViewport(0, vk::Viewport{static_cast<float>(part.corner.x),

@@ -1,5 +1,6 @@
 #include <cdr/gpu/upload.h>
 #include <cdr/render/materials/packed_vertex.h>
+#include <cdr/render/upload/closed_mesh.h>
 #include <cdr/render/upload/scene_meshes.h>
 
 #include <algorithm>
@@ -37,6 +38,12 @@ bool isFaceted(const scene::Mesh& mesh) {
            std::all_of(mesh.levels.begin(), mesh.levels.end(), [&](const scene::MeshLevel& level) {
                return areFaceted(mesh.vertices, level.indices);
            });
+}
+
+/// Whether that changes what its draw kinds say.
+bool becomesDeformed(MeshRange& range, bool isFaceted) {
+    const bool wasClosed = std::exchange(range.isClosed, false);
+    return std::exchange(range.isFaceted, isFaceted) != isFaceted || wasClosed;
 }
 
 template <typename T>
@@ -109,7 +116,8 @@ MeshRange SceneMeshes::place(const scene::Mesh& mesh, Packed& into) {
                           .levelCount = static_cast<std::uint32_t>(mesh.levels.size()),
                           .firstClusterIndex = placeIndices(mesh.clusters.indices),
                           .boundingRadius = mesh.boundingRadius,
-                          .isFaceted = isFaceted(mesh)};
+                          .isFaceted = isFaceted(mesh),
+                          .isClosed = isClosed(mesh.vertices, mesh.indices)};
     for (const scene::MeshLevel& level : mesh.levels) {
         m_levels.push_back({.firstIndex = placeIndices(level.indices),
                             .indexCount = static_cast<std::uint32_t>(level.indices.size()),
@@ -217,7 +225,7 @@ void SceneMeshes::followDetails(const scene::Scene& scene, gpu::Retired& retired
 }
 
 bool SceneMeshes::followVertices(const scene::Scene& scene, std::span<const std::uint32_t> changed) {
-    bool changesPipeline = false;
+    bool changesKind = false;
     std::vector<gpu::BufferPart> vertices;
     std::vector<gpu::BufferPart> details;
     for (const std::uint32_t i : std::set<std::uint32_t>(changed.begin(), changed.end())) {
@@ -229,19 +237,18 @@ bool SceneMeshes::followVertices(const scene::Scene& scene, std::span<const std:
             details.push_back(partOf(first, detailsOf(mesh)));
         }
         range.boundingRadius = mesh.boundingRadius;
-        changesPipeline = changesPipeline || range.isFaceted != isFaceted(mesh);
-        range.isFaceted = isFaceted(mesh);
+        changesKind = becomesDeformed(range, isFaceted(mesh)) || changesKind;
     }
     gpu::writeBuffer(m_device, m_vertices, vertices);
     if (!details.empty()) {
         gpu::writeBuffer(m_device, m_details, details);
     }
-    return changesPipeline;
+    return changesKind;
 }
 
 bool SceneMeshes::followPose(std::uint32_t mesh, float boundingRadius, bool isFaceted) {
     m_ranges[mesh].boundingRadius = boundingRadius;
-    return std::exchange(m_ranges[mesh].isFaceted, isFaceted) != isFaceted;
+    return becomesDeformed(m_ranges[mesh], isFaceted);
 }
 
 std::uint64_t SceneMeshes::predictBytes(const scene::Scene& scene) {

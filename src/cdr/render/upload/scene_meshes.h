@@ -35,11 +35,11 @@ class SceneMeshes {
                 gpu::Retired& retired);
 
     /// Follows meshes that have other vertices, as many as before, and waits. Nothing that was submitted may still read
-    /// the vertices. Whether a mesh became faceted or ceased to be, which takes another pipeline.
+    /// the vertices. Whether draw kinds say something else of a mesh: that it is faceted, which takes another pipeline, or closed.
     /// @param changed meshes, repeats allowed
     bool followVertices(const scene::Scene& scene, std::span<const std::uint32_t> changed);
 
-    /// The device gives a mesh its vertices. Whether it became faceted or ceased to be.
+    /// The device gives a mesh its vertices. Whether draw kinds say something else of it, as for followVertices().
     bool followPose(std::uint32_t mesh, float boundingRadius, bool isFaceted);
 
     /// Uploads what vertices have beside themselves, or drops it, where materials now need it or do so no more; then waits.
