@@ -418,7 +418,7 @@ GltfImport importParts(const ByteSource& file, const std::filesystem::path& path
     Notes notes;
     const Document document = parseDocument(container.text(), limits, notes);
     container.json = {}; // which may be most of a file that has its buffers in data URIs
-    Files files(path.parent_path(), limits);
+    Files files(file.file() != nullptr ? std::optional(path.parent_path()) : std::nullopt, limits);
     const Buffers buffers(document.root, container.bin, files, limits);
     GltfImport result;
     const PlacedNodes nodes = placeNodes(document.root, limits, scene, notes);
@@ -450,6 +450,16 @@ GltfImport loadGltf(const std::filesystem::path& path, const GltfLimits& limits,
                     std::optional<std::uint32_t> scene) {
     const gltf::ByteSource file(std::make_shared<const gltf::OpenFile>(path, limits.maxFileBytes, ""));
     return gltf::importGltf(file, path, limits, scene);
+}
+
+GltfImport loadGltf(std::span<const std::byte> file, const std::string& name, const GltfLimits& limits,
+                    std::optional<std::uint32_t> scene) {
+    if (file.size() > limits.maxFileBytes) {
+        throw base::InputError(fmt::format("{}: its {} bytes are over the limit of {}", gltf::oneLine(name),
+                                           file.size(), limits.maxFileBytes));
+    }
+    const gltf::ByteSource bytes(std::span(reinterpret_cast<const std::uint8_t*>(file.data()), file.size()));
+    return gltf::importGltf(bytes, name, limits, scene);
 }
 
 } // namespace cdr::scene

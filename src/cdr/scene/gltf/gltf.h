@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -83,6 +84,11 @@ struct GltfImport {
 /// @param scene which of the file's scenes; without it the file's default one, else its first, else all
 /// nodes.
 GltfImport loadGltf(const std::filesystem::path& path, const GltfLimits& limits = {},
+                    std::optional<std::uint32_t> scene = {});
+
+/// The same of bytes in memory, which are read during the call alone and may refer to no file.
+/// @param name of the bytes in messages.
+GltfImport loadGltf(std::span<const std::byte> file, const std::string& name, const GltfLimits& limits = {},
                     std::optional<std::uint32_t> scene = {});
 
 /// A file that a glTF file refers to.

@@ -10,8 +10,8 @@
 
 namespace cdr::scene::gltf {
 
-/// loadGltf() of bytes in memory or in a file. `path` is where they come from: its folder holds the files they refer to, and
-/// its name starts messages. What is read of them more than once may have changed, which is refused or harmless.
+/// loadGltf() of bytes in memory or in a file. `path` is where they come from, and starts messages. The folder of a file holds
+/// the files that it refers to. What is read of them more than once may have changed, which is refused or harmless.
 GltfImport importGltf(const ByteSource& file, const std::filesystem::path& path, const GltfLimits& limits,
                       std::optional<std::uint32_t> scene = {});
 

@@ -228,6 +228,76 @@ CameraPath carriedPath(const GltfImport& import, const GltfCamera& camera, std::
             }};
 }
 
+/// The limits that a choice sets.
+/// base::InputError for a choice that is out of range.
+GltfLimits limitsOf(const GltfChoice& choice) {
+    requireUsable(choice);
+    GltfLimits limits;
+    if (choice.textureMiB) {
+        limits.textureMemory = *choice.textureMiB << 20u;
+    }
+    limits.pointRadius = choice.pointRadius;
+    return limits;
+}
+
+/// An import lit and framed. @param path in messages
+OpenedScene opened(const std::filesystem::path& path, GltfImport import, const GltfChoice& choice) {
+    const std::optional<GltfCamera> camera = chosenCamera(path, import, choice.camera);
+    if (!camera && !import.cameras.empty()) {
+        import.ignored.push_back(import.cameras.size() == 1
+                                     ? "its camera, which --camera 0 looks through"
+                                     : fmt::format("its {} cameras, which --camera 0 to {} looks through",
+                                                   import.cameras.size(), import.cameras.size() - 1));
+    }
+    noteLights(path, import, choice.light);
+    OpenedScene result;
+    result.lights = listed(import.lights);
+    const auto chosen = chosenAnimation(path, import, choice);
+    const Sphere atRest = boundingSphere(import.scene.instances);
+    SceneMotion motion;
+    std::optional<gltf::MovingLights> movingLights;
+    if (chosen) {
+        motion = motionOf(import.animation, chosen, clockOf(choice));
+        platform::WorkerPool workers(1);
+        show(import.scene, motion, 0, workers);
+        movingLights.emplace(import, *chosen, clockOf(choice));
+        movingLights->place(import.lights, 0);
+        for (const std::uint32_t light : movingLights->moving()) {
+            result.lights[light].moves = true;
+        }
+    } else if (import.animation != nullptr && !import.animation->animations.empty()) {
+        import.ignored.push_back(animationsNote(import.animation->animations));
+    }
+    if (import.animation != nullptr) {
+        for (const Animation& animation : import.animation->animations) {
+            result.animations.push_back({animation.name, animation.seconds});
+        }
+    }
+    const Sphere bounds = requiredBounds(import.scene);
+    boundByPoses(import.scene, motion, 0);
+    const Sphere lightBounds = isSolid(atRest) ? atRest : bounds;
+    const auto own = camera ? std::optional(drawnAs(*camera, camera->camera, lightBounds)) : std::nullopt;
+    if (camera && camera->orthographic) {
+        import.ignored.push_back(
+            fmt::format("the xmag of the orthographic camera '{}', which is drawn in perspective from {} "
+                        "diameters of the scene away",
+                        camera->name, kAfar));
+    }
+    result.setup = setUpModel(std::move(import.scene), bounds, own, choice.light.value_or(ModelLight::lamps),
+                              {import.lights, lightBounds});
+    if (chosen && camera && import.rigNodeOf[static_cast<std::size_t>(camera->node)]) {
+        result.setup.path = carriedPath(import, *camera, *chosen, choice, lightBounds);
+    }
+    if (choice.framesPerSecond) {
+        if (movingLights && choice.light == ModelLight::file) {
+            movingLights->addTo(motion, lightBounds.centre, lightBounds.radius);
+        }
+        result.setup.motion = std::move(motion);
+    }
+    result.notes = std::move(import.ignored);
+    return result;
+}
+
 } // namespace
 
 std::string_view nameOf(ModelLight light) {
@@ -274,68 +344,13 @@ OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice
 
 OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice,
                      const ImportProgress& progress) {
-    requireUsable(choice);
-    GltfLimits limits;
+    GltfLimits limits = limitsOf(choice);
     limits.progress = progress;
-    if (choice.textureMiB) {
-        limits.textureMemory = *choice.textureMiB << 20u;
-    }
-    limits.pointRadius = choice.pointRadius;
-    GltfImport import = loadGltf(path, limits, choice.scene);
-    const std::optional<GltfCamera> camera = chosenCamera(path, import, choice.camera);
-    if (!camera && !import.cameras.empty()) {
-        import.ignored.push_back(import.cameras.size() == 1
-                                     ? "its camera, which --camera 0 looks through"
-                                     : fmt::format("its {} cameras, which --camera 0 to {} looks through",
-                                                   import.cameras.size(), import.cameras.size() - 1));
-    }
-    noteLights(path, import, choice.light);
-    OpenedScene opened;
-    opened.lights = listed(import.lights);
-    const auto chosen = chosenAnimation(path, import, choice);
-    const Sphere atRest = boundingSphere(import.scene.instances);
-    SceneMotion motion;
-    std::optional<gltf::MovingLights> movingLights;
-    if (chosen) {
-        motion = motionOf(import.animation, chosen, clockOf(choice));
-        platform::WorkerPool workers(1);
-        show(import.scene, motion, 0, workers);
-        movingLights.emplace(import, *chosen, clockOf(choice));
-        movingLights->place(import.lights, 0);
-        for (const std::uint32_t light : movingLights->moving()) {
-            opened.lights[light].moves = true;
-        }
-    } else if (import.animation != nullptr && !import.animation->animations.empty()) {
-        import.ignored.push_back(animationsNote(import.animation->animations));
-    }
-    if (import.animation != nullptr) {
-        for (const Animation& animation : import.animation->animations) {
-            opened.animations.push_back({animation.name, animation.seconds});
-        }
-    }
-    const Sphere bounds = requiredBounds(import.scene);
-    boundByPoses(import.scene, motion, 0);
-    const Sphere lightBounds = isSolid(atRest) ? atRest : bounds;
-    const auto own = camera ? std::optional(drawnAs(*camera, camera->camera, lightBounds)) : std::nullopt;
-    if (camera && camera->orthographic) {
-        import.ignored.push_back(
-            fmt::format("the xmag of the orthographic camera '{}', which is drawn in perspective from {} "
-                        "diameters of the scene away",
-                        camera->name, kAfar));
-    }
-    opened.setup = setUpModel(std::move(import.scene), bounds, own, choice.light.value_or(ModelLight::lamps),
-                              {import.lights, lightBounds});
-    if (chosen && camera && import.rigNodeOf[static_cast<std::size_t>(camera->node)]) {
-        opened.setup.path = carriedPath(import, *camera, *chosen, choice, lightBounds);
-    }
-    if (choice.framesPerSecond) {
-        if (movingLights && choice.light == ModelLight::file) {
-            movingLights->addTo(motion, lightBounds.centre, lightBounds.radius);
-        }
-        opened.setup.motion = std::move(motion);
-    }
-    opened.notes = std::move(import.ignored);
-    return opened;
+    return opened(path, loadGltf(path, limits, choice.scene), choice);
+}
+
+OpenedScene openGltf(std::span<const std::byte> file, const std::string& name, const GltfChoice& choice) {
+    return opened(name, loadGltf(file, name, limitsOf(choice), choice.scene), choice);
 }
 
 } // namespace cdr::scene

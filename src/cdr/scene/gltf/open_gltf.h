@@ -7,9 +7,11 @@
 #include <cdr/scene/scene_setup.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -72,5 +74,12 @@ CDR_EXPORT bool isGltfPath(const std::filesystem::path& path);
 ///         beyond a limit, or has nothing to look at. When it has no such camera or animation, the line names those it
 ///         has. The same for a choice that is out of range.
 CDR_EXPORT OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice = {});
+
+/// The same of bytes in memory, such as a part of an archive: a whole `.glb`, or a `.gltf` whose buffers and images are data
+/// URIs. They are read during the call alone.
+/// @param name of the bytes in messages, as a file name. The scene is named by it, without an extension.
+/// @throws base::InputError as above, and where the bytes refer to a file.
+CDR_EXPORT OpenedScene openGltf(std::span<const std::byte> file, const std::string& name,
+                                const GltfChoice& choice = {});
 
 } // namespace cdr::scene

@@ -66,8 +66,8 @@ bool isInside(const fs::path& path, const fs::path& folder) {
 
 } // namespace
 
-Files::Files(fs::path folder, const GltfLimits& limits)
-    : m_folder(folder.empty() ? fs::path(".") : std::move(folder)),
+Files::Files(std::optional<fs::path> folder, const GltfLimits& limits)
+    : m_folder(folder && folder->empty() ? fs::path(".") : std::move(folder)),
       m_maxFileBytes(limits.maxFileBytes),
       m_bytesLeft(std::max(limits.maxFileBytes, limits.maxFileBytes * kFilesInMemory)) {}
 
@@ -105,10 +105,13 @@ fs::path Files::resolve(const std::string& uri) const {
     if (relative.is_absolute() || *relative.begin() == "..") {
         refuse("URI '{}' leads out of the file's folder", oneLine(uri));
     }
+    if (!m_folder) {
+        refuse("URI '{}' names a file, and beside bytes in memory there is none", oneLine(uri));
+    }
     std::error_code folderError;
     std::error_code pathError;
-    const fs::path folder = fs::weakly_canonical(m_folder, folderError);
-    fs::path path = fs::weakly_canonical(m_folder / relative, pathError);
+    const fs::path folder = fs::weakly_canonical(*m_folder, folderError);
+    fs::path path = fs::weakly_canonical(*m_folder / relative, pathError);
     if (folderError || pathError) {
         refuse("URI '{}' cannot be read: {}", oneLine(uri),
                (folderError ? folderError : pathError).message());

@@ -21,7 +21,8 @@ namespace cdr::scene::gltf {
 /// Reads what a glTF refers to, and nothing outside the folder it is in.
 class Files {
   public:
-    Files(std::filesystem::path folder, const GltfLimits& limits);
+    /// @param folder none where the glTF is in memory: then it may refer to no file.
+    Files(std::optional<std::filesystem::path> folder, const GltfLimits& limits);
 
     /// The bytes of a `data:` URI or of the file that a relative, percent-encoded URI names. A file counts each time.
     ByteSource open(const std::string& uri);
@@ -34,7 +35,7 @@ class Files {
   private:
     ByteSource openWithin(const std::string& uri, std::uintmax_t maxBytes) const;
 
-    std::filesystem::path m_folder;
+    std::optional<std::filesystem::path> m_folder;
     std::uintmax_t m_maxFileBytes;
     std::uintmax_t
         m_bytesLeft; ///< of all files together: one small file named a thousand times must not fill memory
