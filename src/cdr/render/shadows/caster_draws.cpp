@@ -54,8 +54,7 @@ CasterDraws::Found CasterDraws::find(const visibility::InstanceCells& cells, Lig
     order.reserve(found.casters.size());
     for (const std::uint32_t caster : found.casters) {
         const Faces faces = facesOf(caster, view);
-        const std::uint64_t mesh = kindOf(caster).meshIndex;
-        order.emplace_back(mesh << 2u | static_cast<std::uint64_t>(faces), caster);
+        order.emplace_back(static_cast<std::uint64_t>(faces) << 32u | kindOf(caster).meshIndex, caster);
     }
     std::sort(order.begin(), order.end());
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -63,7 +62,7 @@ CasterDraws::Found CasterDraws::find(const visibility::InstanceCells& cells, Lig
         if (i == 0 || draw != order[i - 1].first) {
             found.batches.push_back({.casters = {i, i},
                                      .kind = m_scene.uploaded.sources()[caster].kind,
-                                     .faces = static_cast<Faces>(draw & 3u)});
+                                     .faces = static_cast<Faces>(draw >> 32u)});
         }
         found.batches.back().casters.end = i + 1;
         found.casters[i] = caster;
@@ -121,10 +120,12 @@ void CasterDraws::record(vk::CommandBuffer commands, std::size_t view) const {
     commands.bindIndexBuffer(scene.indices(), 0, vk::IndexType::eUint32);
     for (std::size_t i = m_views[view].begin; i < m_views[view].end; ++i) {
         const Batch& batch = m_batches[i];
-        commands.setCullMode(batch.faces == Faces::all ? vk::CullModeFlagBits::eNone
-                                                       : vk::CullModeFlagBits::eBack);
-        commands.setFrontFace(batch.faces == Faces::mirroredFront ? vk::FrontFace::eClockwise
-                                                                  : vk::FrontFace::eCounterClockwise);
+        if (i == m_views[view].begin || batch.faces != m_batches[i - 1].faces) {
+            commands.setCullMode(batch.faces == Faces::all ? vk::CullModeFlagBits::eNone
+                                                           : vk::CullModeFlagBits::eBack);
+            commands.setFrontFace(batch.faces == Faces::mirroredFront ? vk::FrontFace::eClockwise
+                                                                      : vk::FrontFace::eCounterClockwise);
+        }
         const MeshRange& mesh = scene.kinds()[batch.kind].mesh;
         commands.drawIndexed(
             mesh.indexCount, static_cast<std::uint32_t>(batch.casters.end - batch.casters.begin),
