@@ -54,6 +54,17 @@ TEST(ClosedMesh, NegativeZeroIsZero) {
     EXPECT_TRUE(render::isClosed(vertices, indices));
 }
 
+TEST(ClosedMesh, OfTooManyTrianglesCountsAsOpen) {
+    const scene::Mesh box = scene::makeBox(glm::vec3(1.0f));
+    scene::Mesh many = box;
+    while (many.indices.size() + box.indices.size() <= 3 * render::kMostClosedTriangles) {
+        many.indices.insert(many.indices.end(), box.indices.begin(), box.indices.end());
+    }
+    EXPECT_TRUE(isClosed(many));
+    many.indices.insert(many.indices.end(), box.indices.begin(), box.indices.end());
+    EXPECT_FALSE(isClosed(many));
+}
+
 TEST(ClosedMesh, TrianglesWithoutAreaHaveNoEdges) {
     scene::Mesh mesh = scene::makeBox(glm::vec3(1.0f));
     mesh.indices.insert(mesh.indices.end(), {0, 0, 0, 1, 2, 1});

@@ -15,12 +15,11 @@ std::uint64_t mixed(std::uint64_t value) {
 }
 
 std::uint64_t hashOf(const glm::vec3& position) {
-    std::uint64_t hash = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const float place = position[axis] + 0.0f; // -0 is 0
-        hash = mixed(hash + std::bit_cast<std::uint32_t>(place) + 0x9e3779b97f4a7c15u);
-    }
-    return hash;
+    const auto bitsOf = [](float place) -> std::uint64_t {
+        return std::bit_cast<std::uint32_t>(place + 0.0f); // -0 is 0
+    };
+    return mixed(bitsOf(position.x) * 0x9e3779b97f4a7c15u + bitsOf(position.y) * 0xc2b2ae3d27d4eb4fu +
+                 bitsOf(position.z) * 0x165667b19e3779f9u);
 }
 
 /// The opposite number in the other direction, and 0 where both ends are at the same place.
@@ -34,6 +33,9 @@ std::uint64_t edgeHash(std::uint64_t from, std::uint64_t to) {
 } // namespace
 
 bool isClosed(std::span<const scene::Vertex> vertices, std::span<const std::uint32_t> indices) {
+    if (indices.size() > 3 * kMostClosedTriangles) {
+        return false;
+    }
     std::vector<std::uint64_t> places;
     places.reserve(vertices.size());
     for (const scene::Vertex& vertex : vertices) {
