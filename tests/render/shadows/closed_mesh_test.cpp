@@ -29,14 +29,41 @@ TEST(ClosedMesh, WithoutOneTriangleItIsOpen) {
     }
 }
 
+scene::Mesh insideOut(scene::Mesh mesh) {
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        std::swap(mesh.indices[i], mesh.indices[i + 1]);
+    }
+    return mesh;
+}
+
+/// As one mesh, the second moved to the side.
+scene::Mesh together(scene::Mesh mesh, const scene::Mesh& other, float aside) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (scene::Vertex vertex : other.vertices) {
+        vertex.position.x += aside;
+        mesh.vertices.push_back(vertex);
+    }
+    for (const std::uint32_t index : other.indices) {
+        mesh.indices.push_back(first + index);
+    }
+    return mesh;
+}
+
 TEST(ClosedMesh, ATriangleThatLooksInwardsOpensIt) {
     scene::Mesh mesh = scene::makeBox(glm::vec3(1.0f));
     std::swap(mesh.indices[0], mesh.indices[1]);
     EXPECT_FALSE(isClosed(mesh));
-    for (std::size_t i = 3; i < mesh.indices.size(); i += 3) {
-        std::swap(mesh.indices[i], mesh.indices[i + 1]);
-    }
-    EXPECT_TRUE(isClosed(mesh)) << "all of them look inwards";
+}
+
+/// A room that is modelled from within hides from the light what is in it, by faces that look away from the light.
+TEST(ClosedMesh, NoPartMayBeInsideOut) {
+    const scene::Mesh large = scene::makeBox(glm::vec3(2.0f));
+    const scene::Mesh small = scene::makeBox(glm::vec3(1.0f));
+    EXPECT_FALSE(isClosed(insideOut(large)));
+    EXPECT_TRUE(isClosed(together(large, small, 10.0f)));
+    EXPECT_FALSE(isClosed(together(large, insideOut(small), 10.0f)));
+    EXPECT_FALSE(isClosed(together(insideOut(small), large, 10.0f)));
+    EXPECT_TRUE(isClosed(together(large, small, 3.0f))) << "side by side, with the edges of neither";
 }
 
 TEST(ClosedMesh, AGapOfOneRoundingOpensIt) {

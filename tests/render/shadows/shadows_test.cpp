@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cdr::render_test {
@@ -260,6 +261,27 @@ TEST_F(ShadowsTest, WhatIsOpenOrAroundTheLightCastsAShadowToo) {
     scene.instances.mesh[1] = 1;
     scene.instances.mesh[2] = 1;
     expectRight({0.0, 60.0, -10.0}, "open");
+}
+
+/// A room that is modelled from within, and the light outside.
+TEST_F(ShadowsTest, ARoomThatIsInsideOutIsDark) {
+    scene::Scene scene = boxScene();
+    scene.meshes.front().boxHalfSides.reset();
+    std::vector<std::uint32_t>& indices = scene.meshes.front().indices;
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        std::swap(indices[i], indices[i + 1]);
+    }
+    for (scene::Vertex& vertex : scene.meshes.front().vertices) {
+        vertex.normal = -vertex.normal;
+    }
+    scene.lights.front() = {.position = {0.0, 60.0, 10.0}, .halfDistance = 100.0};
+    addBox(scene, {0.0, 0.0, 0.0}, glm::mat3(20.0f));
+    const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 1e3};
+    const RenderOptions options = shadowOptions("anchored");
+    const measure::WrongShadows wrong =
+        wrongShadowsIn(draw(scene, camera, options), ShadowTruth(scene).cast(camera, options));
+    EXPECT_GT(wrong.shadowed, 1000u);
+    EXPECT_EQ(wrong.wrong, 0u) << "of " << wrong.pixels;
 }
 
 /// A box whose lid rises: light comes in below the lid, and a wall keeps it from the inside.
