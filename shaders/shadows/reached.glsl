@@ -3,6 +3,8 @@
 #ifndef CDR_SHADERS_REACHED_GLSL
 #define CDR_SHADERS_REACHED_GLSL
 
+#extension GL_EXT_control_flow_attributes : require
+
 #include "shadows/receiver.glsl"
 #include "shadows/shadows_shared.h"
 
@@ -78,40 +80,42 @@ bool isReached(ReceiverPush map, Receiver receiver, vec2 ray) {
     ivec2 last = map.mapLast;
     ivec2 corner = clamp(ivec2(floor(inMap - 0.5)), ivec2(0), last - 1);
     ivec2 nearest = clamp(ivec2(floor(inMap)) - corner, ivec2(0), ivec2(1));
-    float gaps[4];
-    vec3 slopes[4];
+    // Roundings of the point, of both pictures' snapped vertices, of slopes kept as halves, and of depths.
+    float numbers = sumOf(point.xy) + abs(beyond) + abs(receiver.ahead) + sumOf(offset.xy) + abs(offset.z);
+    float shift = (map.snap * distanceView + kRounding * numbers) / texelLength;
     vec2 lowest = slope;
     vec2 highest = slope;
     float steepest = sumOf(slope);
     float rounding = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        ivec2 texel = corner + ivec2(i & 1, i >> 1);
-        slopes[i] = mapSlopeAt(map.mapCorner + texel);
-        gaps[i] = gapAt(map, texel, inMap, z, perTexel, slopes[i]);
-        lowest = min(lowest, slopes[i].xy);
-        highest = max(highest, slopes[i].xy);
-        steepest = max(steepest, sumOf(slopes[i].xy));
-        rounding = max(rounding, slopes[i].z);
-    }
-    // Roundings of the point, of both pictures' snapped vertices, of slopes kept as halves, and of depths.
-    float numbers = sumOf(point.xy) + abs(beyond) + abs(receiver.ahead) + sumOf(offset.xy) + abs(offset.z);
-    float shift = (map.snap * distanceView + kRounding * numbers) / texelLength;
-    float allowed = shift * (1.0 + steepest) + steepest * (map.mapSnap + kHalf) + rounding + kRounding * z / perTexel +
-                    sumOf(highest - lowest) + kThin;
-    float gap = gaps[nearest.x + 2 * nearest.y];
-    if (map.isPlain != 0u) {
-        vec3 caster = slopes[nearest.x + 2 * nearest.y];
-        return texelsBefore(map, corner + nearest, z, perTexel) <= kPlainConstant + kPlainSlope * max(abs(caster.x), abs(caster.y));
-    }
-    if (!(gap > allowed)) { // what is not a number casts no shadow
-        return true;
+    float gap = 0.0;
+    float leastGap = 1e38;
+    float allowed = 0.0;
+    // Each further texel allows more. So where the nearest one is near enough, the others are not read. Software devices skip
+    // iterations of a loop that no pixel of a group needs, but not branches.
+    [[dont_unroll]] for (int i = 0; i < 4; ++i) {
+        ivec2 texel = corner + (nearest ^ ivec2(i & 1, i >> 1));
+        vec3 caster = mapSlopeAt(map.mapCorner + texel);
+        float gapHere = gapAt(map, texel, inMap, z, perTexel, caster);
+        if (i == 0) {
+            gap = gapHere;
+            if (map.isPlain != 0u) {
+                float bias = kPlainConstant + kPlainSlope * max(abs(caster.x), abs(caster.y));
+                return texelsBefore(map, texel, z, perTexel) <= bias;
+            }
+        }
+        leastGap = min(leastGap, gapHere);
+        lowest = min(lowest, caster.xy);
+        highest = max(highest, caster.xy);
+        steepest = max(steepest, sumOf(caster.xy));
+        rounding = max(rounding, caster.z);
+        allowed = shift * (1.0 + steepest) + steepest * (map.mapSnap + kHalf) + rounding + kRounding * z / perTexel +
+                  sumOf(highest - lowest) + kThin;
+        if (!(gap > allowed)) { // what is not a number casts no shadow
+            return true;
+        }
     }
     // Near an edge of facets smaller than a texel another one may be the point's own.
-    bool isAnyBehind = false;
-    for (int i = 0; i < 4; ++i) {
-        isAnyBehind = isAnyBehind || gaps[i] <= allowed;
-    }
-    return isAnyBehind && gap <= 2.0 * steepest;
+    return leastGap <= allowed && gap <= 2.0 * steepest;
 }
 
 // Whether a map is of surfaces at that view distance.
