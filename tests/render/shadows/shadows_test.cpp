@@ -148,6 +148,18 @@ TEST_F(ShadowsTest, ThinPaintCastsNoShadowBesideItself) {
     EXPECT_LE(wrong.wrong, 1u);
 }
 
+/// Facets smaller than a texel: the nearest texel alone would shadow pixels that its neighbours show to be lit.
+TEST_F(ShadowsTest, BodiesOfSmallFacetsCastNoShadowOnThemselves) {
+    RenderOptions options = shadowOptions("anchored");
+    options.width = 640;
+    options.height = 360;
+    const measure::WrongShadows wrong =
+        wrongShadowsOf(CDR_SOURCE_DIR "/tests/assets/machine.glb", 0, options);
+    EXPECT_GT(wrong.pixels, 20'000u);
+    EXPECT_GT(wrong.shadowed, 2'000u);
+    EXPECT_LE(wrong.wrong, 1u);
+}
+
 TEST_F(ShadowsTest, TheCountSeesShadowsThatAreMissing) {
     const scene::SceneSetup setup = scenes::openScene("alley", scenes::kDefaultSeed).setup;
     platform::WorkerPool workers(2);
