@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -57,6 +58,46 @@ TEST(ShadowTruth, ACubesShadowIsWhereGeometryPutsIt) {
             }
         }
         EXPECT_GT(shadowed, 3u);
+    }
+}
+
+/// The left half of the cube is cut away: half of its outline is in light, and the camera sees through it.
+TEST(ShadowTruth, WhatAMaskCutsAwayCastsNoShadow) {
+    for (const std::uint32_t mesh : {kCube, kTriangleCube}) {
+        scene::Scene scene = floorAndCube(1e6);
+        scene.textures.push_back({.name = "halves",
+                                  .pixels = image::ImageRgba8(2, 1, {255, 255, 255, 255}),
+                                  .magFilter = scene::Filter::nearest});
+        scene.textures.front().pixels.at(0, 0)[3] = 0;
+        scene.materials.push_back({.name = "mask",
+                                   .baseColorTexture = 0,
+                                   .doubleSided = true,
+                                   .alphaMode = scene::AlphaMode::mask,
+                                   .alphaCutoff = 0.5f});
+        scene.instances.material[1] = static_cast<std::uint32_t>(scene.materials.size()) - 1;
+        scene.instances.mesh[1] = mesh;
+        for (scene::Vertex& vertex : scene.meshes[mesh].vertices) {
+            vertex.uv = glm::vec2(vertex.position) + 0.5f; // sides that face the light, too
+        }
+        const ShadowImage truth = castShadows(scene, makePlainCamera(), 800, 400);
+        std::array<std::size_t, 2> shadowed{}; // left, right
+        std::size_t cube = 0;
+        std::size_t doubtful = 0;
+        for (std::uint32_t y = 0; y < 400; ++y) {
+            for (std::uint32_t x = 0; x < 800; ++x) {
+                const measure::ShadowPixel& pixel = truth.at(x, y);
+                doubtful += pixel.isDoubtful;
+                cube += pixel.id == 2 && x < 399;
+                if (pixel.id == 1 && pixel.reach == Reach::shadowed && !pixel.isDoubtful) {
+                    ++shadowed.at(x < 400 ? 0 : 1);
+                }
+            }
+        }
+        EXPECT_EQ(shadowed[0], 0u) << mesh;
+        EXPECT_GT(shadowed[1], 10u) << mesh;
+        EXPECT_EQ(cube, 0u) << mesh;
+        EXPECT_GT(doubtful, 0u) << mesh;
+        EXPECT_LT(doubtful, 100u) << mesh;
     }
 }
 

@@ -1,6 +1,5 @@
 #include <cdr/base/error.h>
 #include <cdr/measure/shadows/shadow_truth.h>
-#include <cdr/measure/truth/lens.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +27,11 @@ std::vector<std::uint32_t> solidInstances(const scene::Scene& scene) {
     return solid;
 }
 
+/// Of a pixel's ray: its parameter is the view distance.
+glm::dvec3 directionAt(const scene::Camera& camera, const glm::dvec2& slope) {
+    return camera.right * slope.x + camera.up * slope.y - camera.back;
+}
+
 /// Whether a light's cone and range let some light through. @param way from a point to the light.
 bool shinesAlong(const scene::PointLight& light, const glm::dvec3& way) {
     const double distance = glm::length(way);
@@ -39,13 +43,16 @@ bool shinesAlong(const scene::PointLight& light, const glm::dvec3& way) {
 
 ShadowTruthCaster::ShadowTruthCaster(const scene::Scene& scene, std::span<const Shape> shapes)
     : m_scene(&scene),
+      m_textures(std::make_unique<const TruthTextures>(scene)),
       m_casters(scene.instances.size()),
       m_bvh(scene.instances, solidInstances(scene)) {
     for (std::size_t i = 0; i < m_casters.size(); ++i) {
         if (const std::optional<InverseBasis> inverse = invertBasis(scene.instances.basis[i])) {
+            const scene::Material& material = scene.materials[scene.instances.material[i]];
             m_casters[i] = {.shape = &shapes[scene.instances.mesh[i]],
                             .worldToObject = inverse->worldToObject,
-                            .sides = sidednessOf(scene.materials[scene.instances.material[i]])};
+                            .sides = sidednessOf(material),
+                            .isMasked = material.alphaMode == scene::AlphaMode::mask};
         }
     }
 }
@@ -56,45 +63,88 @@ ObjectRay ShadowTruthCaster::placed(const Ray& ray, std::uint32_t instance) cons
     return {toObject * origin, toObject * ray.direction};
 }
 
-ShadowTruthCaster::Hit ShadowTruthCaster::nearest(const Ray& ray, const ViewRange& range) const {
+MaskedHit ShadowTruthCaster::nearestOf(std::uint32_t instance, const scene::Camera& camera,
+                                       const PixelRay& pixel, const ViewRange& range) const {
+    const Caster& caster = m_casters[instance];
+    if (caster.shape == nullptr) {
+        return {};
+    }
+    if (!caster.isMasked) {
+        const ObjectRay ray = placed(
+            {camera.position, glm::dvec3(0.0), directionAt(camera, {pixel.slopeX, pixel.slopeY})}, instance);
+        return {.distanceView = caster.shape->nearest(ray, caster.sides, range)};
+    }
+    const VisibleInstance visible{
+        .shape = caster.shape,
+        .instance = instance,
+        .sides = caster.sides,
+        .camera = placeCamera(camera, m_scene->instances, instance, caster.worldToObject)};
+    return nearestKept(*m_scene, *m_textures, visible, pixel, range);
+}
+
+ShadowTruthCaster::Hit ShadowTruthCaster::nearest(const scene::Camera& camera, const PixelRay& pixel,
+                                                  const ViewRange& range) const {
     Hit hit{.at = range.farView};
-    m_bvh.visit(
-        ray.camera + ray.from, ray.direction, range.nearView, range.farView, [&](std::uint32_t instance) {
-            const Caster& caster = m_casters[instance];
-            if (caster.shape != nullptr) {
-                const double at =
-                    caster.shape->nearest(placed(ray, instance), caster.sides, {range.nearView, hit.at});
-                if (at < hit.at || (at == hit.at && (!hit.isHit || instance < hit.instance))) {
-                    hit = {.at = at, .instance = instance, .isHit = true};
-                }
-            }
-            return hit.at;
-        });
+    m_bvh.visit(camera.position, directionAt(camera, {pixel.slopeX, pixel.slopeY}), range.nearView,
+                range.farView, [&](std::uint32_t instance) {
+                    const MaskedHit met = nearestOf(instance, camera, pixel, {range.nearView, hit.at});
+                    hit.doubtAt = std::min(hit.doubtAt, met.doubtView);
+                    const double at = met.distanceView;
+                    if (at < hit.at || (at == hit.at && (!hit.isHit || instance < hit.instance))) {
+                        hit = {.at = at, .instance = instance, .isHit = true, .doubtAt = hit.doubtAt};
+                    }
+                    return hit.at;
+                });
     return hit;
 }
 
-bool ShadowTruthCaster::isBlocked(const Ray& ray, const ViewRange& range) const {
-    bool isBlocked = false;
-    m_bvh.visit(ray.camera + ray.from, ray.direction, range.nearView, range.farView,
-                [&](std::uint32_t instance) {
-                    const Caster& caster = m_casters[instance];
-                    isBlocked = caster.shape != nullptr &&
-                                caster.shape->nearest(placed(ray, instance), Sidedness::both, range) < kNoHit;
-                    return isBlocked ? range.nearView - 1.0 : range.farView;
-                });
-    return isBlocked;
+MaskedHit ShadowTruthCaster::nearestOnWay(std::uint32_t instance, const Ray& ray,
+                                          const ViewRange& range) const {
+    const Caster& caster = m_casters[instance];
+    if (caster.shape == nullptr) {
+        return {};
+    }
+    const ObjectRay inObject = placed(ray, instance);
+    if (!caster.isMasked) {
+        return {.distanceView = caster.shape->nearest(inObject, Sidedness::both, range)};
+    }
+    const glm::dvec3 axis =
+        std::abs(ray.direction.y) < std::abs(ray.direction.x) ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+    const glm::dvec3 right = ray.halfWidth * glm::normalize(glm::cross(ray.direction, axis));
+    const glm::dvec3 up = glm::cross(glm::normalize(ray.direction), right);
+    return nearestKept(*m_scene, *m_textures, {instance, *caster.shape, Sidedness::both},
+                       {inObject, caster.worldToObject * right, caster.worldToObject * up}, range);
 }
 
-bool ShadowTruthCaster::isFree(const glm::dvec3& camera, const glm::dvec3& point,
-                               const glm::dvec3& way) const {
+ShadowTruthCaster::Way ShadowTruthCaster::wayOf(const Ray& ray, const ViewRange& range) const {
+    Way way;
+    m_bvh.visit(ray.camera + ray.from, ray.direction, range.nearView, range.farView,
+                [&](std::uint32_t instance) {
+                    const MaskedHit met = nearestOnWay(instance, ray, range);
+                    const bool isHit = met.distanceView < kNoHit;
+                    const bool isDoubtful = met.doubtView < kNoHit;
+                    way.isBlocked = way.isBlocked || isHit;
+                    if (isHit && !isDoubtful) { // whatever the doubts before
+                        way.isDoubtful = false;
+                        return range.nearView - 1.0;
+                    }
+                    way.isDoubtful = way.isDoubtful || isDoubtful;
+                    return range.farView;
+                });
+    return way;
+}
+
+ShadowTruthCaster::Way ShadowTruthCaster::wayTo(const glm::dvec3& camera, const glm::dvec3& point,
+                                                const glm::dvec3& way, double halfWidth) const {
     const double shareOfPoint = glm::length(point) / glm::length(way);
     const ViewRange between{kSamePlace * std::max(shareOfPoint, kSamePlace), 1.0 - kSamePlace};
-    return !isBlocked({camera, point, way}, between);
+    return wayOf({camera, point, way, halfWidth}, between);
 }
 
 bool ShadowTruthCaster::reaches(const glm::dvec3& camera, const glm::dvec3& fromCamera,
                                 std::size_t light) const {
-    return isFree(camera, fromCamera, (m_scene->lights.at(light).position - camera) - fromCamera);
+    const glm::dvec3 way = (m_scene->lights.at(light).position - camera) - fromCamera;
+    return !wayTo(camera, fromCamera, way, 0.0).isBlocked;
 }
 
 glm::dvec4 ShadowTruthCaster::sharesAt(const glm::dvec3& camera, const glm::dvec3& fromCamera,
@@ -111,36 +161,33 @@ glm::dvec4 ShadowTruthCaster::sharesAt(const glm::dvec3& camera, const glm::dvec
     return shares;
 }
 
-ShadowPixel ShadowTruthCaster::pixelAt(const scene::Camera& camera, const glm::dvec2& slope,
-                                       const glm::dvec2& step, const scene::PointLight& light) const {
-    const auto rayAt = [&](const glm::dvec2& at) {
-        return Ray{camera.position, glm::dvec3(0.0), camera.right * at.x + camera.up * at.y - camera.back};
-    };
+ShadowPixel ShadowTruthCaster::pixelAt(const scene::Camera& camera, const PixelRay& pixel,
+                                       const scene::PointLight& light) const {
     const ViewRange range{camera.nearView, camera.farView};
-    const Ray ray = rayAt(slope);
-    const Hit hit = nearest(ray, range);
+    const Hit hit = nearest(camera, pixel, range);
     if (!hit.isHit) {
-        return {};
+        return {.isDoubtful = hit.doubtAt < kNoHit};
     }
-    ShadowPixel pixel{.id = m_scene->instances.object[hit.instance] + 1};
-    const glm::dvec3 point = ray.direction * hit.at;
+    ShadowPixel found{.id = m_scene->instances.object[hit.instance] + 1, .isDoubtful = hit.doubtAt <= hit.at};
+    const glm::dvec3 point = directionAt(camera, {pixel.slopeX, pixel.slopeY}) * hit.at;
     // How the surface lies, by points of the same instance beside this one.
-    const Caster& caster = m_casters[hit.instance];
-    const auto aside = [&](const glm::dvec2& by) {
-        const Ray other = rayAt(slope + kAside * by);
-        const double at = caster.shape->nearest(placed(other, hit.instance), caster.sides, range);
-        return other.direction * at - point;
+    const auto aside = [&](double x, double y) {
+        const PixelRay other{pixel.slopeX + kAside * x, pixel.slopeY + kAside * y, pixel.step};
+        const double at = nearestOf(hit.instance, camera, other, range).distanceView;
+        return directionAt(camera, {other.slopeX, other.slopeY}) * at - point;
     };
-    const glm::dvec3 normal = glm::cross(aside({step.x, 0.0}), aside({0.0, step.y}));
+    const glm::dvec3 normal = glm::cross(aside(pixel.step, 0.0), aside(0.0, pixel.step));
     const glm::dvec3 way = (light.position - camera.position) - point;
     const double towardsCamera = -glm::dot(normal, point);
     const double towardsLight = glm::dot(normal, way) * (towardsCamera < 0.0 ? -1.0 : 1.0);
     if (!(towardsLight > kMinCosine * glm::length(normal) * glm::length(way)) || !shinesAlong(light, way)) {
-        pixel.reach = Reach::away;
-        return pixel;
+        found.reach = Reach::away;
+        return found;
     }
-    pixel.reach = isFree(camera.position, point, way) ? Reach::reached : Reach::shadowed;
-    return pixel;
+    const Way lit = wayTo(camera.position, point, way, 0.5 * pixel.step * hit.at);
+    found.reach = lit.isBlocked ? Reach::shadowed : Reach::reached;
+    found.isDoubtful = found.isDoubtful || lit.isDoubtful;
+    return found;
 }
 
 ShadowImage ShadowTruthCaster::cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
@@ -151,12 +198,10 @@ ShadowImage ShadowTruthCaster::cast(const scene::Camera& camera, std::uint32_t w
     }
     ShadowImage truth(width, height);
     const PixelSlopes slopes = pixelSlopes(camera, width, height);
-    const double pixel = 2.0 * halfHeightSlope(camera) / height;
     workers.run(height, [&](std::size_t row, std::size_t) {
         const auto y = static_cast<std::uint32_t>(row);
         for (std::uint32_t x = 0; x < width; ++x) {
-            truth.at(x, y) =
-                pixelAt(camera, {slopes.x[x], slopes.y[y]}, {pixel, pixel}, m_scene->lights[light]);
+            truth.at(x, y) = pixelAt(camera, {slopes.x[x], slopes.y[y], slopes.step}, m_scene->lights[light]);
         }
     });
     return truth;

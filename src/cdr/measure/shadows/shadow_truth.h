@@ -2,13 +2,16 @@
 
 #include <cdr/image/image.h>
 #include <cdr/measure/shadows/instance_bvh.h>
+#include <cdr/measure/truth/mask_cut.h>
 #include <cdr/measure/truth/shape.h>
+#include <cdr/measure/truth/truth_texture.h>
 #include <cdr/platform/worker_pool.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -26,6 +29,7 @@ enum class Reach : std::uint8_t {
 struct ShadowPixel {
     std::uint32_t id = 0; ///< object index + 1; 0 is background
     Reach reach = Reach::nothing;
+    bool isDoubtful = false; ///< devices that filter a mask's texture a little differently may find otherwise
 
     bool operator==(const ShadowPixel&) const = default;
 };
@@ -33,8 +37,8 @@ struct ShadowPixel {
 using ShadowImage = image::Raster<ShadowPixel>;
 
 /// Casts a float64 ray through each pixel's centre, and from the surface there one to a light: each in every object's own
-/// space. Opaque surfaces alone, whole, masked ones too; for the light both sides of every triangle count. Shares no code
-/// with the renderer's shadows.
+/// space. Opaque surfaces alone, and of masked ones what the mask keeps; for the light both sides of every triangle count.
+/// Shares no code with the renderer's shadows.
 class ShadowTruthCaster {
   public:
     /// @param scene must outlive the caster, and stay as it is.
@@ -46,7 +50,7 @@ class ShadowTruthCaster {
     ShadowImage cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
                      std::size_t light, platform::WorkerPool& workers) const;
 
-    /// Whether nothing opaque lies between a surface and a light.
+    /// Whether nothing opaque lies between a surface and a light. Of masks' textures the finest level is read.
     /// @param fromCamera the surface's point less the camera's position.
     bool reaches(const glm::dvec3& camera, const glm::dvec3& fromCamera, std::size_t light) const;
 
@@ -61,28 +65,42 @@ class ShadowTruthCaster {
         const Shape* shape = nullptr; ///< null: it cannot be hit
         glm::dmat3 worldToObject{1.0};
         Sidedness sides = Sidedness::fronts;
+        bool isMasked = false;
     };
     struct Hit {
         double at = 0.0; ///< parameter of the ray
         std::uint32_t instance = 0;
         bool isHit = false;
+        double doubtAt = kNoHit; ///< of the nearest doubtful point of masks that are no farther
     };
     /// A ray whose origin is relative to a camera.
     struct Ray {
         const glm::dvec3& camera;
         glm::dvec3 from;
         glm::dvec3 direction;
+        double halfWidth = 0.0; ///< scene units: across it, what masks' textures are filtered over
+    };
+    /// What lies on the way to a light.
+    struct Way {
+        bool isBlocked = false;
+        bool isDoubtful = false;
     };
     ObjectRay placed(const Ray& ray, std::uint32_t instance) const;
-    Hit nearest(const Ray& ray, const ViewRange& range) const;
-    bool isBlocked(const Ray& ray, const ViewRange& range) const;
-    /// @param point less the camera's position. @param way from there to a light.
-    bool isFree(const glm::dvec3& camera, const glm::dvec3& point, const glm::dvec3& way) const;
-    ShadowPixel pixelAt(const scene::Camera& camera, const glm::dvec2& slope, const glm::dvec2& step,
+    /// Of one instance, along a pixel's ray.
+    MaskedHit nearestOf(std::uint32_t instance, const scene::Camera& camera, const PixelRay& pixel,
+                        const ViewRange& range) const;
+    Hit nearest(const scene::Camera& camera, const PixelRay& pixel, const ViewRange& range) const;
+    MaskedHit nearestOnWay(std::uint32_t instance, const Ray& ray, const ViewRange& range) const;
+    Way wayOf(const Ray& ray, const ViewRange& range) const;
+    /// @param point less the camera's position. @param way from there to a light. @param halfWidth Ray::halfWidth.
+    Way wayTo(const glm::dvec3& camera, const glm::dvec3& point, const glm::dvec3& way,
+              double halfWidth) const;
+    ShadowPixel pixelAt(const scene::Camera& camera, const PixelRay& pixel,
                         const scene::PointLight& light) const;
 
     const scene::Scene* m_scene;
-    std::vector<Caster> m_casters; ///< by instance
+    std::unique_ptr<const TruthTextures> m_textures; ///< which masks are read from
+    std::vector<Caster> m_casters;                   ///< by instance
     InstanceBvh m_bvh;
 };
 

@@ -44,7 +44,8 @@ void forVerdicts(const RenderedLight& light, const ShadowImage& truth, const Tak
 } // namespace
 
 bool isInnerShadow(const ShadowImage& truth, std::uint32_t x, std::uint32_t y) {
-    if (x == 0 || y == 0 || x + 1 >= truth.width || y + 1 >= truth.height || !facesLight(truth.at(x, y))) {
+    if (x == 0 || y == 0 || x + 1 >= truth.width || y + 1 >= truth.height || !facesLight(truth.at(x, y)) ||
+        truth.at(x, y).isDoubtful) {
         return false;
     }
     for (std::uint32_t i = 0; i < 9; ++i) {

@@ -31,7 +31,8 @@ struct RenderedLight {
     bool reaches(std::uint32_t x, std::uint32_t y) const { return reached.at(x, y)[channel] != 0; }
 };
 
-/// Whether a pixel of the picture is an inner one: its surface faces the light, and its eight neighbours are alike.
+/// Whether a pixel of the picture is an inner one: its surface faces the light, its eight neighbours are alike, and no filter
+/// of a mask's texture decides.
 bool isInnerShadow(const ShadowImage& truth, std::uint32_t x, std::uint32_t y);
 
 /// base::InputError when the sizes differ.

@@ -17,18 +17,59 @@ Triangle triangleOf(const scene::Mesh& mesh, std::uint32_t first) {
             mesh.vertices[mesh.indices[first + 2]].position};
 }
 
+/// A ray that is cast at a masked instance.
+struct MaskedRay {
+    const scene::Scene& scene;
+    const TruthTextures& textures;
+    MaskedInstance masked;
+    ObjectRay ray;
+    ViewRange range;
+
+    const scene::Mesh& mesh() const { return scene.meshes[scene.instances.mesh[masked.instance]]; }
+    const scene::Material& material() const {
+        return scene.materials[scene.instances.material[masked.instance]];
+    }
+    /// Where the ray passes the mesh. Weights are taken from there, as TriangleBvh::nearest() does.
+    double shift() const {
+        return -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
+    }
+};
+
+ObjectRay from(const ObjectRay& ray, double shift) {
+    return {ray.origin + shift * ray.direction, ray.direction};
+}
+
 /// For a mesh that has no tree of triangles: a box, which has few.
-double nearestOfAll(const scene::Mesh& mesh, const ObjectRay& ray, double shift, Sidedness sides,
-                    const ViewRange& range, const TriangleBvh::Keeps& keeps) {
-    const ShearedRay sheared({ray.origin + shift * ray.direction, ray.direction});
+double nearestOfAll(const MaskedRay& cast, const TriangleBvh::Keeps& keeps) {
+    const scene::Mesh& mesh = cast.mesh();
+    const ShearedRay sheared(from(cast.ray, cast.shift()));
     double best = kNoHit;
     for (std::uint32_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
-        const double hit = shift + sheared.meet(triangleOf(mesh, first), sides);
-        if (hit < best && range.holds(hit) && keeps(first, hit)) {
+        const double hit = cast.shift() + sheared.meet(triangleOf(mesh, first), cast.masked.sides);
+        if (hit < best && cast.range.holds(hit) && keeps(first, hit)) {
             best = hit;
         }
     }
     return best;
+}
+
+/// @param weightsAt CornerWeights of a triangle.
+template <typename WeightsAt>
+MaskedHit nearestKept(const MaskedRay& cast, const WeightsAt& weightsAt) {
+    const scene::Mesh& mesh = cast.mesh();
+    MaskedHit found;
+    const auto keeps = [&](std::uint32_t first, double hitView) {
+        const MaskCut cut = maskCutAt(
+            {cast.scene, cast.textures, cast.material(), mesh, first, weightsAt(triangleOf(mesh, first))});
+        found.doubtView = cut.isDoubtful ? std::min(found.doubtView, hitView) : found.doubtView;
+        return !cut.isCut;
+    };
+    const TriangleBvh* triangles = cast.masked.shape.triangles();
+    found.distanceView = triangles != nullptr
+                             ? triangles->nearest(cast.ray, cast.masked.sides, cast.range, keeps)
+                             : nearestOfAll(cast, keeps);
+    found.doubtView = found.doubtView <= found.distanceView ? found.doubtView : kNoHit;
+    return found;
 }
 
 } // namespace
@@ -52,25 +93,30 @@ MaskCut maskCutAt(const SurfacePoint& point) {
                           isCutAt(point.material, std::max(alpha, *most) + kAlphaError)};
 }
 
+MaskedHit nearestKept(const scene::Scene& scene, const TruthTextures& textures, const MaskedInstance& masked,
+                      const WideRay& wide, const ViewRange& range) {
+    const MaskedRay cast{scene, textures, masked, wide.ray, range};
+    const double shift = cast.shift();
+    const auto weights = [&](const Triangle& triangle, const glm::dvec3& aside) {
+        return ShearedRay(from({wide.ray.origin + aside, wide.ray.direction}, shift)).weights(triangle);
+    };
+    return nearestKept(cast, [&](const Triangle& triangle) {
+        return CornerWeights{weights(triangle, glm::dvec3(0.0)), weights(triangle, wide.right),
+                             weights(triangle, -wide.right), weights(triangle, -wide.up),
+                             weights(triangle, wide.up)};
+    });
+}
+
 MaskedHit nearestKept(const scene::Scene& scene, const TruthTextures& textures,
                       const VisibleInstance& visible, const PixelRay& pixel, const ViewRange& range) {
-    const scene::Mesh& mesh = scene.meshes[scene.instances.mesh[visible.instance]];
-    const scene::Material& material = scene.materials[scene.instances.material[visible.instance]];
-    const ObjectRay ray = visible.camera.ray(pixel.slopeX, pixel.slopeY);
-    // Start where the ray passes the mesh, as TriangleBvh::nearest() does.
-    const double shift = -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
-    MaskedHit found;
-    const auto keeps = [&](std::uint32_t first, double hitView) {
-        const MaskCut cut = maskCutAt({scene, textures, material, mesh, first,
-                                       weightsOf(triangleOf(mesh, first), visible.camera, pixel, shift)});
-        found.doubtView = cut.isDoubtful ? std::min(found.doubtView, hitView) : found.doubtView;
-        return !cut.isCut;
-    };
-    const TriangleBvh* triangles = visible.shape->triangles();
-    found.distanceView = triangles != nullptr ? triangles->nearest(ray, visible.sides, range, keeps)
-                                              : nearestOfAll(mesh, ray, shift, visible.sides, range, keeps);
-    found.doubtView = found.doubtView <= found.distanceView ? found.doubtView : kNoHit;
-    return found;
+    const MaskedRay cast{scene,
+                         textures,
+                         {visible.instance, *visible.shape, visible.sides},
+                         visible.camera.ray(pixel.slopeX, pixel.slopeY),
+                         range};
+    const double shift = cast.shift();
+    return nearestKept(
+        cast, [&](const Triangle& triangle) { return weightsOf(triangle, visible.camera, pixel, shift); });
 }
 
 } // namespace cdr::measure

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/measure/truth/object_ray.h>
+#include <cdr/measure/truth/shape.h>
 #include <cdr/measure/truth/surface_point.h>
 #include <cdr/measure/truth/truth_texture.h>
 #include <cdr/measure/truth/visible_instances.h>
@@ -32,7 +33,25 @@ struct MaskedHit {
         kNoHit; ///< of the nearest doubtful point that is no farther; kNoHit where there is none
 };
 
-/// The nearest that a mask keeps within `range`.
+/// A ray that textures are filtered along: with what lies half its width to each side.
+struct WideRay {
+    ObjectRay ray;
+    glm::dvec3 right; ///< to there, object space; 0 for a ray without width, which reads the finest level
+    glm::dvec3 up;
+};
+
+/// An instance with a material whose alpha mode is `mask`.
+struct MaskedInstance {
+    std::uint32_t instance = 0; ///< index in the scene
+    const Shape& shape;         ///< of its mesh
+    Sidedness sides = Sidedness::fronts;
+};
+
+/// The nearest that a mask keeps within `range` of the ray's parameters.
+/// @param masked of `scene`. @param textures of `scene`.
+MaskedHit nearestKept(const scene::Scene& scene, const TruthTextures& textures, const MaskedInstance& masked,
+                      const WideRay& ray, const ViewRange& range);
+/// The same along a pixel's ray.
 /// @param visible of `scene`, with a material whose alpha mode is `mask`. @param textures of `scene`.
 MaskedHit nearestKept(const scene::Scene& scene, const TruthTextures& textures,
                       const VisibleInstance& visible, const PixelRay& pixel, const ViewRange& range);

@@ -21,7 +21,7 @@ struct VisibleInstance {
     std::uint32_t id = 0; ///< object index + 1
     double nearestView = 0.0;
     double layer = 0.0; ///< scene::Material::layer
-    PixelRect pixels;
+    PixelRect pixels{};
     PlacedCamera camera;
 
     /// What decides which surface is seen: the least that any hit can have.
