@@ -6,6 +6,11 @@
 layout(push_constant) uniform Push { CasterPush push; };
 
 layout(location = 0) flat in float inRounding;
+#ifdef MASKED
+layout(location = 1) in vec3 inUvAlpha;
+layout(location = 2) flat in float inLeastAlpha;
+layout(set = 0, binding = 0) uniform sampler2D baseColorTexture;
+#endif
 
 // Texels towards the light per texel across and down; in z by how many texels the depth may be off.
 layout(location = 0) out vec4 outSlope;
@@ -17,4 +22,9 @@ void main() {
     float perTexel = depthPerTexel(push.lens, z);
     vec2 slope = vec2(dFdx(z), dFdy(z)) / max(perTexel, 1e-37);
     outSlope = vec4(clamp(slope, -kMaxSlope, kMaxSlope), min(inRounding * gl_FragCoord.w / push.lens.texel, kMaxSlope), 0.0);
+#ifdef MASKED
+    if (inUvAlpha.z * texture(baseColorTexture, inUvAlpha.xy).a < inLeastAlpha) {
+        discard;
+    }
+#endif
 }

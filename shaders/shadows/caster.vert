@@ -10,8 +10,18 @@ layout(location = 1) in vec4 inRight;
 layout(location = 2) in vec4 inUp;
 layout(location = 3) in vec4 inAhead;
 layout(location = 4) in float inRounding;
+// MASKED: casters that a mask cuts holes into.
+#ifdef MASKED
+layout(location = 5) in vec2 inUv;
+layout(location = 6) in vec4 inColor;
+layout(location = 7) in float inLeastAlpha;
+#endif
 
 layout(location = 0) flat out float outRounding;
+#ifdef MASKED
+layout(location = 1) out vec3 outUvAlpha;
+layout(location = 2) flat out float outLeastAlpha;
+#endif
 
 void main() {
     float right = dot(inRight.xyz, inPosition) + inRight.w;
@@ -23,4 +33,8 @@ void main() {
     precise vec4 place = vec4(vec2(right, up) * push.scale + w * push.shift, lens.zOffset + lens.zPerUnit * ahead, w);
     gl_Position = place;
     outRounding = inRounding;
+#ifdef MASKED
+    outUvAlpha = vec3(inUv, inColor.a);
+    outLeastAlpha = inLeastAlpha;
+#endif
 }

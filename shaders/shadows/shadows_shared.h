@@ -22,7 +22,8 @@ struct CasterRecord {
     vec4 right; // row of (axis * basis) in xyz, the origin's place on the axis in w
     vec4 up;
     vec4 ahead;
-    float rounding; // scene units: by how much a vertex may be off
+    float rounding;   // scene units: by how much a vertex may be off
+    float leastAlpha; // of vertex and texture, that a mask keeps; 0 where nothing is masked
 };
 
 // How a light's view becomes clip space, and depths in it become lengths.
@@ -68,7 +69,7 @@ struct SlicePush {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(CasterRecord) == 52);
+static_assert(sizeof(CasterRecord) == 56);
 static_assert(sizeof(CasterPush) == 36);
 static_assert(sizeof(ReceiverPush) == 128);
 static_assert(sizeof(SlicePush) == 20);

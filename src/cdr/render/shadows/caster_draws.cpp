@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace cdr::render {
@@ -53,8 +54,7 @@ CasterDraws::Found CasterDraws::find(const visibility::InstanceCells& cells, Lig
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
     order.reserve(found.casters.size());
     for (const std::uint32_t caster : found.casters) {
-        const Faces faces = facesOf(caster, view);
-        order.emplace_back(static_cast<std::uint64_t>(faces) << 32u | kindOf(caster).meshIndex, caster);
+        order.emplace_back(drawOf(caster, view), caster);
     }
     std::sort(order.begin(), order.end());
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -62,7 +62,8 @@ CasterDraws::Found CasterDraws::find(const visibility::InstanceCells& cells, Lig
         if (i == 0 || draw != order[i - 1].first) {
             found.batches.push_back({.casters = {i, i},
                                      .kind = m_scene.uploaded.sources()[caster].kind,
-                                     .faces = static_cast<Faces>(draw >> 32u)});
+                                     .faces = facesOf(caster, view),
+                                     .isMasked = isMasked(caster)});
         }
         found.batches.back().casters.end = i + 1;
         found.casters[i] = caster;
@@ -75,15 +76,39 @@ const DrawKind& CasterDraws::kindOf(std::uint32_t caster) const {
     return scene.kinds()[scene.sources()[caster].kind];
 }
 
+bool CasterDraws::isMasked(std::uint32_t caster) const {
+    return (kindOf(caster).variant & kMaskedVariant) != 0;
+}
+
+/// The same of casters that become one draw. Those with a mask are last.
+std::uint64_t CasterDraws::drawOf(std::uint32_t caster, const LightView& view) const {
+    constexpr unsigned kMaskedBit = 63;
+    if (isMasked(caster)) { // whose textures count
+        return std::uint64_t{1} << kMaskedBit | m_scene.uploaded.sources()[caster].kind;
+    }
+    return static_cast<std::uint64_t>(facesOf(caster, view)) << 32u | kindOf(caster).meshIndex;
+}
+
 CasterDraws::Faces CasterDraws::facesOf(std::uint32_t caster, const LightView& view) const {
     const DrawKind& kind = kindOf(caster);
     const glm::dvec3 place = m_scene.uploaded.sources()[caster].position - view.origin;
     const auto radius = static_cast<double>(m_scene.scene.instances.radius[caster]);
-    // Of one that the near plane cuts open, the light sees the inside.
-    if (!kind.mesh.isClosed || glm::dot(view.ahead, place) - radius < view.nearAhead) {
+    // Of one that the near plane or a mask cuts open, the light sees the inside.
+    if (!kind.mesh.isClosed || isMasked(caster) || glm::dot(view.ahead, place) - radius < view.nearAhead) {
         return Faces::all;
     }
     return kind.mirrored ? Faces::mirroredFront : Faces::front;
+}
+
+float CasterDraws::leastAlphaOf(std::uint32_t caster) const {
+    if (!isMasked(caster)) {
+        return 0.0f;
+    }
+    const scene::Material& material = m_scene.scene.materials[m_scene.uploaded.sources()[caster].material];
+    const float alpha = material.baseColorFactor.a;
+    // A factor of 0 leaves only what a cutoff of 0 keeps.
+    const float none = material.alphaCutoff > 0.0f ? std::numeric_limits<float>::infinity() : 0.0f;
+    return alpha > 0.0f ? material.alphaCutoff / alpha : none;
 }
 
 void CasterDraws::growRecords() {
@@ -110,26 +135,38 @@ void CasterDraws::writeRecords(const LightView& view, const Range& range) const 
         records[i] = {.right = glm::vec4(glm::vec3(view.right * basis), static_cast<float>(offset.x)),
                       .up = glm::vec4(glm::vec3(view.up * basis), static_cast<float>(offset.y)),
                       .ahead = glm::vec4(glm::vec3(view.ahead * basis), static_cast<float>(offset.z)),
-                      .rounding = static_cast<float>(rounding)};
+                      .rounding = static_cast<float>(rounding),
+                      .leastAlpha = leastAlphaOf(m_casters[i])};
     }
 }
 
-void CasterDraws::record(vk::CommandBuffer commands, std::size_t view) const {
+void CasterDraws::record(vk::CommandBuffer commands, std::size_t view,
+                         const CasterPipelines& pipelines) const {
     const GpuScene& scene = m_scene.uploaded;
     commands.bindVertexBuffers(0, {scene.vertices(), m_records.handle()}, {0, 0});
     commands.bindIndexBuffer(scene.indices(), 0, vk::IndexType::eUint32);
+    const Batch* last = nullptr;
     for (std::size_t i = m_views[view].begin; i < m_views[view].end; ++i) {
         const Batch& batch = m_batches[i];
-        if (i == m_views[view].begin || batch.faces != m_batches[i - 1].faces) {
+        const DrawKind& kind = scene.kinds()[batch.kind];
+        if (last == nullptr || batch.isMasked != last->isMasked) {
+            commands.bindPipeline(vk::PipelineBindPoint::eGraphics,
+                                  batch.isMasked ? pipelines.masked : pipelines.solid);
+        }
+        if (batch.isMasked) {
+            commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, pipelines.layout, 0,
+                                        kind.textureSet, {});
+        }
+        if (last == nullptr || batch.faces != last->faces) {
             commands.setCullMode(batch.faces == Faces::all ? vk::CullModeFlagBits::eNone
                                                            : vk::CullModeFlagBits::eBack);
             commands.setFrontFace(batch.faces == Faces::mirroredFront ? vk::FrontFace::eClockwise
                                                                       : vk::FrontFace::eCounterClockwise);
         }
-        const MeshRange& mesh = scene.kinds()[batch.kind].mesh;
         commands.drawIndexed(
-            mesh.indexCount, static_cast<std::uint32_t>(batch.casters.end - batch.casters.begin),
-            mesh.firstIndex, mesh.vertexOffset, static_cast<std::uint32_t>(batch.casters.begin));
+            kind.mesh.indexCount, static_cast<std::uint32_t>(batch.casters.end - batch.casters.begin),
+            kind.mesh.firstIndex, kind.mesh.vertexOffset, static_cast<std::uint32_t>(batch.casters.begin));
+        last = &batch;
     }
 }
 

@@ -11,8 +11,15 @@
 
 namespace cdr::render {
 
-/// What casts shadows in the views of one frame's lights: opaque instances, whole. Of a closed mesh only the faces towards the
-/// light are drawn, of others both sides. Owned by one frame slot.
+/// What casters are drawn with.
+struct CasterPipelines {
+    vk::Pipeline solid;
+    vk::Pipeline masked;       ///< of materials that a mask cuts holes into
+    vk::PipelineLayout layout; ///< of both; set 0 is DrawKind::textureSet
+};
+
+/// What casts shadows in the views of one frame's lights: opaque instances, and what masks keep of others. Of a closed mesh
+/// only the faces towards the light are drawn, of others both sides. Owned by one frame slot.
 class CasterDraws {
   public:
     /// What the scene refers to must outlive the draws.
@@ -23,8 +30,8 @@ class CasterDraws {
     void prepare(std::vector<LightView>& views, platform::WorkerPool& workers);
 
     std::size_t draws() const { return m_casters.size(); }
-    /// Draws those of a view. `commands` is inside a rendering scope, with pipeline and push constants set.
-    void record(vk::CommandBuffer commands, std::size_t view) const;
+    /// Draws those of a view. `commands` is inside a rendering scope, with push constants set.
+    void record(vk::CommandBuffer commands, std::size_t view, const CasterPipelines& pipelines) const;
 
     /// Binding of the records.
     static constexpr std::uint32_t kRecordBinding = 1;
@@ -40,8 +47,9 @@ class CasterDraws {
     /// Casters that become one draw.
     struct Batch {
         Range casters;
-        std::uint32_t kind = 0; ///< that of one of them, for the mesh
+        std::uint32_t kind = 0; ///< that of one of them, for the mesh, and for the textures if masked
         Faces faces = Faces::all;
+        bool isMasked = false;
     };
     /// What one view shows; ranges begin at 0.
     struct Found {
@@ -50,7 +58,10 @@ class CasterDraws {
     };
     Found find(const visibility::InstanceCells& cells, LightView& view) const;
     const DrawKind& kindOf(std::uint32_t caster) const;
+    bool isMasked(std::uint32_t caster) const;
     Faces facesOf(std::uint32_t caster, const LightView& view) const;
+    std::uint64_t drawOf(std::uint32_t caster, const LightView& view) const;
+    float leastAlphaOf(std::uint32_t caster) const;
     void growRecords();
     void writeRecords(const LightView& view, const Range& range) const;
 

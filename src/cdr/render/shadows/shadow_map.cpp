@@ -5,6 +5,8 @@
 #include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/caster_frag.h>
+#include <cdr/shaders/caster_masked_frag.h>
+#include <cdr/shaders/caster_masked_vert.h>
 #include <cdr/shaders/caster_vert.h>
 
 #include <algorithm>
@@ -31,15 +33,44 @@ gpu::ImageOptions slopeOptions(std::uint32_t side) {
             .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled};
 }
 
-std::vector<vk::VertexInputAttributeDescription> casterAttributes() {
+enum class CasterKind : std::uint8_t { solid, masked };
+
+std::vector<vk::VertexInputAttributeDescription> casterAttributes(CasterKind kind) {
     using shaders::CasterRecord;
     constexpr auto kRow = vk::Format::eR32G32B32A32Sfloat;
     constexpr std::uint32_t kRecord = CasterDraws::kRecordBinding;
-    return {vertexAttributes().front(),
-            {1, kRecord, kRow, offsetof(CasterRecord, right)},
-            {2, kRecord, kRow, offsetof(CasterRecord, up)},
-            {3, kRecord, kRow, offsetof(CasterRecord, ahead)},
-            {4, kRecord, vk::Format::eR32Sfloat, offsetof(CasterRecord, rounding)}};
+    const std::vector<vk::VertexInputAttributeDescription> vertex = vertexAttributes();
+    std::vector<vk::VertexInputAttributeDescription> attributes{
+        vertex[0],
+        {1, kRecord, kRow, offsetof(CasterRecord, right)},
+        {2, kRecord, kRow, offsetof(CasterRecord, up)},
+        {3, kRecord, kRow, offsetof(CasterRecord, ahead)},
+        {4, kRecord, vk::Format::eR32Sfloat, offsetof(CasterRecord, rounding)}};
+    if (kind == CasterKind::masked) {
+        attributes.insert(attributes.end(),
+                          {{5, vertex[2].binding, vertex[2].format, vertex[2].offset}, // place in the texture
+                           {6, vertex[3].binding, vertex[3].format, vertex[3].offset}, // colour
+                           {7, kRecord, vk::Format::eR32Sfloat, offsetof(CasterRecord, leastAlpha)}});
+    }
+    return attributes;
+}
+
+gpu::Pipeline makeCasterPipeline(const gpu::Device& device, const gpu::PipelineLayout& layout,
+                                 CasterKind kind) {
+    const bool isMasked = kind == CasterKind::masked;
+    return gpu::makeGraphicsPipeline(
+        device, {.name = isMasked ? "masked shadow casters" : "shadow casters",
+                 .vertexSpirv = isMasked ? gpu::Spirv(kCasterMaskedVert) : gpu::Spirv(kCasterVert),
+                 .fragmentSpirv = isMasked ? gpu::Spirv(kCasterMaskedFrag) : gpu::Spirv(kCasterFrag),
+                 .layout = layout,
+                 .bindings = {vertexBinding(),
+                              {.binding = CasterDraws::kRecordBinding,
+                               .stride = sizeof(shaders::CasterRecord),
+                               .inputRate = vk::VertexInputRate::eInstance}},
+                 .attributes = casterAttributes(kind),
+                 .colorFormats = {kSlopeFormat},
+                 .depthFormat = kDepthFormat,
+                 .depthCompare = vk::CompareOp::eGreaterOrEqual});
 }
 
 shaders::CasterPush pushOf(const LightView& view) {
@@ -89,25 +120,14 @@ void handToShaders(vk::CommandBuffer primary, const gpu::Image& depth, const gpu
 
 } // namespace
 
-ShadowMap::ShadowMap(const gpu::Device& device, std::uint32_t side)
+ShadowMap::ShadowMap(const gpu::Device& device, const gpu::SetLayout& textures, std::uint32_t side)
     : m_depth(device, depthOptions(side), "shadow map depth"),
       m_slope(device, slopeOptions(side), "shadow map slope"),
       m_layout(gpu::makePipelineLayout(
-          device, {{}, {{.stageFlags = kPushStages, .size = sizeof(shaders::CasterPush)}}},
+          device, {{textures}, {{.stageFlags = kPushStages, .size = sizeof(shaders::CasterPush)}}},
           "shadow caster layout")),
-      m_pipeline(
-          gpu::makeGraphicsPipeline(device, {.name = "shadow casters",
-                                             .vertexSpirv = kCasterVert,
-                                             .fragmentSpirv = kCasterFrag,
-                                             .layout = m_layout,
-                                             .bindings = {vertexBinding(),
-                                                          {.binding = CasterDraws::kRecordBinding,
-                                                           .stride = sizeof(shaders::CasterRecord),
-                                                           .inputRate = vk::VertexInputRate::eInstance}},
-                                             .attributes = casterAttributes(),
-                                             .colorFormats = {kSlopeFormat},
-                                             .depthFormat = kDepthFormat,
-                                             .depthCompare = vk::CompareOp::eGreaterOrEqual})) {}
+      m_solid(makeCasterPipeline(device, m_layout, CasterKind::solid)),
+      m_masked(makeCasterPipeline(device, m_layout, CasterKind::masked)) {}
 
 void ShadowMap::record(vk::CommandBuffer primary, std::span<const ShadowMapPart> parts,
                        const CasterDraws& draws) const {
@@ -131,7 +151,6 @@ void ShadowMap::draw(vk::CommandBuffer primary, std::span<const ShadowMapPart> p
                             .colorAttachmentCount = 1,
                             .pColorAttachments = &slope,
                             .pDepthAttachment = &depth});
-    primary.bindPipeline(vk::PipelineBindPoint::eGraphics, *m_pipeline);
     for (const ShadowMapPart& part : parts) {
         const vk::Extent2D size = part.view.size;
         primary.setViewport(0, vk::Viewport{static_cast<float>(part.corner.x),
@@ -139,7 +158,7 @@ void ShadowMap::draw(vk::CommandBuffer primary, std::span<const ShadowMapPart> p
                                             static_cast<float>(size.height), 0.0f, 1.0f});
         primary.setScissor(0, vk::Rect2D{part.corner, size});
         primary.pushConstants<shaders::CasterPush>(*m_layout, kPushStages, 0, pushOf(part.view));
-        draws.record(primary, part.index);
+        draws.record(primary, part.index, {.solid = *m_solid, .masked = *m_masked, .layout = *m_layout});
     }
     primary.endRendering();
 }

@@ -21,8 +21,8 @@ struct ShadowMapPart {
 /// What lights see of some views: the depth of the nearest surfaces, and how they slope. One map serves all views in turn.
 class ShadowMap {
   public:
-    /// @param side texels of the map's sides.
-    ShadowMap(const gpu::Device& device, std::uint32_t side);
+    /// @param textures GpuScene::textureLayout() of the casters. @param side texels of the map's sides.
+    ShadowMap(const gpu::Device& device, const gpu::SetLayout& textures, std::uint32_t side);
 
     /// Draws views, if any, waiting for whoever read the map before. Leaves both images in the shader read layout.
     void record(vk::CommandBuffer primary, std::span<const ShadowMapPart> parts,
@@ -41,7 +41,8 @@ class ShadowMap {
     gpu::Image m_depth;
     gpu::Image m_slope;
     gpu::PipelineLayout m_layout;
-    gpu::Pipeline m_pipeline;
+    gpu::Pipeline m_solid;
+    gpu::Pipeline m_masked;
 };
 
 } // namespace cdr::render

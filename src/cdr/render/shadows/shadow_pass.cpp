@@ -65,7 +65,7 @@ ShadowPass::ShadowPass(const gpu::Device& device, const DrawnScene& scene, const
       m_scene(scene),
       m_gbuffer(gbuffer),
       m_options(options),
-      m_map(device, options.maxTexels),
+      m_map(device, scene.uploaded.textureLayout(), options.maxTexels),
       m_mask(device, maskOptions(gbuffer.options().extent), "shadow mask"),
       m_receivers(ByCascades<FullscreenPass>::make(
           depth::isAnchored(mapping),

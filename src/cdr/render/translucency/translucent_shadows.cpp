@@ -39,7 +39,7 @@ TranslucentShadows::TranslucentShadows(const gpu::Device& device, const DrawnSce
       m_scene(scene),
       m_options(options),
       m_casters(device, scene),
-      m_map(device, kMinShadowTexels) {
+      m_map(device, scene.uploaded.textureLayout(), kMinShadowTexels) {
     growReceivers();
 }
 
@@ -123,7 +123,7 @@ void TranslucentShadows::placeMaps() {
     if (side > m_map.side()) {
         gpu::requireDeviceBytes(m_device, ShadowMap::predictBytes(m_device, side),
                                 "shadow maps of translucent surfaces");
-        m_map = ShadowMap(m_device, side);
+        m_map = ShadowMap(m_device, m_scene.uploaded.textureLayout(), side);
     }
 }
 
