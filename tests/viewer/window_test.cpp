@@ -301,8 +301,8 @@ TEST_F(ViewerTest, SaysWhatIsWrongInOneLine) {
         expectError("--frames 1 " + option + " afc", 2, option.substr(0, option.find(' ')));
     }
     // What the panels leave unused, a command line may not ask for.
-    expectError("--frames 1 --shadows anchored --detail object alley", 2,
-                "levels of detail do without shadows");
+    expectError("--frames 1 --shadows anchored --detail cluster alley", 2,
+                "levels of detail by cascade or cluster do without shadows");
     expectError("--frames 1 --focus 10:0.3 alley", 2, "a lens with a focus needs targets layers, not single");
     expectError("--frames 1 --focus 10:0.3 --targets layers --shadows plain alley", 2,
                 "a lens with a focus does without shadows");

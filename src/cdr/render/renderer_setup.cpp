@@ -73,8 +73,8 @@ void requireShadows(const RenderOptions& options) {
     if (options.focus.isOn()) {
         throw base::InputError("a lens with a focus does without shadows");
     }
-    if (options.detail.mode != visibility::DetailMode::none) { // a surface would shade what stands in for it
-        throw base::InputError("levels of detail do without shadows");
+    if (!castsShadows(options.detail.mode)) {
+        throw base::InputError("levels of detail by cascade or cluster do without shadows");
     }
     if (options.part != CascadePart{}) { // what another part draws casts shadows too
         throw base::InputError("cascades that are drawn apart do without shadows");

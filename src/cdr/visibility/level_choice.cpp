@@ -29,7 +29,9 @@ double distanceOf(const scene::Instances& instances, std::uint32_t instance, con
 /// The coarsest level that may be used at a view distance. An error's share of the mesh's bounding radius is
 /// the share that its world-space size has of the instance's radius. Products instead of that quotient are
 /// the same on the device.
-std::uint8_t levelAt(const scene::Mesh& mesh, double radius, double distanceView, double slope) {
+std::uint8_t levelAt(const scene::Scene& scene, std::uint32_t instance, double distanceView, double slope) {
+    const scene::Mesh& mesh = scene.meshes[scene.instances.mesh[instance]];
+    const auto radius = static_cast<double>(scene.instances.radius[instance]);
     const double limit = slope * distanceView * static_cast<double>(mesh.boundingRadius);
     for (std::size_t level = mesh.levels.size(); level > 0; --level) {
         if (static_cast<double>(mesh.levels[level - 1].error) * radius <= limit) {
@@ -83,6 +85,17 @@ LevelRule levelRule(const Detail& detail, const scene::Frustum& frustum, std::ui
     return {.mode = detail.mode, .slope = detail.pixels * 2.0 * frustum.tanY / height};
 }
 
+std::uint8_t levelOf(const scene::Scene& scene, std::uint32_t instance, const scene::Camera& camera,
+                     const LevelRule& rule) {
+    if (rule.mode == DetailMode::none) {
+        return 0;
+    }
+    const auto radius = static_cast<double>(scene.instances.radius[instance]);
+    const double nearestView =
+        std::max(distanceOf(scene.instances, instance, camera) - radius, camera.nearView);
+    return levelAt(scene, instance, nearestView, rule.slope);
+}
+
 void chooseLevels(const scene::Scene& scene, const scene::Camera& camera, const depth::Cascades& clipRanges,
                   const LevelRule& rule, platform::WorkerPool& workers, DrawLists& lists) {
     lists.runs.clear();
@@ -90,7 +103,6 @@ void chooseLevels(const scene::Scene& scene, const scene::Camera& camera, const 
         lists.level.clear();
         return;
     }
-    const scene::Instances& instances = scene.instances;
     lists.level.resize(std::max(lists.level.size(), lists.draws()));
     for (std::size_t cascade = 0; cascade < lists.cascades(); ++cascade) {
         const platform::IndexRange all = lists.range(cascade);
@@ -99,13 +111,9 @@ void chooseLevels(const scene::Scene& scene, const scene::Camera& camera, const 
             const platform::IndexRange range = platform::evenRange(all.size(), job, jobs);
             for (std::size_t draw = all.begin + range.begin; draw < all.begin + range.end; ++draw) {
                 const std::uint32_t instance = lists.instance[draw];
-                const scene::Mesh& mesh = scene.meshes[instances.mesh[instance]];
-                const auto radius = static_cast<double>(instances.radius[instance]);
-                const double distanceView =
-                    rule.mode == DetailMode::perCascade
-                        ? clipRanges[cascade].nearView
-                        : std::max(distanceOf(instances, instance, camera) - radius, camera.nearView);
-                lists.level[draw] = levelAt(mesh, radius, distanceView, rule.slope);
+                lists.level[draw] = rule.mode == DetailMode::perCascade
+                                        ? levelAt(scene, instance, clipRanges[cascade].nearView, rule.slope)
+                                        : levelOf(scene, instance, camera, rule);
             }
         });
     }

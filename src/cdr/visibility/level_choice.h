@@ -64,10 +64,15 @@ struct LevelRule {
 /// @param height of the picture in pixels.
 CDR_EXPORT LevelRule levelRule(const Detail& detail, const scene::Frustum& frustum, std::uint32_t height);
 
+/// The coarsest level of an instance's mesh whose error, in world space, is at most `rule.slope` times the view distance of the
+/// nearest point of its bounding sphere, w - r, but no nearer than the near plane. 0, the mesh itself, if no level's is, and
+/// where all is drawn in full. Wherever the instance is, seen or not.
+CDR_EXPORT std::uint8_t levelOf(const scene::Scene& scene, std::uint32_t instance,
+                                const scene::Camera& camera, const LevelRule& rule);
+
 /// Fills DrawLists::level. Of each draw it is the coarsest level whose error, in world space, is at most
-/// `rule.slope` times a view distance. If no level's is, it is the mesh itself. With perObject and perCluster that
-/// distance is the nearest of the instance's bounding sphere, w - r, but no nearer than the near plane. With perCascade
-/// it is the near end of the draw's cascade. Errors grow with an instance as its bounding sphere does. The levels are
+/// `rule.slope` times a view distance. If no level's is, it is the mesh itself. With perObject and perCluster it is
+/// levelOf() the instance. With perCascade the distance is the near end of the draw's cascade. Errors grow with an instance as its bounding sphere does. The levels are
 /// the same for any number of workers.
 /// @param lists of binByDistance() over the same camera and ranges.
 CDR_EXPORT void chooseLevels(const scene::Scene& scene, const scene::Camera& camera,

@@ -13,7 +13,7 @@ void apply(const Finish& finish, render::RenderOptions& options) {
     if (options.targets.kind == render::TargetsKind::layers) {
         options.focus = finish.focus;
     }
-    if (!options.focus.isOn() && finish.detail.mode == visibility::DetailMode::none) {
+    if (!options.focus.isOn() && render::castsShadows(finish.detail.mode)) {
         options.shadows = finish.shadows;
     }
 }

@@ -19,7 +19,7 @@ struct Finish {
 
 /// Puts it into the options of a renderer. Occlusion per cascade is for layered targets, so with
 /// others it is worked out over the whole picture. A focus is for `layers` alone, so with others there is
-/// none. There are no shadows with a focus or levels of detail.
+/// none. There are no shadows with a focus, nor where levels of detail cast none.
 void apply(const Finish& finish, render::RenderOptions& options);
 
 std::string_view explain(visibility::DetailMode detail);

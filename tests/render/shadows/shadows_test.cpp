@@ -340,9 +340,12 @@ TEST_F(ShadowsTest, WhatCannotBeIsRefused) {
     EXPECT_NE(refusalOf(boxScene(), options).find("focus"), std::string::npos)
         << refusalOf(boxScene(), options);
     options = shadowOptions("anchored");
-    options.detail.mode = visibility::DetailMode::perObject;
-    EXPECT_NE(refusalOf(boxScene(), options).find("detail"), std::string::npos)
-        << refusalOf(boxScene(), options);
+    for (const visibility::DetailMode mode : visibility::kDetailModes) {
+        options.detail.mode = mode;
+        EXPECT_EQ(refusalOf(boxScene(), options).find("detail") == std::string::npos,
+                  render::castsShadows(mode))
+            << refusalOf(boxScene(), options);
+    }
     options = shadowOptions("anchored");
     options.shadows.maxTexels = 63;
     EXPECT_NE(refusalOf(boxScene(), options).find("64 to 4096 texels, not 63"), std::string::npos)

@@ -176,7 +176,9 @@ void addEffects(std::mt19937_64& random, render::RenderOptions& options) {
     options.effects.occlusion.radius = isDrawn(2) ? 2.0 : 0.0;
     options.effects.occlusion.perLayer = render::hasLayers(options.targets.kind) && isDrawn(2);
     if (isDrawn(2)) {
-        options.detail = {};
+        if (!render::castsShadows(options.detail.mode)) {
+            options.detail.mode = visibility::DetailMode::perObject;
+        }
         options.shadows = {.method = render::ShadowMethod::anchored, .maxTexels = 64};
     }
 }

@@ -50,7 +50,7 @@ struct MaskedInstance {
 /// The nearest that a mask keeps within `range` of the ray's parameters.
 /// @param masked of `scene`. @param textures of `scene`.
 MaskedHit nearestKept(const scene::Scene& scene, const TruthTextures& textures, const MaskedInstance& masked,
-                      const WideRay& ray, const ViewRange& range);
+                      const WideRay& wide, const ViewRange& range);
 /// The same along a pixel's ray.
 /// @param visible of `scene`, with a material whose alpha mode is `mask`. @param textures of `scene`.
 MaskedHit nearestKept(const scene::Scene& scene, const TruthTextures& textures,

@@ -1,6 +1,7 @@
 #include <cdr/render/draw_source.h>
 #include <cdr/render/shadows/caster_draws.h>
 #include <cdr/render/shadows/cull_casters.h>
+#include <cdr/visibility/level_choice.h>
 
 #include <fmt/format.h>
 
@@ -22,10 +23,12 @@ CasterDraws::CasterDraws(const gpu::Device& device, const DrawnScene& scene)
     : m_device(device),
       m_scene(scene) {}
 
-void CasterDraws::prepare(std::vector<LightView>& views, platform::WorkerPool& workers) {
+void CasterDraws::prepare(const FrameView& frame, std::vector<LightView>& views,
+                          platform::WorkerPool& workers) {
     const visibility::InstanceCells& cells = m_scene.uploaded.cells(workers);
     std::vector<Found> found(views.size());
-    workers.run(views.size(), [&](std::size_t view, std::size_t) { found[view] = find(cells, views[view]); });
+    workers.run(views.size(),
+                [&](std::size_t view, std::size_t) { found[view] = find(cells, frame, views[view]); });
     m_casters.clear();
     m_batches.clear();
     m_views.clear();
@@ -47,23 +50,22 @@ void CasterDraws::prepare(std::vector<LightView>& views, platform::WorkerPool& w
     m_records.flush();
 }
 
-CasterDraws::Found CasterDraws::find(const visibility::InstanceCells& cells, LightView& view) const {
+CasterDraws::Found CasterDraws::find(const visibility::InstanceCells& cells, const FrameView& frame,
+                                     LightView& view) const {
     Found found;
     view.nearAhead = cullCasters(cells, view, found.casters);
     // What becomes one draw lies together, in the scene's order.
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
     order.reserve(found.casters.size());
     for (const std::uint32_t caster : found.casters) {
-        order.emplace_back(drawOf(caster, view), caster);
+        order.emplace_back(drawOf(batchOf(caster, frame, view)), caster);
     }
     std::sort(order.begin(), order.end());
     for (std::size_t i = 0; i < order.size(); ++i) {
         const auto& [draw, caster] = order[i];
         if (i == 0 || draw != order[i - 1].first) {
-            found.batches.push_back({.casters = {i, i},
-                                     .kind = m_scene.uploaded.sources()[caster].kind,
-                                     .faces = facesOf(caster, view),
-                                     .isMasked = isMasked(caster)});
+            found.batches.push_back(batchOf(caster, frame, view));
+            found.batches.back().casters.begin = i;
         }
         found.batches.back().casters.end = i + 1;
         found.casters[i] = caster;
@@ -80,24 +82,31 @@ bool CasterDraws::isMasked(std::uint32_t caster) const {
     return (kindOf(caster).variant & kMaskedVariant) != 0;
 }
 
-/// The same of casters that become one draw. Those with a mask are last.
-std::uint64_t CasterDraws::drawOf(std::uint32_t caster, const LightView& view) const {
-    constexpr unsigned kMaskedBit = 63;
-    if (isMasked(caster)) { // whose textures count
-        return std::uint64_t{1} << kMaskedBit | m_scene.uploaded.sources()[caster].kind;
-    }
-    return static_cast<std::uint64_t>(facesOf(caster, view)) << 32u | kindOf(caster).meshIndex;
-}
-
-CasterDraws::Faces CasterDraws::facesOf(std::uint32_t caster, const LightView& view) const {
+/// What a caster is drawn with, without others that become the same draw.
+CasterDraws::Batch CasterDraws::batchOf(std::uint32_t caster, const FrameView& frame,
+                                        const LightView& view) const {
     const DrawKind& kind = kindOf(caster);
+    Batch batch{.kind = m_scene.uploaded.sources()[caster].kind,
+                .level = visibility::levelOf(m_scene.scene, caster, frame.camera, frame.levels),
+                .isMasked = isMasked(caster)};
     const glm::dvec3 place = m_scene.uploaded.sources()[caster].position - view.origin;
     const auto radius = static_cast<double>(m_scene.scene.instances.radius[caster]);
-    // Of one that the near plane or a mask cuts open, the light sees the inside.
-    if (!kind.mesh.isClosed || isMasked(caster) || glm::dot(view.ahead, place) - radius < view.nearAhead) {
-        return Faces::all;
+    // Of one that the near plane or a mask cuts open, the light sees the inside. Coarser levels may have gaps.
+    if (kind.mesh.isClosed && !batch.isMasked && batch.level == 0 &&
+        glm::dot(view.ahead, place) - radius >= view.nearAhead) {
+        batch.faces = kind.mirrored ? Faces::mirroredFront : Faces::front;
     }
-    return kind.mirrored ? Faces::mirroredFront : Faces::front;
+    return batch;
+}
+
+/// The same of casters that become one draw. Those with a mask are last.
+std::uint64_t CasterDraws::drawOf(const Batch& batch) const {
+    const std::uint32_t look =
+        batch.isMasked ? batch.kind : m_scene.uploaded.kinds()[batch.kind].meshIndex; // its textures count
+    std::uint64_t draw = batch.isMasked ? 1 : 0;
+    draw = draw << 8u | static_cast<std::uint64_t>(batch.faces);
+    draw = draw << 8u | batch.level;
+    return draw << 32u | look;
 }
 
 float CasterDraws::leastAlphaOf(std::uint32_t caster) const {
@@ -163,9 +172,10 @@ void CasterDraws::record(vk::CommandBuffer commands, std::size_t view,
             commands.setFrontFace(batch.faces == Faces::mirroredFront ? vk::FrontFace::eClockwise
                                                                       : vk::FrontFace::eCounterClockwise);
         }
+        const LevelRange indices = scene.indicesOf(kind.mesh, batch.level);
         commands.drawIndexed(
-            kind.mesh.indexCount, static_cast<std::uint32_t>(batch.casters.end - batch.casters.begin),
-            kind.mesh.firstIndex, kind.mesh.vertexOffset, static_cast<std::uint32_t>(batch.casters.begin));
+            indices.indexCount, static_cast<std::uint32_t>(batch.casters.end - batch.casters.begin),
+            indices.firstIndex, kind.mesh.vertexOffset, static_cast<std::uint32_t>(batch.casters.begin));
         last = &batch;
     }
 }

@@ -4,6 +4,7 @@
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/platform/worker_pool.h>
 #include <cdr/render/drawn_scene.h>
+#include <cdr/render/frame_view.h>
 #include <cdr/render/shadows/light_view.h>
 
 #include <cstdint>
@@ -18,16 +19,17 @@ struct CasterPipelines {
     vk::PipelineLayout layout; ///< of both; set 0 is DrawKind::textureSet
 };
 
-/// What casts shadows in the views of one frame's lights: opaque instances, and what masks keep of others. Of a closed mesh
-/// only the faces towards the light are drawn, of others both sides. Owned by one frame slot.
+/// What casts shadows in the views of one frame's lights: opaque instances, and what masks keep of others, at the level of
+/// detail that the camera sees. Of a closed mesh only the faces towards the light are drawn, of others both sides. Owned by
+/// one frame slot.
 class CasterDraws {
   public:
     /// What the scene refers to must outlive the draws.
     CasterDraws(const gpu::Device& device, const DrawnScene& scene);
 
-    /// Finds the casters of each view, gives each LightView::nearAhead, and writes what they are drawn from. The last frame
+    /// Finds the casters of each view of a frame's lights, gives each LightView::nearAhead, and writes what they are drawn from. The last frame
     /// that drew them must have finished. base::RunError, with both figures, when that needs more memory than there is.
-    void prepare(std::vector<LightView>& views, platform::WorkerPool& workers);
+    void prepare(const FrameView& frame, std::vector<LightView>& views, platform::WorkerPool& workers);
 
     std::size_t draws() const { return m_casters.size(); }
     /// Draws those of a view. `commands` is inside a rendering scope, with push constants set.
@@ -46,8 +48,9 @@ class CasterDraws {
     };
     /// Casters that become one draw.
     struct Batch {
-        Range casters;
+        Range casters{};
         std::uint32_t kind = 0; ///< that of one of them, for the mesh, and for the textures if masked
+        std::uint8_t level = 0; ///< of detail
         Faces faces = Faces::all;
         bool isMasked = false;
     };
@@ -56,11 +59,11 @@ class CasterDraws {
         std::vector<std::uint32_t> casters;
         std::vector<Batch> batches;
     };
-    Found find(const visibility::InstanceCells& cells, LightView& view) const;
+    Found find(const visibility::InstanceCells& cells, const FrameView& frame, LightView& view) const;
     const DrawKind& kindOf(std::uint32_t caster) const;
     bool isMasked(std::uint32_t caster) const;
-    Faces facesOf(std::uint32_t caster, const LightView& view) const;
-    std::uint64_t drawOf(std::uint32_t caster, const LightView& view) const;
+    Batch batchOf(std::uint32_t caster, const FrameView& frame, const LightView& view) const;
+    std::uint64_t drawOf(const Batch& batch) const;
     float leastAlphaOf(std::uint32_t caster) const;
     void growRecords();
     void writeRecords(const LightView& view, const Range& range) const;

@@ -103,7 +103,7 @@ void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::Vi
             }
         }
     }
-    slot.casters.prepare(slot.views, workers); // finds where views begin
+    slot.casters.prepare(view, slot.views, workers); // finds where views begin
     for (std::size_t i = 0; i < slot.views.size(); ++i) {
         Receivers& receivers = slot.receivers[i];
         receivers.push =

@@ -5,6 +5,7 @@
 /// @lifetime Names live as long as the program.
 
 #include <cdr/base/export.h>
+#include <cdr/visibility/level_choice.h>
 
 #include <array>
 #include <cstddef>
@@ -32,7 +33,7 @@ CDR_EXPORT std::string_view nameOf(ShadowMethod method);
 /// @throws base::InputError with a suggestion for an unknown name.
 CDR_EXPORT ShadowMethod parseShadowMethod(std::string_view name);
 
-/// Shadows of opaque surfaces, without levels of detail, on opaque and on translucent surfaces.
+/// Shadows of opaque surfaces, on opaque and on translucent surfaces.
 struct Shadows {
     ShadowMethod method = ShadowMethod::none; ///< how they are cast
     std::uint32_t maxTexels = 2048;           ///< of a side of a map, kMinShadowTexels to kMaxShadowTexels
@@ -45,6 +46,12 @@ struct Shadows {
 /// Least and most texels of a side of a map. Each device has images of the most.
 inline constexpr std::uint32_t kMinShadowTexels = 64;
 inline constexpr std::uint32_t kMaxShadowTexels = 4096; ///< as above
+
+/// Whether shadows go with levels of detail that are chosen so. A caster has one level for all lights and slices, and a surface
+/// would shade whatever else stands in for it.
+constexpr bool castsShadows(visibility::DetailMode mode) {
+    return mode == visibility::DetailMode::none || mode == visibility::DetailMode::perObject;
+}
 
 /// How many lights cast shadows, the first of a scene.
 inline constexpr std::size_t kMaxShadowLights = 4;

@@ -91,7 +91,7 @@ void TranslucentShadows::prepare(const FrameView& view, const visibility::Visibl
         drawn.mapCount = static_cast<std::uint32_t>(m_views.size()) - drawn.firstMap;
     }
     m_slices.back().farView = std::numeric_limits<float>::infinity();
-    m_casters.prepare(m_views, workers);
+    m_casters.prepare(view, m_views, workers);
     placeMaps();
     growReceivers();
     const auto receivers = m_receivers.as<shaders::ReceiverPush>(m_views.size());
