@@ -1,9 +1,12 @@
 #include "../../support/deformers.h"
 #include "../fixture.h"
+#include "../steps.h"
 
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/memory.h>
 #include <cdr/render/materials/packed_vertex.h>
+
+#include <fmt/format.h>
 
 #include <cstdlib>
 #include <numeric>
@@ -66,6 +69,22 @@ int stepsApart(std::uint32_t a, std::uint32_t b) {
     return std::max(std::abs(half(a, 0u) - half(b, 0u)), std::abs(half(a, 16u) - half(b, 16u)));
 }
 
+/// The same picture but for normals, of which Vulkan lets a step of 16 bits differ at a vertex.
+void expectAlike(const render::Frame& frame, const render::Frame& wanted, const std::string& what) {
+    ASSERT_EQ(frame.gbuffer.pixels.size(), wanted.gbuffer.pixels.size());
+    std::size_t others = 0;
+    int most = 0;
+    for (std::size_t i = 0; i < frame.gbuffer.pixels.size(); ++i) {
+        auto [albedo, normal, ahead, id] = frame.gbuffer.pixels[i];
+        const auto& [wantedAlbedo, wantedNormal, wantedAhead, wantedId] = wanted.gbuffer.pixels[i];
+        others += albedo != wantedAlbedo || ahead != wantedAhead || id != wantedId;
+        most = std::max(most, stepsApart(normal, wantedNormal));
+    }
+    EXPECT_EQ(others, 0u) << what;
+    EXPECT_LE(most, 2) << what << ": a step of a vertex, and one of rounding";
+    EXPECT_LE(largestStep(frame.color, wanted.color), 1) << what;
+}
+
 /// Positions to the bit, normals to a step of 16 bits, for each kind of deformer.
 TEST_F(DeviceVerticesTest, AreThoseOfTheCpu) {
     for (const test::DeformerKind& kind : test::deformerKinds()) {
@@ -126,11 +145,11 @@ TEST_F(DeviceVerticesTest, GiveThePicturesOfTheCpu) {
                                      scene::boundingRadiusOf(pose));
                 byDevice.forgetFrames();
                 byCpu.forgetFrames();
-                const std::string picture = hashOf(byDevice.render(camera));
-                EXPECT_EQ(picture, hashOf(byCpu.render(camera)))
-                    << kind.name << ", pose " << seed << ", submission " << nameOf(submission);
+                const render::Frame picture = byDevice.render(camera);
+                expectAlike(picture, byCpu.render(camera),
+                            fmt::format("{}, pose {}, submission {}", kind.name, seed, nameOf(submission)));
                 EXPECT_EQ(posed.scene().instances.radius, uploaded.scene().instances.radius);
-                pictures.insert(picture);
+                pictures.insert(hashOf(picture));
             }
             EXPECT_EQ(pictures.size(), 4u) << kind.name;
         }
@@ -153,7 +172,7 @@ TEST_F(DeviceVerticesTest, OutlastEditsOfOtherMeshes) {
     render::Renderer byCpu(device(), fromCpu, options);
     posed.setPose(posed.mesh(1), pose);
     uploaded.setVertices(uploaded.mesh(1), test::deformedByCpu(pose), scene::boundingRadiusOf(pose));
-    EXPECT_EQ(hashOf(byDevice.render(camera)), hashOf(byCpu.render(camera)));
+    expectAlike(byDevice.render(camera), byCpu.render(camera), "at first");
     for (int step = 0; step < 3; ++step) {
         for (scene::World* world : {&posed, &uploaded}) {
             const scene::MeshHandle mesh =
@@ -163,11 +182,11 @@ TEST_F(DeviceVerticesTest, OutlastEditsOfOtherMeshes) {
                                 .object = 20,
                                 .transform = {.position = {-2.0 + step, 1.0, -6.0}}});
         }
-        EXPECT_EQ(hashOf(byDevice.render(camera)), hashOf(byCpu.render(camera))) << step;
+        expectAlike(byDevice.render(camera), byCpu.render(camera), fmt::format("step {}", step));
     }
     render::GpuScene another(device(), posed);
     render::Renderer later(device(), another, options);
-    EXPECT_EQ(hashOf(later.render(camera)), hashOf(byCpu.render(camera)));
+    expectAlike(later.render(camera), byCpu.render(camera), "uploaded again");
     EXPECT_EQ(messageCount(), 0u);
 }
 

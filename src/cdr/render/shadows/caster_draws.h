@@ -27,8 +27,8 @@ class CasterDraws {
     /// What the scene refers to must outlive the draws.
     CasterDraws(const gpu::Device& device, const DrawnScene& scene);
 
-    /// Finds the casters of each view of a frame's lights, gives each LightView::nearAhead, and writes what they are drawn from. The last frame
-    /// that drew them must have finished. base::RunError, with both figures, when that needs more memory than there is.
+    /// Finds the casters of each view of a frame's lights, gives each LightView::nearAhead, and writes what they are drawn
+    /// from. The last frame that drew them must have finished. base::RunError, with both figures, when that needs more memory than there is.
     void prepare(const FrameView& frame, std::vector<LightView>& views, platform::WorkerPool& workers);
 
     std::size_t draws() const { return m_casters.size(); }
