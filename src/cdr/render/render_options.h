@@ -69,8 +69,8 @@ struct RenderOptions {
     /// same. Unless gpu-driven, it waits for the device within each frame, and cannot be recorded into a host's commands.
     /// Not with a focus. Scenes with layers are drawn whole.
     bool occlusionCulling = false;
-    Shadows
-        shadows{}; ///< none by default; not with a focus, castsShadows() of the levels of detail alone, nor with a part of the cascades
+    /// None by default. Not with a focus or a part of the cascades, and only with levels of detail for which castsShadows().
+    Shadows shadows{};
     std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight
     /// Works out motion: how far each pixel's surface is from where it was in the last frame (Surfaces::motion,
     /// HostFrame::motion, Frame::motion). Each object must move as one. Not with a focus.

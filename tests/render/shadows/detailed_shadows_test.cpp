@@ -2,7 +2,6 @@
 
 #include <cdr/scene/lod/levels.h>
 #include <scenes/boulders.h>
-#include <scenes/sheets.h>
 
 #include <map>
 #include <set>

@@ -5,8 +5,6 @@
 #include <cdr/scene/world/world.h>
 #include <scenes/sheets.h>
 
-#include <utility>
-
 namespace cdr::render_test {
 
 namespace {

@@ -75,7 +75,7 @@ void expectAlike(const render::Frame& frame, const render::Frame& wanted, const 
     std::size_t others = 0;
     int most = 0;
     for (std::size_t i = 0; i < frame.gbuffer.pixels.size(); ++i) {
-        auto [albedo, normal, ahead, id] = frame.gbuffer.pixels[i];
+        const auto& [albedo, normal, ahead, id] = frame.gbuffer.pixels[i];
         const auto& [wantedAlbedo, wantedNormal, wantedAhead, wantedId] = wanted.gbuffer.pixels[i];
         others += albedo != wantedAlbedo || ahead != wantedAhead || id != wantedId;
         most = std::max(most, stepsApart(normal, wantedNormal));
