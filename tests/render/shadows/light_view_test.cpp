@@ -85,6 +85,30 @@ class LightViewTest : public testing::Test {
                distanceView < slice.farView;
     }
 
+    /// Centres of instances, relative to the camera.
+    std::vector<glm::dvec3> seenIn(const ReceiverSlice& slice) const {
+        std::vector<glm::dvec3> seen;
+        for (std::size_t i = 0; i < m_scene.instances.size(); ++i) {
+            const glm::dvec3 centre = m_scene.instances.position(i) - m_camera.position;
+            if (isSeen(centre, slice)) {
+                seen.push_back(centre);
+            }
+        }
+        return seen;
+    }
+    /// Whether a small instance casts a shadow there.
+    bool isCaster(const LightView& view, const ReceiverSlice& slice, const glm::dvec3& fromOrigin) {
+        scene::Scene scene = m_scene;
+        const auto instance = static_cast<std::uint32_t>(scene.instances.size());
+        scene::addInstance(scene, 0, 0, instance, view.origin + fromOrigin, glm::mat3(0.01f));
+        visibility::InstanceCells cells;
+        cells.build(scene, m_workers);
+        std::vector<std::uint32_t> casters;
+        const render::ReceiverCells receivers(view, slice, m_camera.position);
+        render::cullCasters(cells, view, receivers, casters);
+        return std::count(casters.begin(), casters.end(), instance) == 1;
+    }
+
     scene::Camera m_camera;
     scene::Scene m_scene;
     platform::WorkerPool m_workers{2};
@@ -118,20 +142,17 @@ TEST_F(LightViewTest, EachReceiverIsInAMapWhereverTheLightIs) {
             std::vector<LightView> views = viewsOf(light, slice);
             for (LightView& view : views) {
                 std::vector<std::uint32_t> casters;
-                view.nearAhead = render::cullCasters(m_cells, view, casters);
+                view.nearAhead = render::cullCasters(
+                    m_cells, view, render::ReceiverCells(view, slice, m_camera.position), casters);
                 EXPECT_LE(view.size.width, kTexels);
                 EXPECT_LE(view.size.height, kTexels);
                 EXPECT_LT(view.nearAhead, view.farAhead);
                 sides += !view.isDistant();
             }
-            for (std::size_t i = 0; i < m_scene.instances.size(); ++i) {
-                const glm::dvec3 centre = m_scene.instances.position(i) - m_camera.position;
-                if (!isSeen(centre, slice)) {
-                    continue;
-                }
+            for (const glm::dvec3& centre : seenIn(slice)) {
                 const auto view = std::find_if(views.begin(), views.end(),
                                                [&](const LightView& some) { return shows(some, centre); });
-                ASSERT_NE(view, views.end()) << i;
+                ASSERT_NE(view, views.end());
                 const double z = inMap(*view, centre).z;
                 EXPECT_GE(z, 0.0);
                 EXPECT_LE(z, 1.0);
@@ -246,41 +267,74 @@ TEST_F(LightViewTest, MapsAreDividedOnlyWhereThatSuffices) {
 TEST_F(LightViewTest, CastersAreAllThatMayStandBetween) {
     addCrowd(100);
     const std::vector<ReceiverSlice> made = slices();
+    std::size_t tried = 0;
     for (const glm::dvec3& light :
          {glm::dvec3(1e5, 2e5, -1e5), glm::dvec3(60.0, 80.0, -30.0), glm::dvec3(2.0, 1.0, -20.0)}) {
         for (const ReceiverSlice& slice : made) {
             for (const LightView& view : viewsOf(light, slice)) {
-                std::uniform_real_distribution<double> share(0.0, 1.0);
-                const glm::dvec2 extent = view.texel * glm::dvec2(view.size.width, view.size.height);
-                const double nearest = view.isDistant() ? -0.99 / view.wPerUnit : 0.01 * view.farAhead;
-                for (int i = 0; i < 50; ++i) {
-                    const glm::dvec2 place = view.low + extent * glm::dvec2(share(m_random), share(m_random));
-                    const double ahead = glm::mix(nearest, view.farAhead, share(m_random));
-                    const glm::dvec3 between = view.right * (place.x * view.w(ahead)) +
-                                               view.up * (place.y * view.w(ahead)) + view.ahead * ahead;
-                    const double sideways = 10.0 * extent.x * view.w(ahead) + 1.0;
-                    scene::Scene scene = m_scene;
-                    const auto first = static_cast<std::uint32_t>(scene.instances.size());
-                    scene::addInstance(scene, 0, 0, first, view.origin + between, glm::mat3(0.01f));
-                    scene::addInstance(scene, 0, 0, first + 1, view.origin + between + sideways * view.right,
-                                       glm::mat3(0.01f));
-                    scene::addInstance(scene, 0, 0, first + 2,
-                                       view.origin + between + (view.farAhead + 1.0 - ahead) * view.ahead,
-                                       glm::mat3(0.01f));
-                    visibility::InstanceCells cells;
-                    cells.build(scene, m_workers);
-                    std::vector<std::uint32_t> casters;
-                    render::cullCasters(cells, view, casters);
-                    const auto count = [&](std::uint32_t instance) {
-                        return std::count(casters.begin(), casters.end(), instance);
-                    };
-                    ASSERT_EQ(count(first), 1);
-                    ASSERT_EQ(count(first + 1), 0);
-                    ASSERT_EQ(count(first + 2), 0);
+                for (const glm::dvec3& receiver : seenIn(slice)) {
+                    if (!shows(view, receiver)) {
+                        continue;
+                    }
+                    const glm::dvec3 lit = view.toLight((m_camera.position - view.origin) + receiver);
+                    const double nearest = view.isDistant() ? -0.99 / view.wPerUnit : 0.01 * lit.z;
+                    const double ahead =
+                        glm::mix(nearest, lit.z, std::uniform_real_distribution<double>(0.0, 1.0)(m_random));
+                    const double share = view.w(ahead) / view.w(lit.z);
+                    const glm::dvec3 between =
+                        view.right * (lit.x * share) + view.up * (lit.y * share) + view.ahead * ahead;
+                    const double sideways =
+                        10.0 * view.texel * static_cast<double>(view.size.width) * view.w(ahead) + 1.0;
+                    EXPECT_TRUE(isCaster(view, slice, between));
+                    EXPECT_FALSE(isCaster(view, slice, between + sideways * view.right));
+                    EXPECT_FALSE(isCaster(view, slice, between + (view.farAhead + 1.0 - ahead) * view.ahead));
+                    ++tried;
                 }
             }
         }
     }
+    EXPECT_GT(tried, 100u);
+}
+
+TEST_F(LightViewTest, WhatStandsBeforeNoReceiverIsNoCaster) {
+    add({-6.0, 0.0, -20.0}, 1.0f);
+    add({6.0, 0.0, -20.0}, 1.0f);
+    const std::vector<ReceiverSlice> made = slices();
+    ASSERT_EQ(made.size(), 1u);
+    for (const glm::dvec3& light : {glm::dvec3(0.0, 1e6, -20.0), glm::dvec3(0.0, 12.0, -20.0)}) {
+        const std::vector<LightView> views = viewsOf(light, made[0]);
+        ASSERT_EQ(views.size(), 1u);
+        const auto isCasterAt = [&](const glm::dvec3& fromCamera) {
+            return isCaster(views[0], made[0], (m_camera.position - views[0].origin) + fromCamera);
+        };
+        EXPECT_FALSE(isCasterAt({0.0, 2.0, -20.0})); // in the middle of the map
+        const glm::dvec3 receiver(6.0, 0.0, -20.0);
+        EXPECT_TRUE(isCasterAt(glm::mix(receiver, light, 2.0 / light.y)));
+    }
+}
+
+/// The half of a large sphere that the camera does not see needs no shadow.
+TEST_F(LightViewTest, OnlyWhatTheLensShowsIsAReceiver) {
+    add({500.0, 0.0, -600.0}, 1000.0f);
+    const glm::dvec3 light(0.0, 1e9, 0.0);
+    std::size_t maps = 0;
+    for (const ReceiverSlice& slice : slices()) {
+        if (slice.nearView < m_camera.nearView || slice.farView > 1200.0) { // cut, or beyond the sphere's end
+            continue;
+        }
+        for (const LightView& view : viewsOf(light, slice)) {
+            const double middle = -0.5 * (slice.nearView + slice.farView);
+            const auto isCasterAt = [&](double share) { // of the lens' half width
+                const glm::dvec3 fromCamera(share * frustum().tanX * -middle, -middle, middle);
+                return isCaster(view, slice, (m_camera.position - view.origin) + fromCamera);
+            };
+            EXPECT_TRUE(isCasterAt(0.0)) << slice.nearView;
+            EXPECT_TRUE(isCasterAt(0.95)) << slice.nearView;
+            EXPECT_FALSE(isCasterAt(1.2)) << slice.nearView;
+            ++maps;
+        }
+    }
+    EXPECT_GT(maps, 10u);
 }
 
 /// A sphere that reaches a little into the side of the view. It and the view's slice both reach behind the light, though what is

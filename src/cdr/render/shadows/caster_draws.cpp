@@ -23,12 +23,13 @@ CasterDraws::CasterDraws(const gpu::Device& device, const DrawnScene& scene)
     : m_device(device),
       m_scene(scene) {}
 
-void CasterDraws::prepare(const FrameView& frame, std::vector<LightView>& views,
-                          platform::WorkerPool& workers) {
+void CasterDraws::prepare(const FrameView& frame, std::span<const ReceiverSlice> slices,
+                          std::vector<LightView>& views, platform::WorkerPool& workers) {
     const visibility::InstanceCells& cells = m_scene.uploaded.cells(workers);
     std::vector<Found> found(views.size());
-    workers.run(views.size(),
-                [&](std::size_t view, std::size_t) { found[view] = find(cells, frame, views[view]); });
+    workers.run(views.size(), [&](std::size_t view, std::size_t) {
+        found[view] = find(cells, frame, slices[views[view].slice], views[view]);
+    });
     m_casters.clear();
     m_batches.clear();
     m_views.clear();
@@ -51,9 +52,10 @@ void CasterDraws::prepare(const FrameView& frame, std::vector<LightView>& views,
 }
 
 CasterDraws::Found CasterDraws::find(const visibility::InstanceCells& cells, const FrameView& frame,
-                                     LightView& view) const {
+                                     const ReceiverSlice& slice, LightView& view) const {
     Found found;
-    view.nearAhead = cullCasters(cells, view, found.casters);
+    const ReceiverCells receivers(view, slice, frame.camera.position);
+    view.nearAhead = cullCasters(cells, view, receivers, found.casters);
     // What becomes one draw lies together, in the scene's order.
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
     order.reserve(found.casters.size());

@@ -8,6 +8,7 @@
 #include <cdr/render/shadows/light_view.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace cdr::render {
@@ -29,7 +30,9 @@ class CasterDraws {
 
     /// Finds the casters of each view of a frame's lights, gives each LightView::nearAhead, and writes what they are drawn
     /// from. The last frame that drew them must have finished. base::RunError, with both figures, when that needs more memory than there is.
-    void prepare(const FrameView& frame, std::vector<LightView>& views, platform::WorkerPool& workers);
+    /// @param slices that LightView::slice counts.
+    void prepare(const FrameView& frame, std::span<const ReceiverSlice> slices, std::vector<LightView>& views,
+                 platform::WorkerPool& workers);
 
     std::size_t draws() const { return m_casters.size(); }
     /// Draws those of a view. `commands` is inside a rendering scope, with push constants set.
@@ -59,7 +62,8 @@ class CasterDraws {
         std::vector<std::uint32_t> casters;
         std::vector<Batch> batches;
     };
-    Found find(const visibility::InstanceCells& cells, const FrameView& frame, LightView& view) const;
+    Found find(const visibility::InstanceCells& cells, const FrameView& frame, const ReceiverSlice& slice,
+               LightView& view) const;
     const DrawKind& kindOf(std::uint32_t caster) const;
     bool isMasked(std::uint32_t caster) const;
     Batch batchOf(std::uint32_t caster, const FrameView& frame, const LightView& view) const;

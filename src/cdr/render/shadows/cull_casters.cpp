@@ -20,10 +20,11 @@ struct Plane {
     double length = 0.0;
 };
 
-/// What may cast a shadow on what the view shows: its pyramid, or column, as far as the farthest receiver.
+/// What may cast a shadow on what the view shows: in its pyramid, or column, as far as the farthest receiver, and before a
+/// receiver.
 class CasterTest {
   public:
-    explicit CasterTest(const LightView& view) : m_origin(view.origin) {
+    CasterTest(const LightView& view, const ReceiverCells& receivers) : m_view(view), m_receivers(receivers) {
         const glm::dvec2 high = view.low + view.texel * glm::dvec2(view.size.width, view.size.height);
         const auto add = [&](std::size_t i, const glm::dvec3& axis, double sign, double limit) {
             const glm::dvec3 normal = sign * (axis - limit * view.wPerUnit * view.ahead);
@@ -38,22 +39,29 @@ class CasterTest {
     }
 
     bool holds(const glm::dvec3& centre, double radius) const {
-        const glm::dvec3 place = centre - m_origin;
-        return std::all_of(m_planes.begin(), m_planes.end(), [&](const Plane& plane) {
-            return glm::dot(plane.normal, place) + plane.offset >= -radius * plane.length;
-        });
+        const glm::dvec3 place = centre - m_view.origin;
+        return std::all_of(m_planes.begin(), m_planes.end(),
+                           [&](const Plane& plane) {
+                               return glm::dot(plane.normal, place) + plane.offset >= -radius * plane.length;
+                           }) &&
+               m_receivers.meet(m_view.toLight(place), glm::dvec3(radius));
     }
     bool holds(const visibility::InstanceCells::Box& box) const {
-        const glm::dvec3 middle = 0.5 * ((box.low - m_origin) + (box.high - m_origin));
+        const glm::dvec3 middle = 0.5 * ((box.low - m_view.origin) + (box.high - m_view.origin));
         const glm::dvec3 half = 0.5 * (box.high - box.low);
-        return std::all_of(m_planes.begin(), m_planes.end(), [&](const Plane& plane) {
-            return glm::dot(plane.normal, middle) + plane.offset >=
-                   -(glm::dot(glm::abs(plane.normal), half) + box.radius * plane.length);
-        });
+        const glm::dvec3 across(glm::dot(glm::abs(m_view.right), half), glm::dot(glm::abs(m_view.up), half),
+                                glm::dot(glm::abs(m_view.ahead), half));
+        return std::all_of(m_planes.begin(), m_planes.end(),
+                           [&](const Plane& plane) {
+                               return glm::dot(plane.normal, middle) + plane.offset >=
+                                      -(glm::dot(glm::abs(plane.normal), half) + box.radius * plane.length);
+                           }) &&
+               m_receivers.meet(m_view.toLight(middle), across + box.radius);
     }
 
   private:
-    glm::dvec3 m_origin;
+    const LightView& m_view;
+    const ReceiverCells& m_receivers;
     std::array<Plane, 6> m_planes;
 };
 
@@ -61,10 +69,10 @@ class CasterTest {
 class CasterSearch {
   public:
     CasterSearch(const visibility::InstanceCells& cells, const LightView& view,
-                 std::vector<std::uint32_t>& casters)
+                 const ReceiverCells& receivers, std::vector<std::uint32_t>& casters)
         : m_cells(cells),
           m_view(view),
-          m_test(view),
+          m_test(view, receivers),
           m_casters(casters) {}
 
     void visit(std::size_t level, std::size_t node) {
@@ -107,8 +115,8 @@ class CasterSearch {
 } // namespace
 
 double cullCasters(const visibility::InstanceCells& cells, const LightView& view,
-                   std::vector<std::uint32_t>& casters) {
-    CasterSearch search(cells, view, casters);
+                   const ReceiverCells& receivers, std::vector<std::uint32_t>& casters) {
+    CasterSearch search(cells, view, receivers, casters);
     if (!cells.levels().empty()) {
         const std::size_t top = cells.levels().size() - 1;
         for (std::size_t node = 0; node < cells.levels()[top].size(); ++node) {

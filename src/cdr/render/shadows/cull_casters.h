@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/render/shadows/light_view.h>
+#include <cdr/render/shadows/receiver_cells.h>
 #include <cdr/visibility/instance_cells.h>
 
 #include <cstdint>
@@ -8,10 +9,10 @@
 
 namespace cdr::render {
 
-/// Appends the instances whose bounding spheres may lie between a light and what its map shows. Their order depends on the
-/// cells alone.
+/// Appends the instances whose bounding spheres may lie between a light and a surface that reads its map. Their order depends
+/// on the cells alone.
 /// @return how near to the light they reach: LightView::nearAhead.
 double cullCasters(const visibility::InstanceCells& cells, const LightView& view,
-                   std::vector<std::uint32_t>& casters);
+                   const ReceiverCells& receivers, std::vector<std::uint32_t>& casters);
 
 } // namespace cdr::render

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <utility>
 
 namespace cdr::render {
 
@@ -27,6 +27,14 @@ struct Box {
         return all;
     }
 };
+
+Box boxAround(std::span<const SeenSphere> spheres) {
+    Box box;
+    for (const SeenSphere& sphere : spheres) {
+        box.add(sphere.centre, sphere.radius);
+    }
+    return box;
+}
 
 std::array<glm::dvec3, 8> cornersOf(const scene::Camera& camera, const scene::Frustum& frustum,
                                     double nearView, double farView) {
@@ -67,28 +75,28 @@ void placeReceivers(const scene::Camera& camera, ReceiverSlice& slice) {
 /// The slices between neighbouring ends in which something is seen.
 std::vector<ReceiverSlice> cutAt(const std::vector<double>& ends, const scene::Camera& camera,
                                  const scene::Frustum& frustum, std::span<const SeenSphere> seen) {
-    std::vector<std::optional<Box>> boxes(ends.size() - 1);
+    std::vector<std::vector<SeenSphere>> spheres(ends.size() - 1);
     for (const SeenSphere& sphere : seen) {
         // From the slice that holds the sphere's near end to the one that holds its far end.
         const auto begin =
             std::upper_bound(ends.begin() + 1, ends.end(), sphere.distanceView - sphere.radius);
         for (auto end = begin; end != ends.end(); ++end) {
-            std::optional<Box>& box = boxes[static_cast<std::size_t>(end - ends.begin()) - 1];
-            (box ? *box : box.emplace()).add(sphere.centre, sphere.radius);
+            spheres[static_cast<std::size_t>(end - ends.begin()) - 1].push_back(sphere);
             if (*end > sphere.distanceView + sphere.radius) {
                 break;
             }
         }
     }
     std::vector<ReceiverSlice> slices;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        if (boxes[i]) {
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+        if (!spheres[i].empty()) {
             ReceiverSlice& slice = slices.emplace_back();
             slice.nearView = ends[i];
             slice.farView = ends[i + 1];
             slice.view = cornersOf(camera, frustum, std::max(ends[i], camera.nearView),
                                    std::min(ends[i + 1], camera.farView));
-            slice.boxes = boxes[i]->corners();
+            slice.seen = std::move(spheres[i]);
+            slice.boxes = boxAround(slice.seen).corners();
             placeReceivers(camera, slice);
         }
     }

@@ -11,12 +11,20 @@
 
 namespace cdr::render {
 
+/// What is seen, as a sphere around it.
+struct SeenSphere {
+    glm::dvec3 centre{0.0}; ///< world axes, relative to the camera
+    double radius = 0.0;
+    double distanceView = 0.0; ///< of the centre
+};
+
 /// Surfaces of about the same distance, which a light's map is made for. Corners are world axes, relative to the camera.
 struct ReceiverSlice {
     double nearView = 0.0;           ///< view distance, included
     double farView = 0.0;            ///< view distance, left out
     std::array<glm::dvec3, 8> view;  ///< the part of the camera's frustum between them
-    std::array<glm::dvec3, 8> boxes; ///< a box around the spheres that reach into that part
+    std::vector<SeenSphere> seen{};  ///< that reach into that part
+    std::array<glm::dvec3, 8> boxes; ///< a box around them
     glm::dvec3 middle{0.0};          ///< of both, about
     double reach = 0.0;              ///< from there, about
     /// Between these, right and up per unit of view distance, are its surfaces in the picture.
@@ -26,13 +34,6 @@ struct ReceiverSlice {
 
 /// By how much a slice's far end is farther than its near one: then a texel that suits one suits the other.
 inline constexpr double kSliceRatio = 2.0;
-
-/// What is seen, as a sphere around it.
-struct SeenSphere {
-    glm::dvec3 centre{0.0}; ///< world axes, relative to the camera
-    double radius = 0.0;
-    double distanceView = 0.0; ///< of the centre
-};
 
 /// Those of visible instances.
 std::vector<SeenSphere> seenSpheres(const scene::Camera& camera, const visibility::VisibleCells& visible);

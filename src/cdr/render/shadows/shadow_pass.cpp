@@ -98,12 +98,13 @@ void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::Vi
             const vk::Rect2D area = areaOf(slices[i], view.frustum, m_gbuffer.options().extent);
             for (const LightView& seen : viewsOf(m_scene.scene.lights[light], slices[i], view)) {
                 slot.views.push_back(seen);
+                slot.views.back().slice = i;
                 slot.receivers.push_back(
                     {.light = light, .depth = sliceDepth(slices, i, m_options.method), .area = area});
             }
         }
     }
-    slot.casters.prepare(view, slot.views, workers); // finds where views begin
+    slot.casters.prepare(view, slices, slot.views, workers); // finds where views begin
     for (std::size_t i = 0; i < slot.views.size(); ++i) {
         Receivers& receivers = slot.receivers[i];
         receivers.push =

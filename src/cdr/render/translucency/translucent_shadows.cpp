@@ -73,8 +73,9 @@ void TranslucentShadows::prepare(const FrameView& view, const visibility::Visibl
     m_lights.clear();
     // What lies between two slices, or before the first, is drawn with the farther one, and is in none of its maps.
     m_slices.assign(1, {.nearView = 0.0f, .farView = 0.0f, .firstMap = 0, .mapCount = 0});
-    for (const ReceiverSlice& slice : slices) {
-        if (&slice != &slices.front()) {
+    for (std::size_t i = 0; i < slices.size(); ++i) {
+        const ReceiverSlice& slice = slices[i];
+        if (i > 0) {
             m_slices.push_back(m_slices.back());
             m_slices.back().nearView = m_slices.back().farView;
         }
@@ -83,15 +84,17 @@ void TranslucentShadows::prepare(const FrameView& view, const visibility::Visibl
         drawn.firstMap = static_cast<std::uint32_t>(m_views.size());
         for (std::size_t light = 0; light < std::min(m_scene.scene.lights.size(), kMaxShadowLights);
              ++light) {
-            const std::vector<LightView> views = lightViews(m_scene.scene.lights[light], view.camera.position,
-                                                            slice, view.frustum.footprintSlope, most);
-            m_views.insert(m_views.end(), views.begin(), views.end());
+            for (const LightView& seenByLight : lightViews(m_scene.scene.lights[light], view.camera.position,
+                                                           slice, view.frustum.footprintSlope, most)) {
+                m_views.push_back(seenByLight);
+                m_views.back().slice = i;
+            }
             m_lights.resize(m_views.size(), light);
         }
         drawn.mapCount = static_cast<std::uint32_t>(m_views.size()) - drawn.firstMap;
     }
     m_slices.back().farView = std::numeric_limits<float>::infinity();
-    m_casters.prepare(view, m_views, workers);
+    m_casters.prepare(view, slices, m_views, workers);
     placeMaps();
     growReceivers();
     const auto receivers = m_receivers.as<shaders::ReceiverPush>(m_views.size());
