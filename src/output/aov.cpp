@@ -18,8 +18,8 @@ namespace cdr::output {
 
 namespace {
 
-constexpr base::EnumNames<Aov, 7> kAovNames{
-    "output", {"color", "id", "distance", "normal", "cascade", "wrong", "coverage"}};
+constexpr base::EnumNames<Aov, 8> kAovNames{
+    "output", {"color", "linear", "id", "distance", "normal", "cascade", "wrong", "coverage"}};
 
 /// Tints that most people can distinguish (Okabe and Ito 2008), repeated beyond eight cascades.
 constexpr std::array<std::array<float, 3>, 8> kTints{{{0.90f, 0.62f, 0.00f},
@@ -57,6 +57,14 @@ image::ImageFloat values(const render::Frame& frame,
         }
     }
     return image;
+}
+
+image::ImageRgba8 linearPicture(const render::Frame& frame) {
+    return paint(frame, [&](auto x, auto y) -> image::Rgba8 {
+        const glm::dvec3 light(frame.linear.at(x, y));
+        return {image::srgbOfLinear(light.r), image::srgbOfLinear(light.g), image::srgbOfLinear(light.b),
+                255};
+    });
 }
 
 image::ImageRgba8 idPicture(const render::Frame& frame) {
@@ -146,6 +154,12 @@ std::vector<image::ExrChannel> colorChannels(const render::Frame& frame, const i
     return channels;
 }
 
+std::vector<image::ExrChannel> linearChannels(const render::Frame& frame) {
+    return {{"R", values(frame, [&](auto x, auto y) { return frame.linear.at(x, y).r; })},
+            {"G", values(frame, [&](auto x, auto y) { return frame.linear.at(x, y).g; })},
+            {"B", values(frame, [&](auto x, auto y) { return frame.linear.at(x, y).b; })}};
+}
+
 /// SHA-256 of one word of each pixel's surface.
 std::string hashOfWords(const render::Frame& frame, std::uint32_t (*word)(const render::GBufferPixel&)) {
     std::vector<std::uint32_t> words(frame.gbuffer.pixels.size());
@@ -174,6 +188,8 @@ image::ImageRgba8 pictureOf(const render::Frame& frame, Aov aov, const measure::
     switch (aov) {
     case Aov::color:
         return frame.color;
+    case Aov::linear:
+        return linearPicture(frame);
     case Aov::id:
         return idPicture(frame);
     case Aov::distance:
@@ -196,6 +212,8 @@ std::vector<image::ExrChannel> channelsOf(const render::Frame& frame, Aov aov,
     case Aov::color:
     case Aov::wrong:
         return colorChannels(frame, pictureOf(frame, aov, truth));
+    case Aov::linear:
+        return linearChannels(frame);
     case Aov::id:
         return {{"id", values(frame, [&](auto x, auto y) { return frame.id(x, y); })}};
     case Aov::cascade:
@@ -219,6 +237,8 @@ std::string hashOf(const render::Frame& frame, Aov aov, const measure::TruthImag
     switch (aov) {
     case Aov::color:
         return program::sha256Of(frame.color.pixels);
+    case Aov::linear:
+        return program::sha256Of(frame.linear.pixels);
     case Aov::wrong:
         return program::sha256Of(wrongPicture(frame, truth).pixels);
     case Aov::id:

@@ -14,8 +14,9 @@ namespace cdr::output {
 
 /// What a frame can be written as.
 enum class Aov : std::uint8_t {
-    color,    ///< the shaded picture, sRGB
-    id,       ///< object index + 1 as R + 256 G + 65536 B, background 0
+    color, ///< the shaded picture, sRGB
+    linear, ///< its light before exposure, tone mapping and antialiasing, as it is in EXR; in 8 bits cut off at 1
+    id,     ///< object index + 1 as R + 256 G + 65536 B, background 0
     distance, ///< view distance: exact in EXR; in 8 bits its logarithm, near white to far dark
     normal,   ///< view space, (n + 1) / 2
     cascade,  ///< one tint per cascade, times the picture's lightness
@@ -34,13 +35,13 @@ image::Rgba8 cascadeTint(std::size_t cascade, std::uint8_t light);
 /// The 8-bit picture of an output. `truth` is needed for Aov::wrong alone.
 image::ImageRgba8 pictureOf(const render::Frame& frame, Aov aov, const measure::TruthImage* truth);
 
-/// The float channels of an output, for EXR: R G B of the picture for color and wrong, else the values
+/// The float channels of an output, for EXR: R G B of the picture for color and wrong, of light for linear, else the values
 /// themselves. Distance has three. `distance` is float32, and `distanceRest` is the rest of the float64, so the
 /// sum of both is exact to the anchored step. `ahead` is as the G-buffer holds it.
 std::vector<image::ExrChannel> channelsOf(const render::Frame& frame, Aov aov,
                                           const measure::TruthImage* truth);
 
-/// SHA-256 of an output's values: RGBA bytes of color and wrong, else 32-bit values as the G-buffer holds
+/// SHA-256 of an output's values: RGBA bytes of color and wrong, floats of linear, else 32-bit values as the G-buffer holds
 /// them.
 std::string hashOf(const render::Frame& frame, Aov aov, const measure::TruthImage* truth);
 

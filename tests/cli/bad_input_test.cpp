@@ -172,6 +172,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"timing --scene trafic", "did you mean 'traffic'"},
         BadInput{"timing --scene traffic --modes naive", "a scene that stands still"},
         BadInput{"scaling --submissions primary", "did you mean 'primaries'"},
+        BadInput{"render afc --aov linear --surface lit", "no linear light is kept"},
+        BadInput{"render afc --aov linear --certify c.json", "leave out --aov linear"},
         BadInput{"render afc --aov colour -o a.png", "did you mean 'color'"},
         BadInput{"render afc --threads 0 -o a.png", "--threads"},
         BadInput{"render afc --threads 100000 -o a.png", "--threads"},

@@ -285,7 +285,7 @@ TEST(Commands, AdviseSaysWhenReversedIsEnough) {
 
 TEST(Commands, RenderWritesEveryOutputInEveryFormat) {
     const TemporaryFolder folder;
-    for (const char* aov : {"color", "id", "distance", "normal", "cascade", "wrong"}) {
+    for (const char* aov : {"color", "linear", "id", "distance", "normal", "cascade", "wrong"}) {
         for (const char* extension : {"png", "tga", "exr"}) {
             const std::string file = std::string(aov) + "." + extension;
             const ProgramResult result = runProgram(

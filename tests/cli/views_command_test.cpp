@@ -91,7 +91,7 @@ TEST_F(ViewsCommand, AnaglyphsHaveRedOfTheLeftEye) {
 
 /// Ids, distances and the truth of both eyes; the truth is cast from each eye.
 TEST_F(ViewsCommand, OtherOutputsAreOfBothEyesToo) {
-    for (const char* aov : {"id", "distance", "normal", "cascade", "coverage"}) {
+    for (const char* aov : {"linear", "id", "distance", "normal", "cascade", "coverage"}) {
         row(std::string("--stereo toed-in --aov ") + aov + kRig + " -o a.png");
         EXPECT_EQ(picture("a.png").width, 320u) << aov;
     }

@@ -40,4 +40,22 @@ TEST(DistanceAov, TheExactPairKeepsMicrometresAMillionUnitsAway) {
     EXPECT_EQ(channels.at("distanceRest").at(7, 0), 0.0f);
 }
 
+/// Light beyond what 8 bits show stays in the channels.
+TEST(LinearAov, ChannelsHoldTheLightItself) {
+    render::Frame frame = makeFrame();
+    frame.linear = image::Raster<glm::vec3>(8, 1);
+    frame.linear.at(3, 0) = {9.0f, 0.5f, 0.25f};
+    const std::vector<image::ExrChannel> channels = channelsOf(frame, output::Aov::linear, nullptr);
+    ASSERT_EQ(channels.size(), 3u);
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_EQ(channels[c].name, std::string(1, "RGB"[c]));
+        EXPECT_EQ(channels[c].values.at(3, 0), frame.linear.at(3, 0)[static_cast<int>(c)]);
+        EXPECT_EQ(channels[c].values.at(4, 0), 0.0f);
+    }
+    EXPECT_EQ(pictureOf(frame, output::Aov::linear, nullptr).at(3, 0), (image::Rgba8{255, 188, 137, 255}));
+    const std::string hash = hashOf(frame, output::Aov::linear, nullptr);
+    frame.linear.at(3, 0).r = 9.5f;
+    EXPECT_NE(hashOf(frame, output::Aov::linear, nullptr), hash);
+}
+
 } // namespace

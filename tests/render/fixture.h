@@ -102,7 +102,8 @@ inline std::vector<depth::Technique> presetTechniques() {
 
 /// One hash over everything a frame holds, pixel by pixel.
 inline std::string hashOf(const render::Frame& frame) {
-    return program::sha256Of(frame.color.pixels) + program::sha256Of(frame.gbuffer.pixels);
+    return program::sha256Of(frame.color.pixels) + program::sha256Of(frame.linear.pixels) +
+           program::sha256Of(frame.gbuffer.pixels);
 }
 
 /// A scene of boxes with one white material, ambient light and the unit box as mesh 0.

@@ -153,6 +153,7 @@ TEST_F(PartFrames, AreRefusedWhereAPixelNeedsMoreThanItsSurface) {
     EXPECT_EQ(changed([](auto& options) { options.effects.occlusion.radius = 1.0; }),
               all + "ambient occlusion over the whole picture" + need);
     EXPECT_EQ(changed([](auto& options) { options.motion = true; }), all + "motion" + need);
+    EXPECT_EQ(changed([](auto& options) { options.linear = true; }), all + "pictures of linear light" + need);
     EXPECT_EQ(changed([](auto& options) { options.submission = render::Submission::gpuDriven; }),
               all + "gpu-driven draws" + need);
     EXPECT_EQ(changed([](auto& options) {

@@ -22,6 +22,9 @@ const char* whatNeedsAllCascades(const RenderOptions& options, const SceneTraits
     if (options.motion) {
         return "motion";
     }
+    if (options.linear) {
+        return "pictures of linear light";
+    }
     if (scene.blended) {
         return "blended materials";
     }

@@ -32,7 +32,7 @@ struct SceneTraits {
 
 /// Refuses what several renderers cannot draw together.
 /// @throws base::InputError for what reads more than a pixel's own surface, or needs other cascades.
-///         Antialiasing, ambient occlusion over the whole picture, a lens with a focus, and motion do. So do
+///         Antialiasing, ambient occlusion over the whole picture, a lens with a focus, motion and linear light do. So do
 ///         occlusion culling, blended surfaces and gpu-driven draws. Also for a part that does not exist.
 CDR_EXPORT void requireDivisible(const RenderOptions& options, const SceneTraits& scene);
 

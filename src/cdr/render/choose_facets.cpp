@@ -20,6 +20,9 @@ const char* litRefusalOf(const DrawnScene& drawn, const RenderOptions& options) 
     if (options.effects.fog.visibility > 0.0 || options.effects.antialias != Antialias::none) {
         return "fog and antialiasing work on surfaces that are shaded later";
     }
+    if (options.linear) {
+        return "colours go straight into the picture, so no linear light is kept";
+    }
     if (options.shadows.isOn()) {
         return "shadows fall on surfaces that are shaded later";
     }

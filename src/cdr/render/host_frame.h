@@ -53,8 +53,11 @@ struct HostFrame {
     VkSemaphore done = VK_NULL_HANDLE;
     std::uint64_t doneValue = 0; ///< that `done` reaches
     /// Where the picture goes: of the renderer's size, made for VK_IMAGE_USAGE_TRANSFER_DST_BIT, in a format that
-    /// vkCmdBlitImage() writes; no view. What it held is lost, and `layout` is what the frame leaves it in.
+    /// vkCmdBlitImage() writes; no view. What it held is lost, and `layout` is what the frame leaves it in. With `linear` there
+    /// may be none.
     SurfaceImage color{};
+    /// Where Surfaces::linear goes, with RenderOptions::linear: as `color`, in a format of floats.
+    std::optional<SurfaceImage> linear{};
     std::optional<HostDepth> depth{}; ///< where the depth of the host's own camera goes; empty: nowhere
     /// Where motion goes, with RenderOptions::motion: as `color`, in VK_FORMAT_R32G32_SFLOAT or another format of signed
     /// floats. What blends is seen through.

@@ -75,6 +75,9 @@ struct RenderOptions {
     /// Works out motion: how far each pixel's surface is from where it was in the last frame (Surfaces::motion,
     /// HostFrame::motion, Frame::motion). Each object must move as one. Not with a focus.
     bool motion = false;
+    /// Keeps each pixel's light in half floats beside the picture, before exposure, tone mapping and antialiasing
+    /// (Surfaces::linear, HostFrame::linear, Frame::linear). For who finishes pictures himself. Not with SurfacePath::lit.
+    bool linear = false;
     PrepareFor prepareFor{}; ///< by default only what the scene holds
     /// Which cascades of each frame it draws, by default all. A frame's counts are those of all cascades.
     CascadePart part{};

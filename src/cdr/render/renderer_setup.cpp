@@ -87,6 +87,7 @@ PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options,
                               Daylight daylight) {
     return {.extent = extent,
             .hasSteps = scene.blended || options.focus.isOn(),
+            .keepsLinear = options.linear,
             .antialias = options.effects.antialias,
             .finish = options.effects.finish,
             .daylight = daylight};

@@ -31,6 +31,9 @@ struct Surfaces {
         gbuffer; ///< a GBufferPixel each; no image but for SurfacePath::gbuffer, since the others keep no G-buffer
     /// VK_FORMAT_R32G32_SFLOAT, as cdr_gbuffer.glsl reads it; no image unless RenderOptions::motion.
     SurfaceImage motion{};
+    /// VK_FORMAT_R16G16B16A16_SFLOAT: linear light with Rec. 709 primaries, before exposure; alpha means nothing. No image unless
+    /// RenderOptions::linear.
+    SurfaceImage linear{};
     /// By cascade: what is added to GBufferPixel::ahead for the view distance.
     std::vector<double> anchorsView;
 };

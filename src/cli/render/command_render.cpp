@@ -89,6 +89,9 @@ RenderPlan planOf(Command& command, const RenderArguments& arguments) {
                     .options = options,
                     .views = options::ViewsPlan(arguments.views, options.width, options.height)};
     requireOneView(arguments, plan);
+    if (!arguments.certify.empty() && arguments.aov == output::Aov::linear) {
+        throw base::InputError("--certify repairs the encoded picture: leave out --aov linear");
+    }
     checkFiles(arguments, plan, command.files());
     const ranks::Place& place = command.ranks().place();
     if (arguments.ranks == FrameDivision::cascades) {

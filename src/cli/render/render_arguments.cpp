@@ -27,6 +27,7 @@ depth::NamedTechnique techniqueOf(const RenderArguments& arguments) {
 render::RenderOptions optionsOf(const RenderArguments& arguments) {
     render::RenderOptions options = arguments.drawing;
     options.technique = techniqueOf(arguments).technique;
+    options.linear = arguments.aov == output::Aov::linear;
     options.translucency.countsFragments = arguments.aov == output::Aov::coverage;
     return options;
 }
@@ -107,8 +108,9 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     addSize(command, arguments.drawing.width, arguments.drawing.height);
     addSnapBits(command, arguments.drawing.snapBits);
     addSnapping(command, arguments.drawing.snapping);
-    options::addNamed(command, "--aov", arguments.aov, output::parseAov,
-                      "Output: color, id, distance, normal, cascade, wrong or coverage");
+    options::addNamed(
+        command, "--aov", arguments.aov, output::parseAov,
+        "Output: color, linear (light before tone mapping), id, distance, normal, cascade, wrong or coverage");
     command.add_option("-o,--output", arguments.file,
                        "Picture to write: .png, .tga or .exr; %04d stands for the frame");
     command.add_option(

@@ -45,6 +45,7 @@ TEST_F(SurfacesTest, ARendererTakesNoMoreThanPredicted) {
     options.width = 1280;
     options.height = 720;
     options.motion = true;
+    options.linear = true;
     const render::GpuScene gpuScene(device(), scene);
     const std::uint64_t before = gpu::freeDeviceBytes(device());
     const render::Renderer renderer(device(), scene, gpuScene, options);

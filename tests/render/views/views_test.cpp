@@ -119,12 +119,13 @@ TEST_F(ViewsTest, EachEyeIsTheMonoPictureToTheBit) {
 
 TEST_F(ViewsTest, EachEyeIsTheMonoPictureWithWhateverElseIsDrawn) {
     render::RenderOptions plain = viewOptions(depth::parseTechnique("anchored"));
-    std::vector<render::RenderOptions> all(5, plain);
+    std::vector<render::RenderOptions> all(6, plain);
     all[0].occlusionCulling = true;
     all[1].shadows = {.method = render::ShadowMethod::anchored, .maxTexels = 128};
     all[2].surface = render::SurfacePath::visibility;
     all[3].effects.antialias = render::Antialias::edges;
     all[4].motion = true;
+    all[5].linear = true;
     for (const render::RenderOptions& options : all) {
         drawAndExpectMono(eyes(scene::StereoMode::toedIn), options);
     }

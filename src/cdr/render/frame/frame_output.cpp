@@ -26,6 +26,9 @@ void setLayouts(Surfaces& surfaces, Destination destination) {
         surfaces.gbuffer.layout = destination == Destination::host ? VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL
                                                                    : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
     }
+    if (surfaces.linear.image != VK_NULL_HANDLE) {
+        surfaces.linear.layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+    }
     if (surfaces.motion.image != VK_NULL_HANDLE) {
         surfaces.motion.layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     }
@@ -34,10 +37,12 @@ void setLayouts(Surfaces& surfaces, Destination destination) {
 } // namespace
 
 Surfaces surfacesOf(const FramePasses& passes, const FrameSlot* last) {
-    Surfaces surfaces{
-        .color = surfaceOf(passes.picture.encoded()), .gbuffer = {}, .motion = {}, .anchorsView = {}};
+    Surfaces surfaces{.color = surfaceOf(passes.picture.encoded()), .gbuffer = {}, .anchorsView = {}};
     if (passes.resolve == nullptr) {
         surfaces.gbuffer = surfaceOf(passes.targets.gbuffer());
+    }
+    if (passes.picture.linear() != nullptr) {
+        surfaces.linear = surfaceOf(*passes.picture.linear());
     }
     if (passes.motion != nullptr) {
         surfaces.motion = surfaceOf(passes.motion->image());
@@ -60,7 +65,12 @@ void recordOutputs(const gpu::Device& device, FramePasses& passes, FrameSlot& sl
         }
         passes.depthOutput->record(primary, *slot.inputs->depthOutput, *host.depth);
     }
-    recordColorOutput(primary, passes.picture.encoded(), host.color);
+    if (host.color.image != VK_NULL_HANDLE) {
+        recordColorOutput(primary, passes.picture.encoded(), host.color);
+    }
+    if (host.linear) {
+        recordColorOutput(primary, *passes.picture.linear(), *host.linear);
+    }
     if (host.motion) {
         recordColorOutput(primary, passes.motion->image(), *host.motion);
     }
@@ -73,6 +83,7 @@ void recordReadback(const gpu::Device& device, const FramePasses& passes, VkComm
     passes.readback.record(primary,
                            {.color = passes.picture.encoded(),
                             .gbuffer = passes.gbuffer(),
+                            .linear = passes.picture.linear(),
                             .motion = passes.motion != nullptr ? &passes.motion->image() : nullptr,
                             .shadowMask = passes.shadows != nullptr ? &passes.shadows->mask() : nullptr},
                            copyOf(destination));

@@ -16,6 +16,7 @@ class FrameReadback {
     struct Images {
         const gpu::Image& color;      ///< in the transfer source layout
         const gpu::Image& gbuffer;    ///< that fragment shaders read
+        const gpu::Image* linear;     ///< in the transfer source layout; null where it is not kept
         const gpu::Image* motion;     ///< in the transfer source layout; null without motion
         const gpu::Image* shadowMask; ///< that fragment shaders read; null without shadows
     };
@@ -35,6 +36,7 @@ class FrameReadback {
   private:
     Readback m_color;
     Readback m_gbuffer;
+    std::optional<Readback> m_linear;
     std::optional<Readback> m_motion;
     std::optional<Readback> m_shadowMask;
 };

@@ -55,6 +55,23 @@ void requireDepth(const HostDepth& depth, const RenderOptions& options) {
             "the host's far plane must be beyond its near plane");
 }
 
+void requireColor(const gpu::Device& device, const SurfaceImage& color, const RenderOptions& options) {
+    requireImage(color, options, "color");
+    require(takesColors(device, vk::Format(color.format)),
+            fmt::format("{} writes no pictures to images of format {}", device.info().name,
+                        vk::to_string(vk::Format(color.format))));
+}
+
+void requireLinear(const gpu::Device& device, const SurfaceImage& linear, const RenderOptions& options) {
+    require(options.linear, "linear light is asked for of a renderer that keeps none");
+    requireImage(linear, options, "linear");
+    const auto format = vk::Format(linear.format);
+    const std::string_view numbers = vk::componentNumericFormat(format, 0);
+    require(takesColors(device, format) && (numbers == "SFLOAT" || numbers == "UFLOAT"),
+            fmt::format("linear light goes into images of floats, and {} writes none of format {}",
+                        device.info().name, vk::to_string(format)));
+}
+
 void requireMotion(const gpu::Device& device, const SurfaceImage& motion, const RenderOptions& options) {
     require(options.motion, "motion is asked for of a renderer that works out none");
     requireImage(motion, options, "motion");
@@ -102,10 +119,12 @@ void requireRecordable(const gpu::Device& device, const RenderOptions& options, 
             "submission primaries needs command buffers of its own");
     require(host.commands != VK_NULL_HANDLE, "there is no command buffer");
     require(host.done != VK_NULL_HANDLE, "there is no semaphore that says when it is done");
-    requireImage(host.color, options, "color");
-    require(takesColors(device, vk::Format(host.color.format)),
-            fmt::format("{} writes no pictures to images of format {}", device.info().name,
-                        vk::to_string(vk::Format(host.color.format))));
+    if (host.color.image != VK_NULL_HANDLE || !host.linear) {
+        requireColor(device, host.color, options);
+    }
+    if (host.linear) {
+        requireLinear(device, *host.linear, options);
+    }
     if (host.depth) {
         requireDepth(*host.depth, options);
     }

@@ -24,11 +24,13 @@ gpu::ImageOptions encodedOptions(vk::Extent2D extent) {
 } // namespace
 
 gpu::ImageOptions litOptions(vk::Extent2D extent) {
-    return {.extent = extent, .format = kLitFormat, .usage = Usage::eColorAttachment | Usage::eSampled};
+    return {.extent = extent,
+            .format = kLitFormat,
+            .usage = Usage::eColorAttachment | Usage::eSampled | Usage::eTransferSrc};
 }
 
 bool needsLit(const PictureOptions& options) {
-    return options.hasSteps || options.antialias != Antialias::none;
+    return options.hasSteps || options.antialias != Antialias::none || options.keepsLinear;
 }
 
 Picture::Picture(const gpu::Device& device, const PictureOptions& options, const gpu::Image* drawn)
@@ -37,7 +39,8 @@ Picture::Picture(const gpu::Device& device, const PictureOptions& options, const
       m_own(drawn == nullptr
                 ? std::optional<gpu::Image>(std::in_place, device, encodedOptions(options.extent), "picture")
                 : std::nullopt),
-      m_lit(needsLit(options) ? makeLit(device, options) : nullptr) {}
+      m_lit(needsLit(options) ? makeLit(device, options) : nullptr),
+      m_keepsLinear(options.keepsLinear) {}
 
 std::unique_ptr<Picture::Lit> Picture::makeLit(const gpu::Device& device, const PictureOptions& options) {
     const std::array constants = finishConstants(options.finish, options.daylight);
@@ -60,6 +63,9 @@ void Picture::finish(vk::CommandBuffer primary) const {
     if (m_lit) {
         gpu::pipelineBarrier(primary, {readBarrier(m_lit->image), attachBarrier(encoded())});
         m_lit->pass.record(primary, m_lit->inputs, encoded());
+    }
+    if (m_keepsLinear) {
+        gpu::pipelineBarrier(primary, {copyBarrier(m_lit->image)});
     }
     gpu::pipelineBarrier(
         primary,

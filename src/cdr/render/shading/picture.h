@@ -22,6 +22,7 @@ struct PictureOptions {
     /// Whether anything comes between shading and the picture; else shading writes the picture itself, and
     /// its format encodes. Antialiasing is such a step.
     bool hasSteps = false;
+    bool keepsLinear = false; ///< whether anyone reads lit() afterwards
     Antialias antialias = Antialias::none;
     Finish finish{};                      ///< where there are steps; else shading finishes
     Daylight daylight = Daylight::absent; ///< of the scene
@@ -41,11 +42,14 @@ class Picture {
     /// attachment layout.
     const gpu::Image& lit() const { return m_lit ? m_lit->image : encoded(); }
 
-    /// Takes lit() from colour attachment layout and leaves encoded() in transfer source layout.
+    /// Takes lit() from colour attachment layout and leaves encoded() in transfer source layout. So it does lit() where that is kept.
     void finish(vk::CommandBuffer primary) const;
 
     /// 8 bits, sRGB.
     const gpu::Image& encoded() const { return m_drawn != nullptr ? *m_drawn : *m_own; }
+
+    /// Linear light that is kept; null where none is.
+    const gpu::Image* linear() const { return m_keepsLinear ? &m_lit->image : nullptr; }
 
     static std::uint64_t predictBytes(const gpu::Device& device, const PictureOptions& options);
 
@@ -62,6 +66,7 @@ class Picture {
     const gpu::Image* m_drawn;       ///< else
     std::optional<gpu::Image> m_own; ///< the picture
     std::unique_ptr<Lit> m_lit;      ///< null without steps
+    bool m_keepsLinear;
 };
 
 } // namespace cdr::render

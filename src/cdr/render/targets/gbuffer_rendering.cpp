@@ -76,6 +76,12 @@ vk::ImageMemoryBarrier2 readBarrier(const gpu::Image& gbuffer) {
         vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eShaderReadOnlyOptimal);
 }
 
+vk::ImageMemoryBarrier2 copyBarrier(const gpu::Image& image) {
+    return gpu::imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eFragmentShader,
+                             Access::eShaderSampledRead, PipelineStage::eAllTransfer, Access::eTransferRead,
+                             vk::ImageLayout::eShaderReadOnlyOptimal, vk::ImageLayout::eTransferSrcOptimal);
+}
+
 void waitForHostReads(vk::CommandBuffer primary) {
     gpu::pipelineBarrier(primary, {},
                          {{.srcStageMask = PipelineStage::eAllCommands,

@@ -37,6 +37,9 @@ vk::ImageMemoryBarrier2 chainBarrier(const gpu::Image& gbuffer);
 /// Hands a colour attachment that a rendering scope wrote to fragment shaders that read it.
 vk::ImageMemoryBarrier2 readBarrier(const gpu::Image& gbuffer);
 
+/// Hands an image that fragment shaders read to copies.
+vk::ImageMemoryBarrier2 copyBarrier(const gpu::Image& image);
+
 /// Lets fragments be tested against marks that a rendering scope made.
 vk::ImageMemoryBarrier2 marksBarrier(const gpu::Image& marks);
 

@@ -82,6 +82,7 @@ Frame joinedFrame(std::span<const Frame> views, const scene::Camera& camera, std
     joined.cascades = views.front().cascades;
     joined.anchorsView = views.front().anchorsView;
     joined.color = joinedRaster(views, &Frame::color, shift, image::Rgba8{0, 0, 0, 255});
+    joined.linear = joinedRaster(views, &Frame::linear, shift);
     joined.gbuffer = joinedRaster(views, &Frame::gbuffer, shift);
     joined.motion = joinedRaster(views, &Frame::motion, shift);
     joined.litMask = joinedRaster(views, &Frame::litMask, shift);

@@ -39,6 +39,7 @@ void requireFrames(std::span<const HostFrame> frames, std::size_t views) {
     for (const HostFrame& frame : frames) {
         images.push_back(frame.color.image);
         images.push_back(frame.depth ? frame.depth->image.image : VK_NULL_HANDLE);
+        images.push_back(frame.linear ? frame.linear->image : VK_NULL_HANDLE);
         images.push_back(frame.motion ? frame.motion->image : VK_NULL_HANDLE);
     }
     std::erase(images, VkImage(VK_NULL_HANDLE));
