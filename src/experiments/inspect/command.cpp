@@ -139,6 +139,22 @@ void print(const Command& command, const InspectArguments& arguments, const Insp
     }
 }
 
+void addResults(nlohmann::ordered_json& document, const Inspection& inspection, const scene::Scene& scene,
+                const experiments::VerdictView& view) {
+    document["results"] = output::jsonOf(techniqueColumns(), inspection.techniques);
+    std::vector<experiments::ObjectPair> written = inspection.pairs;
+    written.resize(std::min(written.size(), kPairsWritten));
+    document["pairs_found"] = inspection.pairs.size();
+    document["pairs"] = output::jsonOf(pairColumns(scene, base::LengthUnit::none), written);
+    document["coplanar_fraction"] = inspection.coplanarFraction();
+    document["simplest"] =
+        inspection.simplest ? output::jsonOf(techniqueColumns(), inspection.techniques[*inspection.simplest])
+                            : nlohmann::ordered_json(nullptr);
+    document["advice"] = experiments::explain(inspection, scene, view);
+    document["advice_parts"] =
+        output::sentenceParts(experiments::explain(inspection, scene, view, output::markedLength));
+}
+
 void run(Command& command, InspectArguments& arguments) {
     experiments::InspectOptions& options = arguments.options;
     options.judged = depth::namedTechnique(arguments.technique);
@@ -179,18 +195,7 @@ void run(Command& command, InspectArguments& arguments) {
                                           {"technique", options.judged.name},
                                           {"format", nameOf(options.judged.technique.format)}});
     options::addChoiceJson(document["options"], arguments.choice);
-    document["results"] = output::jsonOf(techniqueColumns(), inspection.techniques);
-    std::vector<experiments::ObjectPair> written = inspection.pairs;
-    written.resize(std::min(written.size(), kPairsWritten));
-    document["pairs_found"] = inspection.pairs.size();
-    document["pairs"] = output::jsonOf(pairColumns(setup.scene, base::LengthUnit::none), written);
-    document["coplanar_fraction"] = inspection.coplanarFraction();
-    document["simplest"] =
-        inspection.simplest ? output::jsonOf(techniqueColumns(), inspection.techniques[*inspection.simplest])
-                            : nlohmann::ordered_json(nullptr);
-    document["advice"] = experiments::explain(inspection, setup.scene, view);
-    document["advice_parts"] =
-        output::sentenceParts(experiments::explain(inspection, setup.scene, view, output::markedLength));
+    addResults(document, inspection, setup.scene, view);
     document["fail_above"] = arguments.failAbove ? nlohmann::ordered_json(*arguments.failAbove) : nullptr;
     document["fails"] = fails;
     command.writeDocument(document);

@@ -79,6 +79,44 @@ void writePictures(const PictureFolder& folder, const experiments::TranslucencyR
     }
 }
 
+void print(Command& command, const experiments::TranslucencyExperiment& experiment,
+           const experiments::TranslucencyResults& all) {
+    command.console().table(output::tableOf(translucencyColumns(), all.results));
+    for (const experiments::TranslucencyResult& result : all.results) {
+        if (result.stats.refusal) {
+            command.console().line(
+                fmt::format("{} cascades drawn weighted: {}", result.cascades, result.note));
+        }
+    }
+    command.console().line(
+        fmt::format("\n{}; {}, {}x{}, mapping {}, {} repeats interleaved, median; errors in 8-bit "
+                    "steps of the worst channel, off silhouettes",
+                    command.opened().text(), experiment.scene, experiment.width, experiment.height,
+                    nameOf(experiment.mapping), experiment.repeats));
+}
+
+nlohmann::ordered_json documentOf(Command& command, const TranslucencyArguments& arguments,
+                                  const experiments::TranslucencyResults& all, const PictureFolder& folder) {
+    const experiments::TranslucencyExperiment& experiment = arguments.experiment;
+    nlohmann::ordered_json document = command.makeDocument({{"scene", experiment.scene},
+                                                            {"width", experiment.width},
+                                                            {"height", experiment.height},
+                                                            {"mapping", nameOf(experiment.mapping)},
+                                                            {"threads", experiment.threads},
+                                                            {"repeats", experiment.repeats},
+                                                            {"seed", experiment.seed}});
+    options::addChoiceJson(document["options"], arguments.choice);
+    const auto columns = translucencyColumns();
+    for (const experiments::TranslucencyResult& result : all.results) {
+        document["results"].push_back(output::jsonOf(columns, result));
+        if (folder.isWanted()) {
+            document["results"].back()["picture"] = stemOf(result) + ".png";
+            document["results"].back()["error_picture"] = stemOf(result) + "_error.png";
+        }
+    }
+    return document;
+}
+
 void run(Command& command, TranslucencyArguments& arguments) {
     command.measuresTime();
     experiments::TranslucencyExperiment& experiment = arguments.experiment;
@@ -101,38 +139,11 @@ void run(Command& command, TranslucencyArguments& arguments) {
         return;
     }
 
-    const auto columns = translucencyColumns();
-    command.console().table(output::tableOf(columns, all.results));
-    for (const experiments::TranslucencyResult& result : all.results) {
-        if (result.stats.refusal) {
-            command.console().line(
-                fmt::format("{} cascades drawn weighted: {}", result.cascades, result.note));
-        }
-    }
-    command.console().line(
-        fmt::format("\n{}; {}, {}x{}, mapping {}, {} repeats interleaved, median; errors in 8-bit "
-                    "steps of the worst channel, off silhouettes",
-                    command.opened().text(), experiment.scene, experiment.width, experiment.height,
-                    nameOf(experiment.mapping), experiment.repeats));
+    print(command, experiment, all);
     if (folder.isWanted()) { // else there is nothing to write
         writePictures(folder, all);
     }
-    auto document = command.makeDocument({{"scene", experiment.scene},
-                                          {"width", experiment.width},
-                                          {"height", experiment.height},
-                                          {"mapping", nameOf(experiment.mapping)},
-                                          {"threads", experiment.threads},
-                                          {"repeats", experiment.repeats},
-                                          {"seed", experiment.seed}});
-    options::addChoiceJson(document["options"], arguments.choice);
-    for (const experiments::TranslucencyResult& result : all.results) {
-        document["results"].push_back(output::jsonOf(columns, result));
-        if (folder.isWanted()) {
-            document["results"].back()["picture"] = stemOf(result) + ".png";
-            document["results"].back()["error_picture"] = stemOf(result) + "_error.png";
-        }
-    }
-    command.writeDocument(document);
+    command.writeDocument(documentOf(command, arguments, all, folder));
 }
 
 void addOptions(CLI::App& command, TranslucencyArguments& arguments) {

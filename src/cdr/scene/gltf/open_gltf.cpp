@@ -240,59 +240,76 @@ GltfLimits limitsOf(const GltfChoice& choice) {
     return limits;
 }
 
-/// An import lit and framed. @param path in messages
-OpenedScene opened(const std::filesystem::path& path, GltfImport import, const GltfChoice& choice) {
-    const std::optional<GltfCamera> camera = chosenCamera(path, import, choice.camera);
-    if (!camera && !import.cameras.empty()) {
+/// Says which cameras of a file are not looked through, or not as they are.
+void noteCameras(GltfImport& import, const std::optional<GltfCamera>& chosen) {
+    if (!chosen && !import.cameras.empty()) {
         import.ignored.push_back(import.cameras.size() == 1
                                      ? "its camera, which --camera 0 looks through"
                                      : fmt::format("its {} cameras, which --camera 0 to {} looks through",
                                                    import.cameras.size(), import.cameras.size() - 1));
     }
-    noteLights(path, import, choice.light);
-    OpenedScene result;
-    result.lights = listed(import.lights);
-    const auto chosen = chosenAnimation(path, import, choice);
-    const Sphere atRest = boundingSphere(import.scene.instances);
+    if (chosen && chosen->orthographic) {
+        import.ignored.push_back(
+            fmt::format("the xmag of the orthographic camera '{}', which is drawn in perspective from {} "
+                        "diameters of the scene away",
+                        chosen->name, kAfar));
+    }
+}
+
+/// What an animation moves.
+struct Played {
     SceneMotion motion;
-    std::optional<gltf::MovingLights> movingLights;
+    std::optional<gltf::MovingLights> lights;
+};
+
+/// Shows the first moment of the chosen animation, if any.
+Played playedFrom(GltfImport& import, const std::optional<std::size_t>& chosen, const GltfChoice& choice,
+                  std::vector<ListedLight>& lights) {
+    Played played;
     if (chosen) {
-        motion = motionOf(import.animation, chosen, clockOf(choice));
+        played.motion = motionOf(import.animation, chosen, clockOf(choice));
         platform::WorkerPool workers(1);
-        show(import.scene, motion, 0, workers);
-        movingLights.emplace(import, *chosen, clockOf(choice));
-        movingLights->place(import.lights, 0);
-        for (const std::uint32_t light : movingLights->moving()) {
-            result.lights[light].moves = true;
+        show(import.scene, played.motion, 0, workers);
+        played.lights.emplace(import, *chosen, clockOf(choice));
+        played.lights->place(import.lights, 0);
+        for (const std::uint32_t light : played.lights->moving()) {
+            lights[light].moves = true;
         }
     } else if (import.animation != nullptr && !import.animation->animations.empty()) {
         import.ignored.push_back(animationsNote(import.animation->animations));
     }
+    return played;
+}
+
+/// An import lit and framed. @param path in messages
+OpenedScene opened(const std::filesystem::path& path, GltfImport import, const GltfChoice& choice) {
+    const std::optional<GltfCamera> camera = chosenCamera(path, import, choice.camera);
+    noteCameras(import, camera);
+    noteLights(path, import, choice.light);
+    OpenedScene result;
+    result.lights = listed(import.lights);
     if (import.animation != nullptr) {
         for (const Animation& animation : import.animation->animations) {
             result.animations.push_back({animation.name, animation.seconds});
         }
     }
+    const auto chosen = chosenAnimation(path, import, choice);
+    const Sphere atRest = boundingSphere(import.scene.instances);
+    Played played = playedFrom(import, chosen, choice, result.lights);
     const Sphere bounds = requiredBounds(import.scene);
-    boundByPoses(import.scene, motion, 0);
+    boundByPoses(import.scene, played.motion, 0);
     const Sphere lightBounds = isSolid(atRest) ? atRest : bounds;
     const auto own = camera ? std::optional(drawnAs(*camera, camera->camera, lightBounds)) : std::nullopt;
-    if (camera && camera->orthographic) {
-        import.ignored.push_back(
-            fmt::format("the xmag of the orthographic camera '{}', which is drawn in perspective from {} "
-                        "diameters of the scene away",
-                        camera->name, kAfar));
-    }
     result.setup = setUpModel(std::move(import.scene), bounds, own, choice.light.value_or(ModelLight::lamps),
                               {import.lights, lightBounds});
     if (chosen && camera && import.rigNodeOf[static_cast<std::size_t>(camera->node)]) {
         result.setup.path = carriedPath(import, *camera, *chosen, choice, lightBounds);
     }
     if (choice.framesPerSecond) {
-        if (movingLights && choice.light == ModelLight::file) {
-            movingLights->addTo(motion, lightBounds.centre, lightBounds.radius);
+        if (played.lights && choice.light == ModelLight::file) {
+            played.lights->addTo(played.motion, lightBounds.centre, lightBounds.radius);
         }
-        result.setup.motion = std::move(motion);
+        result.setup.motion = std::move(played.motion);
     }
     result.notes = std::move(import.ignored);
     return result;
