@@ -69,6 +69,15 @@ TEST_F(BorrowedDevices, HaveTheNumbersOfShadersThatTheirOwnerNames) {
     EXPECT_FALSE(Device(borrowed).info().hasInt64Atomics);
 }
 
+TEST_F(BorrowedDevices, UseThePipelineCacheOfTheirOwnerAndLeaveIt) {
+    BorrowedDevice borrowed = lent();
+    const vk::Device owner(borrowed.device);
+    const vk::UniquePipelineCache cache = owner.createPipelineCacheUnique({}); // frees it once
+    EXPECT_NE(Device(borrowed).pipelineCache(), VkPipelineCache(*cache));
+    borrowed.pipelineCache = *cache;
+    EXPECT_EQ(Device(borrowed).pipelineCache(), VkPipelineCache(*cache));
+}
+
 TEST_F(BorrowedDevices, AQueueFamilyThatIsNotThereIsRefused) {
     BorrowedDevice spoilt = lent();
     spoilt.queueFamily = 1000;

@@ -153,7 +153,8 @@ struct Device::Handles {
     PFN_vkCmdEndDebugUtilsLabelEXT endLabel = nullptr;
     std::unique_ptr<VmaAllocator_T, AllocatorDeleter> ownedAllocator; ///< empty when borrowed
     VmaAllocator_T* allocator = nullptr;
-    vk::UniquePipelineCache pipelineCache;
+    vk::UniquePipelineCache ownedPipelineCache; ///< empty when borrowed
+    vk::PipelineCache pipelineCache;
     PipelineObjects pipelineObjects;
 };
 
@@ -198,7 +199,7 @@ VmaAllocator_T* Device::allocator() const {
 }
 
 VkPipelineCache Device::pipelineCache() const {
-    return *m_handles->pipelineCache;
+    return m_handles->pipelineCache;
 }
 
 PipelineObjects& pipelineObjects(const Device& device) {
@@ -232,6 +233,7 @@ Device::Device(const BorrowedDevice& borrowed) : m_handles(std::make_unique<Hand
     m_handles->queue = borrowed.queue;
     m_handles->submit = borrowed.submit;
     m_handles->allocator = borrowed.allocator;
+    m_handles->pipelineCache = borrowed.pipelineCache;
     DeviceInfo& info = m_handles->info = describe(borrowed.physical, 0);
     requireSuitable(borrowed, info);
     requireDeviceFunctions(borrowed.device);
@@ -273,7 +275,10 @@ void Device::loadDebugNames() {
 }
 
 void Device::finish(VkInstance instance) {
-    m_handles->pipelineCache = m_handles->device.createPipelineCacheUnique({});
+    if (!m_handles->pipelineCache) {
+        m_handles->ownedPipelineCache = m_handles->device.createPipelineCacheUnique({});
+        m_handles->pipelineCache = *m_handles->ownedPipelineCache;
+    }
     if (m_handles->allocator != nullptr) {
         return;
     }

@@ -92,6 +92,10 @@ struct BorrowedDevice {
     /// version of Vulkan Memory Allocator that cdr was built with, compiled with the same settings, and it must outlive the
     /// gpu::Device.
     VmaAllocator_T* allocator = nullptr;
+    /// The owner's, which then also keeps what pipelines of cdr were compiled to; so the owner can store it for the next start.
+    /// Null: one of its own is made. Not made with VK_PIPELINE_CACHE_CREATE_EXTERNALLY_SYNCHRONIZED_BIT, and it must outlive the
+    /// gpu::Device.
+    VkPipelineCache pipelineCache = VK_NULL_HANDLE;
     /// Takes the place of vkQueueSubmit2() on `queue`, for a queue that others submit to as well: it takes their lock. cdr calls
     /// nothing else that Vulkan wants this lock for.
     std::function<VkResult(const VkSubmitInfo2& submission, VkFence done)> submit{};
@@ -149,7 +153,7 @@ class CDR_EXPORT Device {
     bool isQueueShared() const;
     /// Of all memory that cdr takes; lent, or one of its own.
     VmaAllocator_T* allocator() const;
-    /// Pipelines that renderers of one device share are compiled once.
+    /// What all pipelines of cdr are made with; lent, or one of its own.
     VkPipelineCache pipelineCache() const;
     /// What listDevices() says of it.
     const DeviceInfo& info() const;
