@@ -199,6 +199,7 @@ render::RenderOptions randomOptions(std::mt19937_64& random, const std::vector<S
         options.detail.mode = visibility::DetailMode::perCascade;
     }
     addEffects(random, options);
+    options.linear = oneOf(random, kYesOrNo);
     return options;
 }
 
@@ -212,7 +213,7 @@ std::string describe(const render::RenderOptions& options) {
     }
     const auto said = [](bool is, const char* what) { return is ? what : ""; };
     return text + said(options.occlusionCulling, ", occlusion culling") + said(options.motion, ", motion") +
-           said(options.focus.isOn(), ", focus") +
+           said(options.linear, ", linear light") + said(options.focus.isOn(), ", focus") +
            said(options.effects.occlusion.radius > 0.0, ", ambient occlusion") +
            said(options.effects.occlusion.perLayer, " per cascade") + ", " + std::to_string(options.threads) +
            " threads, " + std::to_string(options.framesInFlight) + " in flight";
