@@ -82,8 +82,8 @@ struct CDR_EXPORT Frame {
     depth::Cascades cascades;        ///< nearest first
     std::vector<double> anchorsView; ///< each cascade's anchor plane, 0 where the mapping is not anchored
     image::ImageRgba8 color;         ///< sRGB
-    /// Linear light with Rec. 709 primaries, before exposure, tone mapping and antialiasing; at most 65,504. Empty without
-    /// RenderOptions::linear, or where FrameCopy::color was asked for.
+    /// Linear light with Rec. 709 primaries, before exposure, tone mapping and antialiasing. Above 65,504 it is cut off, or
+    /// infinite. Empty without RenderOptions::linear, or where FrameCopy::color was asked for.
     image::Raster<glm::vec3> linear{};
     /// The G-buffer: opaque surfaces, blended ones are seen through; empty where FrameCopy::color was asked
     /// for.

@@ -42,7 +42,7 @@ class Picture {
     /// attachment layout.
     const gpu::Image& lit() const { return m_lit ? m_lit->image : encoded(); }
 
-    /// Takes lit() from colour attachment layout and leaves encoded() in transfer source layout. So it does lit() where that is kept.
+    /// Takes lit() from colour attachment layout, and leaves encoded() and linear() in transfer source layout.
     void finish(vk::CommandBuffer primary) const;
 
     /// 8 bits, sRGB.
