@@ -3,36 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <optional>
 
 namespace cdr::render {
 
 namespace {
-
-using Points = std::array<glm::dvec2, 8>;
 
 struct Rectangle {
     glm::dvec2 low;
     glm::dvec2 high;
 };
 
-/// A convex body as a view sees it; nothing where it reaches behind the light.
-std::optional<Points> seenBy(const LightView& view, const std::array<glm::dvec3, 8>& corners,
-                             const glm::dvec3& shift) {
-    Points points;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const glm::dvec3 place = view.toLight(corners[i] - shift);
-        const double w = view.w(place.z);
-        if (w <= 0.0) {
-            return std::nullopt;
-        }
-        points[i] = glm::dvec2(place) / w;
-    }
-    return points;
-}
-
 /// Whether a line of this normal lies between the points and the rectangle.
-bool separates(const glm::dvec2& normal, const Points& points, const Rectangle& rectangle) {
+bool separates(const glm::dvec2& normal, const SeenCorners& points, const Rectangle& rectangle) {
     const glm::dvec2 middle = 0.5 * (rectangle.low + rectangle.high);
     const double reach = glm::dot(glm::abs(normal), 0.5 * (rectangle.high - rectangle.low));
     double least = std::numeric_limits<double>::infinity();
@@ -45,7 +27,7 @@ bool separates(const glm::dvec2& normal, const Points& points, const Rectangle& 
 }
 
 /// Whether the hull of the points meets the rectangle. Edges of the hull are among the lines between two of them.
-bool meets(const Points& points, const Rectangle& rectangle) {
+bool meets(const SeenCorners& points, const Rectangle& rectangle) {
     if (separates({1.0, 0.0}, points, rectangle) || separates({0.0, 1.0}, points, rectangle)) {
         return false;
     }

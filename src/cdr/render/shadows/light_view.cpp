@@ -151,6 +151,20 @@ shaders::LightLens LightView::lens() const {
     return lens;
 }
 
+std::optional<SeenCorners> seenBy(const LightView& view, const std::array<glm::dvec3, 8>& corners,
+                                  const glm::dvec3& shift) {
+    SeenCorners points;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::dvec3 place = view.toLight(corners[i] - shift);
+        const double w = view.w(place.z);
+        if (w <= 0.0) {
+            return std::nullopt;
+        }
+        points[i] = glm::dvec2(place) / w;
+    }
+    return points;
+}
+
 std::vector<LightView> lightViews(const scene::PointLight& light, const glm::dvec3& camera,
                                   const ReceiverSlice& slice, double footprintSlope,
                                   std::uint32_t maxTexels) {

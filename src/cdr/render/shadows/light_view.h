@@ -7,8 +7,10 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace cdr::render {
@@ -41,6 +43,14 @@ struct LightView {
     /// @param nearAhead of the nearest caster; behind it nothing is drawn.
     shaders::LightLens lens() const;
 };
+
+/// Of a convex body, right / w and up / w.
+using SeenCorners = std::array<glm::dvec2, 8>;
+
+/// A convex body as a view sees it; nothing where it reaches behind the light.
+/// @param shift from what corners are relative to, to the view's origin.
+std::optional<SeenCorners> seenBy(const LightView& view, const std::array<glm::dvec3, 8>& corners,
+                                  const glm::dvec3& shift);
 
 /// Texels around what is read: of the two by two that a receiver reads, and of roundings.
 inline constexpr std::uint32_t kMapBorder = 2;

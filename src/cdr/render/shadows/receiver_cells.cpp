@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace cdr::render {
@@ -41,7 +42,7 @@ struct Span {
 };
 
 /// Where a convex body lies between two heights.
-Interval acrossBand(const std::array<glm::dvec2, 8>& corners, const Interval& band) {
+Interval acrossBand(const SeenCorners& corners, const Interval& band) {
     Interval across;
     for (std::size_t i = 1; i < corners.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
@@ -74,16 +75,12 @@ ReceiverCells::ReceiverCells(const LightView& view, const ReceiverSlice& slice, 
     for (const SeenSphere& sphere : slice.seen) {
         add(areaOf(view.toLight(shift + sphere.centre), glm::dvec3(sphere.radius)));
     }
-    std::array<glm::dvec2, 8> corners;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const glm::dvec3 place = view.toLight(shift + slice.view[i]);
-        const double w = view.w(place.z);
-        if (w <= 0.0) { // it may cover anything
-            return;
+    if (std::optional<SeenCorners> corners = seenBy(view, slice.view, -shift)) { // else it may cover anything
+        for (glm::dvec2& corner : *corners) {
+            corner = cellsAt(corner, 1.0);
         }
-        corners[i] = cellsAt(place, w);
+        keepWithin(*corners);
     }
-    keepWithin(corners);
 }
 
 bool ReceiverCells::meet(const glm::dvec3& middle, const glm::dvec3& half) const {
@@ -119,7 +116,7 @@ void ReceiverCells::add(const Area& area) {
 }
 
 /// Clears the cells beside a convex body.
-void ReceiverCells::keepWithin(const std::array<glm::dvec2, 8>& corners) {
+void ReceiverCells::keepWithin(const SeenCorners& corners) {
     for (std::size_t row = 0; row < kSide; ++row) {
         const auto top = static_cast<double>(row);
         const Interval across = acrossBand(corners, {top - m_margin.y, top + 1.0 + m_margin.y});

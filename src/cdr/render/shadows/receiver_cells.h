@@ -31,7 +31,7 @@ class ReceiverCells {
     glm::dvec2 cellsAt(const glm::dvec2& place, double w) const { return (place / w - m_low) * m_perUnit; }
     Area areaOf(const glm::dvec3& middle, const glm::dvec3& half) const;
     void add(const Area& area);
-    void keepWithin(const std::array<glm::dvec2, 8>& corners);
+    void keepWithin(const SeenCorners& corners);
 
     double m_wOffset; ///< LightView
     double m_wPerUnit;
