@@ -28,6 +28,8 @@ struct MeshRange {
     bool isFaceted = false; ///< the vertices of every triangle share their colour and its own normal
     bool isClosed =
         false; ///< render::isClosed(); not once it is deformed, since vertices at one place may part
+    std::uint32_t firstChunk = 0; ///< visibility::chunksOf() the mesh itself, for GpuScene::chunksOf()
+    std::uint32_t chunkCount = 0; ///< 0 for a small mesh, and once the device deforms it
 
     bool operator==(const MeshRange&) const = default;
 };

@@ -260,6 +260,10 @@ LevelRange GpuScene::indicesOf(const MeshRange& mesh, std::uint32_t level) const
                       : m_state->m_meshes.levels()[mesh.firstLevel + level - 1];
 }
 
+std::span<const visibility::MeshChunk> GpuScene::chunksOf(const MeshRange& mesh) const {
+    return std::span(m_state->m_meshes.chunks()).subspan(mesh.firstChunk, mesh.chunkCount);
+}
+
 void GpuScene::State::update() {
     m_retired.free();
     if (isCurrent()) {

@@ -18,7 +18,8 @@ class WorkerPool;
 }
 namespace cdr::visibility {
 class InstanceCells;
-}
+struct MeshChunk;
+} // namespace cdr::visibility
 
 namespace cdr::render {
 
@@ -128,6 +129,8 @@ class CDR_EXPORT GpuScene {
     const std::vector<LevelRange>& levels() const;
     /// The indices of a mesh at a level of detail, at most MeshRange::levelCount.
     LevelRange indicesOf(const MeshRange& mesh, std::uint32_t level) const;
+    /// The chunks of a large mesh itself; none of a small mesh, and of one that the device deforms.
+    std::span<const visibility::MeshChunk> chunksOf(const MeshRange& mesh) const;
 
   private:
     class State;

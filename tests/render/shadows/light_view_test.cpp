@@ -105,7 +105,7 @@ class LightViewTest : public testing::Test {
         cells.build(scene, m_workers);
         std::vector<std::uint32_t> casters;
         const render::ReceiverCells receivers(view, slice, m_camera.position);
-        render::cullCasters(cells, view, receivers, casters);
+        render::cullCasters(cells, view, render::CasterTest(view, receivers), casters);
         return std::count(casters.begin(), casters.end(), instance) == 1;
     }
 
@@ -142,8 +142,9 @@ TEST_F(LightViewTest, EachReceiverIsInAMapWhereverTheLightIs) {
             std::vector<LightView> views = viewsOf(light, slice);
             for (LightView& view : views) {
                 std::vector<std::uint32_t> casters;
-                view.nearAhead = render::cullCasters(
-                    m_cells, view, render::ReceiverCells(view, slice, m_camera.position), casters);
+                const render::ReceiverCells receivers(view, slice, m_camera.position);
+                view.nearAhead =
+                    render::cullCasters(m_cells, view, render::CasterTest(view, receivers), casters);
                 EXPECT_LE(view.size.width, kTexels);
                 EXPECT_LE(view.size.height, kTexels);
                 EXPECT_LT(view.nearAhead, view.farAhead);

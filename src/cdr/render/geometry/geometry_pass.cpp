@@ -2,6 +2,7 @@
 #include <cdr/render/geometry/begin_cascade.h>
 #include <cdr/render/geometry/geometry_pass.h>
 #include <cdr/render/view_transform.h>
+#include <cdr/visibility/chunk_test.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -107,6 +108,51 @@ class GeometryPass::StateBinder {
     int m_mirrored = kUnset;
 };
 
+/// Which draws of a cascade are large meshes that reach out of it, and what it shows of them.
+class GeometryPass::CutDraws {
+  public:
+    CutDraws(const GpuScene& scene, const Recording& recording, std::size_t cascade)
+        : m_scene(scene),
+          m_recording(recording),
+          m_test(recording.view.camera, recording.view.frustum, recording.view.cascades[cascade].clipRange) {}
+
+    bool isCut(std::size_t draw) const {
+        const DrawKind& kind = kindOf(draw);
+        // A layer moves a surface along the view distance.
+        return kind.mesh.chunkCount > 0 && (kind.variant & kLayeredVariant) == 0 && isWholeMesh(draw) &&
+               !m_test.holdsAll(placed(draw));
+    }
+    template <typename Draw>
+    void forEachRun(std::size_t draw, const Draw& drawRun) const {
+        const MeshRange& mesh = kindOf(draw).mesh;
+        const visibility::ChunkTest::Placed instance = placed(draw);
+        visibility::forEachSeenRun(
+            m_scene.chunksOf(mesh), mesh.indexCount,
+            [&](const visibility::MeshChunk& chunk) { return m_test.mayShow(instance, chunk); }, drawRun);
+    }
+
+  private:
+    const DrawSource& sourceOf(std::size_t draw) const {
+        return m_scene.sources()[m_recording.lists.instance[draw]];
+    }
+    const DrawKind& kindOf(std::size_t draw) const { return m_scene.kinds()[sourceOf(draw).kind]; }
+    /// Rather than a coarser level, or clusters.
+    bool isWholeMesh(std::size_t draw) const {
+        const visibility::DrawLists& lists = m_recording.lists;
+        return (lists.level.empty() || lists.level[draw] == 0) &&
+               (lists.runs.empty() || lists.runs[draw].indexCount == 0);
+    }
+    visibility::ChunkTest::Placed placed(std::size_t draw) const {
+        const DrawSource& source = sourceOf(draw);
+        return m_test.placed(source.position, source.basis,
+                             m_recording.radii[m_recording.lists.instance[draw]]);
+    }
+
+    const GpuScene& m_scene;
+    const Recording& m_recording;
+    visibility::ChunkTest m_test;
+};
+
 void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const Recording& recording) const {
     const std::size_t wideBegin = recording.lists.wideBegin(job.cascade);
     const std::uint32_t* instances = recording.lists.instance.data();
@@ -118,19 +164,23 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
     beginJob(commands, recording.view, job.cascade, recording.recordBuffer);
     StateBinder state(m_pipelines, commands, makeCascadePush(recording.view, job.cascade));
     DrawRecordMaker records(recording.view.camera, recording.view.cascades[job.cascade].terms.anchorView);
+    const CutDraws cut(m_scene, recording, job.cascade);
     for (std::size_t first = job.draws.begin; first < job.draws.end;) {
         const std::uint32_t kindIndex = sources[instances[first]].kind;
         const std::uint32_t level = levels == nullptr ? 0 : levels[first];
         const visibility::ClusterRun clusters = runs == nullptr ? visibility::ClusterRun{} : runs[first];
         const Span span = first >= wideBegin ? Span::wide : Span::compact;
-        // A run ends with its kind, its level, its clusters, its bucket or its job.
-        const std::size_t limit = m_batching != Batching::instanced ? first + 1
-                                  : span == Span::wide              ? job.draws.end
-                                                                    : std::min(wideBegin, job.draws.end);
+        const DrawKind& kind = kinds[kindIndex];
+        const bool isCut = cut.isCut(first);
+        // A run ends with its kind, its level, its clusters, its bucket or its job. What is cut is drawn by itself.
+        const std::size_t limit = m_batching != Batching::instanced || isCut ? first + 1
+                                  : span == Span::wide                       ? job.draws.end
+                                                       : std::min(wideBegin, job.draws.end);
         const auto isOfRun = [&](std::size_t draw) {
             return sources[instances[draw]].kind == kindIndex &&
                    (levels == nullptr || levels[draw] == level) &&
-                   (runs == nullptr || runs[draw] == clusters);
+                   (runs == nullptr || runs[draw] == clusters) &&
+                   (kind.mesh.chunkCount == 0 || draw == first || !cut.isCut(draw));
         };
         std::size_t end = first;
         for (; end < limit && isOfRun(end); ++end) {
@@ -139,25 +189,38 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
             const DrawSource& source = sources[instances[end]];
             recording.records[end] = records.make(source, materials[source.material]);
         }
-        const DrawKind& kind = kinds[kindIndex];
         state.bind(kind, span);
         if (m_batching == Batching::pushConstants) {
             // Made twice, since a graphics card's memory is slow to read.
             const DrawSource& source = sources[instances[first]];
-            const shaders::DrawRecord pushed = records.make(source, materials[source.material]);
-            m_pushConstants(commands, m_pipelines.layout(),
-                            static_cast<VkShaderStageFlags>(GeometryPipelines::kStages),
-                            shaders::kPushedRecordOffset, sizeof(pushed), &pushed);
+            push(commands, records.make(source, materials[source.material]));
         }
-        const LevelRange indices =
-            clusters.indexCount > 0
-                ? LevelRange{.firstIndex = kind.mesh.firstClusterIndex + clusters.firstIndex,
-                             .indexCount = clusters.indexCount}
-                : m_scene.indicesOf(kind.mesh, level);
-        m_drawIndexed(commands, indices.indexCount, static_cast<std::uint32_t>(end - first),
-                      indices.firstIndex, kind.mesh.vertexOffset, static_cast<std::uint32_t>(first));
+        const LevelRange indices = indicesOf(kind.mesh, level, clusters);
+        const auto draw = [&](const visibility::IndexRun& run) {
+            m_drawIndexed(commands, run.count, static_cast<std::uint32_t>(end - first),
+                          indices.firstIndex + run.first, kind.mesh.vertexOffset,
+                          static_cast<std::uint32_t>(first));
+        };
+        if (isCut) {
+            cut.forEachRun(first, draw);
+        } else {
+            draw({.count = indices.indexCount});
+        }
         first = end;
     }
+}
+
+void GeometryPass::push(vk::CommandBuffer commands, const shaders::DrawRecord& record) const {
+    m_pushConstants(commands, m_pipelines.layout(),
+                    static_cast<VkShaderStageFlags>(GeometryPipelines::kStages), shaders::kPushedRecordOffset,
+                    sizeof(record), &record);
+}
+
+LevelRange GeometryPass::indicesOf(const MeshRange& mesh, std::uint32_t level,
+                                   const visibility::ClusterRun& clusters) const {
+    return clusters.indexCount > 0 ? LevelRange{.firstIndex = mesh.firstClusterIndex + clusters.firstIndex,
+                                                .indexCount = clusters.indexCount}
+                                   : m_scene.indicesOf(mesh, level);
 }
 
 void GeometryPass::recordIndirect(vk::CommandBuffer commands, const FrameView& view, std::size_t cascade,

@@ -22,6 +22,7 @@ class GeometryPass {
     struct Recording {
         const FrameView& view;
         const visibility::DrawLists& lists;
+        std::span<const float> radii;           ///< scene::Instances::radius
         std::span<shaders::DrawRecord> records; ///< mapped, one per draw of `lists`
         vk::Buffer recordBuffer;                ///< they are in
     };
@@ -55,9 +56,14 @@ class GeometryPass {
     void followKinds() { m_pipelines.follow(m_device, m_scene); }
 
   private:
+    class CutDraws;
     class StateBinder;
     void beginJob(vk::CommandBuffer commands, const FrameView& view, std::size_t cascade,
                   vk::Buffer records) const;
+    void push(vk::CommandBuffer commands, const shaders::DrawRecord& record) const;
+    /// Of a run of clusters, or of the mesh at a level.
+    LevelRange indicesOf(const MeshRange& mesh, std::uint32_t level,
+                         const visibility::ClusterRun& clusters) const;
 
     const gpu::Device& m_device;
     const GpuScene& m_scene;

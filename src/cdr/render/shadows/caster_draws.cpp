@@ -32,6 +32,7 @@ void CasterDraws::prepare(const FrameView& frame, std::span<const ReceiverSlice>
     });
     m_casters.clear();
     m_batches.clear();
+    m_runs.clear();
     m_views.clear();
     for (const Found& some : found) {
         const std::size_t first = m_casters.size();
@@ -39,8 +40,12 @@ void CasterDraws::prepare(const FrameView& frame, std::span<const ReceiverSlice>
         m_casters.insert(m_casters.end(), some.casters.begin(), some.casters.end());
         for (Batch batch : some.batches) {
             batch.casters = {first + batch.casters.begin, first + batch.casters.end};
+            if (batch.runs) {
+                batch.runs = {m_runs.size() + batch.runs->begin, m_runs.size() + batch.runs->end};
+            }
             m_batches.push_back(batch);
         }
+        m_runs.insert(m_runs.end(), some.runs.begin(), some.runs.end());
     }
     growRecords();
     workers.run(views.size(), [&](std::size_t view, std::size_t) {
@@ -55,7 +60,8 @@ CasterDraws::Found CasterDraws::find(const visibility::InstanceCells& cells, con
                                      const ReceiverSlice& slice, LightView& view) const {
     Found found;
     const ReceiverCells receivers(view, slice, frame.camera.position);
-    view.nearAhead = cullCasters(cells, view, receivers, found.casters);
+    const CasterTest test(view, receivers);
+    view.nearAhead = cullCasters(cells, view, test, found.casters);
     // What becomes one draw lies together, in the scene's order.
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
     order.reserve(found.casters.size());
@@ -65,14 +71,50 @@ CasterDraws::Found CasterDraws::find(const visibility::InstanceCells& cells, con
     std::sort(order.begin(), order.end());
     for (std::size_t i = 0; i < order.size(); ++i) {
         const auto& [draw, caster] = order[i];
-        if (i == 0 || draw != order[i - 1].first) {
-            found.batches.push_back(batchOf(caster, frame, view));
-            found.batches.back().casters.begin = i;
+        Batch batch = batchOf(caster, frame, view);
+        batch.runs = cut(batch, caster, view, test, found.runs);
+        if (i == 0 || draw != order[i - 1].first || batch.runs || found.batches.back().runs) {
+            batch.casters.begin = i;
+            found.batches.push_back(batch);
         }
         found.batches.back().casters.end = i + 1;
         found.casters[i] = caster;
     }
     return found;
+}
+
+/// What is drawn of a large mesh, where that is not all. Appends its runs.
+std::optional<CasterDraws::Range> CasterDraws::cut(const Batch& batch, std::uint32_t caster,
+                                                   const LightView& view, const CasterTest& test,
+                                                   std::vector<visibility::IndexRun>& runs) const {
+    const MeshRange& mesh = kindOf(caster).mesh;
+    if (mesh.chunkCount == 0 || batch.level != 0) {
+        return std::nullopt;
+    }
+    const DrawSource& source = m_scene.uploaded.sources()[caster];
+    const glm::dvec3 place = source.position - view.origin;
+    const glm::dmat3 basis(source.basis);
+    const double rounding = roundingOf(caster, view);
+    const auto isSeen = [&](const visibility::MeshChunk& chunk) {
+        const glm::dvec3 half(chunk.half);
+        return test.holds({.middle = place + basis * glm::dvec3(chunk.middle),
+                           .halfSides = {basis[0] * half.x, basis[1] * half.y, basis[2] * half.z}},
+                          rounding);
+    };
+    const std::size_t first = runs.size();
+    visibility::forEachSeenRun(m_scene.uploaded.chunksOf(mesh), mesh.indexCount, isSeen,
+                               [&](const visibility::IndexRun& run) { runs.push_back(run); });
+    if (runs.size() == first + 1 && runs.back().count == mesh.indexCount) {
+        runs.pop_back();
+        return std::nullopt;
+    }
+    return Range{first, runs.size()};
+}
+
+/// Of a caster's vertices, in scene units.
+double CasterDraws::roundingOf(std::uint32_t caster, const LightView& view) const {
+    const glm::dvec3 place = m_scene.uploaded.sources()[caster].position - view.origin;
+    return kRounding * (glm::length(place) + static_cast<double>(m_scene.scene.instances.radius[caster]));
 }
 
 const DrawKind& CasterDraws::kindOf(std::uint32_t caster) const {
@@ -141,12 +183,10 @@ void CasterDraws::writeRecords(const LightView& view, const Range& range) const 
         const glm::dvec3 place = source.position - view.origin;
         const glm::dvec3 offset = view.toLight(place);
         const glm::dmat3 basis(source.basis);
-        const auto radius = static_cast<double>(m_scene.scene.instances.radius[m_casters[i]]);
-        const double rounding = kRounding * (glm::length(place) + radius);
         records[i] = {.right = glm::vec4(glm::vec3(view.right * basis), static_cast<float>(offset.x)),
                       .up = glm::vec4(glm::vec3(view.up * basis), static_cast<float>(offset.y)),
                       .ahead = glm::vec4(glm::vec3(view.ahead * basis), static_cast<float>(offset.z)),
-                      .rounding = static_cast<float>(rounding),
+                      .rounding = static_cast<float>(roundingOf(m_casters[i], view)),
                       .leastAlpha = leastAlphaOf(m_casters[i])};
     }
 }
@@ -175,9 +215,18 @@ void CasterDraws::record(vk::CommandBuffer commands, std::size_t view,
                                                                       : vk::FrontFace::eCounterClockwise);
         }
         const LevelRange indices = scene.indicesOf(kind.mesh, batch.level);
-        commands.drawIndexed(
-            indices.indexCount, static_cast<std::uint32_t>(batch.casters.end - batch.casters.begin),
-            indices.firstIndex, kind.mesh.vertexOffset, static_cast<std::uint32_t>(batch.casters.begin));
+        const auto draw = [&](const visibility::IndexRun& run) {
+            commands.drawIndexed(run.count,
+                                 static_cast<std::uint32_t>(batch.casters.end - batch.casters.begin),
+                                 indices.firstIndex + run.first, kind.mesh.vertexOffset,
+                                 static_cast<std::uint32_t>(batch.casters.begin));
+        };
+        if (batch.runs) {
+            std::for_each(m_runs.begin() + static_cast<std::ptrdiff_t>(batch.runs->begin),
+                          m_runs.begin() + static_cast<std::ptrdiff_t>(batch.runs->end), draw);
+        } else {
+            draw({.count = indices.indexCount});
+        }
         last = &batch;
     }
 }

@@ -5,9 +5,11 @@
 #include <cdr/platform/worker_pool.h>
 #include <cdr/render/drawn_scene.h>
 #include <cdr/render/frame_view.h>
-#include <cdr/render/shadows/light_view.h>
+#include <cdr/render/shadows/caster_test.h>
+#include <cdr/visibility/mesh_chunks.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -56,14 +58,19 @@ class CasterDraws {
         std::uint8_t level = 0; ///< of detail
         Faces faces = Faces::all;
         bool isMasked = false;
+        std::optional<Range> runs{}; ///< of one caster alone: what is drawn of its mesh; else all
     };
     /// What one view shows; ranges begin at 0.
     struct Found {
         std::vector<std::uint32_t> casters;
         std::vector<Batch> batches;
+        std::vector<visibility::IndexRun> runs;
     };
     Found find(const visibility::InstanceCells& cells, const FrameView& frame, const ReceiverSlice& slice,
                LightView& view) const;
+    std::optional<Range> cut(const Batch& batch, std::uint32_t caster, const LightView& view,
+                             const CasterTest& test, std::vector<visibility::IndexRun>& runs) const;
+    double roundingOf(std::uint32_t caster, const LightView& view) const;
     const DrawKind& kindOf(std::uint32_t caster) const;
     bool isMasked(std::uint32_t caster) const;
     Batch batchOf(std::uint32_t caster, const FrameView& frame, const LightView& view) const;
@@ -76,8 +83,9 @@ class CasterDraws {
     DrawnScene m_scene;
     std::vector<std::uint32_t> m_casters; ///< view by view; of a view, batch by batch
     std::vector<Batch> m_batches;         ///< view by view
-    std::vector<Range> m_views;           ///< by view, of m_batches
-    gpu::Buffer m_records;                ///< of each caster
+    std::vector<visibility::IndexRun> m_runs;
+    std::vector<Range> m_views; ///< by view, of m_batches
+    gpu::Buffer m_records;      ///< of each caster
 };
 
 } // namespace cdr::render

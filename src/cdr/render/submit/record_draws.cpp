@@ -18,6 +18,7 @@ void RecordDraws::record(vk::CommandBuffer commands, const DrawJob& job, const F
     m_pass.record(commands, job,
                   {.view = view,
                    .lists = lists(),
+                   .radii = scene().instances.radius,
                    .records = m_records.as<shaders::DrawRecord>(lists().draws()),
                    .recordBuffer = m_records.handle()});
 }

@@ -109,6 +109,7 @@ MeshRange SceneMeshes::place(const scene::Mesh& mesh, Packed& into) {
         m_used.indices += indices.size();
         return first;
     };
+    const std::vector<visibility::MeshChunk> chunks = visibility::chunksOf(mesh.vertices, mesh.indices);
     const MeshRange range{.firstIndex = placeIndices(mesh.indices),
                           .indexCount = static_cast<std::uint32_t>(mesh.indices.size()),
                           .vertexOffset = static_cast<std::int32_t>(m_used.vertices),
@@ -117,7 +118,10 @@ MeshRange SceneMeshes::place(const scene::Mesh& mesh, Packed& into) {
                           .firstClusterIndex = placeIndices(mesh.clusters.indices),
                           .boundingRadius = mesh.boundingRadius,
                           .isFaceted = isFaceted(mesh),
-                          .isClosed = isClosed(mesh.vertices, mesh.indices)};
+                          .isClosed = isClosed(mesh.vertices, mesh.indices),
+                          .firstChunk = static_cast<std::uint32_t>(m_chunks.size()),
+                          .chunkCount = static_cast<std::uint32_t>(chunks.size())};
+    m_chunks.insert(m_chunks.end(), chunks.begin(), chunks.end());
     for (const scene::MeshLevel& level : mesh.levels) {
         m_levels.push_back({.firstIndex = placeIndices(level.indices),
                             .indexCount = static_cast<std::uint32_t>(level.indices.size()),
@@ -134,6 +138,7 @@ void SceneMeshes::upload(const scene::Scene& scene, const Counts& room) {
     m_used = {};
     m_ranges.clear();
     m_levels.clear();
+    m_chunks.clear();
     const auto made = [&](std::size_t bytes, vk::BufferUsageFlags usage, const char* name) {
         return gpu::Buffer(m_device, bytes, usage | vk::BufferUsageFlagBits::eTransferDst,
                            gpu::MemoryUse::deviceOnly, name);
@@ -237,6 +242,10 @@ bool SceneMeshes::followVertices(const scene::Scene& scene, std::span<const std:
             details.push_back(partOf(first, detailsOf(mesh)));
         }
         range.boundingRadius = mesh.boundingRadius;
+        if (range.chunkCount > 0) {
+            std::ranges::copy(visibility::chunksOf(mesh.vertices, mesh.indices),
+                              m_chunks.begin() + range.firstChunk);
+        }
         changesKind = becomesDeformed(range, isFaceted(mesh)) || changesKind;
     }
     gpu::writeBuffer(m_device, m_vertices, vertices);
@@ -247,8 +256,10 @@ bool SceneMeshes::followVertices(const scene::Scene& scene, std::span<const std:
 }
 
 bool SceneMeshes::followPose(std::uint32_t mesh, float boundingRadius, bool isFaceted) {
-    m_ranges[mesh].boundingRadius = boundingRadius;
-    return becomesDeformed(m_ranges[mesh], isFaceted);
+    MeshRange& range = m_ranges[mesh];
+    range.boundingRadius = boundingRadius;
+    const bool hadChunks = std::exchange(range.chunkCount, 0) > 0;
+    return becomesDeformed(range, isFaceted) || hadChunks;
 }
 
 std::uint64_t SceneMeshes::predictBytes(const scene::Scene& scene) {

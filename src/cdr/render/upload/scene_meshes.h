@@ -4,6 +4,7 @@
 #include <cdr/gpu/retired.h>
 #include <cdr/render/draw_source.h>
 #include <cdr/scene/scene.h>
+#include <cdr/visibility/mesh_chunks.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -39,7 +40,8 @@ class SceneMeshes {
     /// @param changed meshes, repeats allowed
     bool followVertices(const scene::Scene& scene, std::span<const std::uint32_t> changed);
 
-    /// The device gives a mesh its vertices. Whether draw kinds say something else of it, as for followVertices().
+    /// The device gives a mesh its vertices. Whether draw kinds say something else of it, as for followVertices(), or that it has no
+    /// chunks now.
     bool followPose(std::uint32_t mesh, float boundingRadius, bool isFaceted);
 
     /// Uploads what vertices have beside themselves, or drops it, where materials now need it or do so no more; then waits.
@@ -53,6 +55,8 @@ class SceneMeshes {
     const std::vector<MeshRange>& ranges() const { return m_ranges; }
     /// The coarser levels of each mesh, one after another.
     const std::vector<LevelRange>& levels() const { return m_levels; }
+    /// The chunks of each large mesh, one after another.
+    const std::vector<visibility::MeshChunk>& chunks() const { return m_chunks; }
 
     /// Device memory that upload() takes.
     static std::uint64_t predictBytes(const scene::Scene& scene);
@@ -81,6 +85,7 @@ class SceneMeshes {
     Counts m_used;                ///< of it, from the start on; what meshes that went have left is among it
     std::vector<MeshRange> m_ranges;
     std::vector<LevelRange> m_levels;
+    std::vector<visibility::MeshChunk> m_chunks;
 };
 
 } // namespace cdr::render
