@@ -20,16 +20,16 @@ using render::RenderOptions;
 
 constexpr std::uint32_t kCells = 96;
 
-/// Hills four times: as they are, turned and mirrored above the camera, small beside it, and with a layer.
+/// Hills four times: as they are, turned and mirrored above the camera, small beside it, and below, with a layer that lifts them above.
 scene::SceneSetup hillsAround() {
     scene::SceneSetup setup = scenes::makeTerrain(2013, kCells);
     scene::Scene& scene = setup.scene;
-    scene.materials.push_back({.name = "above", .doubleSided = true, .layer = 0.01f});
+    scene.materials.push_back({.name = "above", .doubleSided = true, .layer = 300.0f});
     const glm::dvec3 eye = setup.path.at(0).position;
     scene::addInstance(scene, 0, 0, 1, eye + glm::dvec3(0.0, 9e3, 0.0),
                        glm::mat3(-0.5f, 0, 0, 0, -0.5f, 0.1f, 0.2f, 0, -0.5f));
     scene::addInstance(scene, 0, 0, 2, eye + glm::dvec3(30.0, 5.0, 20.0), glm::mat3(1e-3f));
-    scene::addInstance(scene, 0, 1, 3, eye + glm::dvec3(-4e3, -1e3, 2e3), glm::mat3(0.1f));
+    scene::addInstance(scene, 0, 1, 3, {0.0, -20.0, 0.0}, glm::mat3(1.0f));
     // A lamp that stands in what it lights, and the sun.
     scene.lights = {{.position = eye + glm::dvec3(100.0, 40.0, -50.0), .halfDistance = 500.0},
                     {.position = glm::dvec3(3e5, 2e5, 1e5), .halfDistance = 1e7}};
@@ -119,7 +119,7 @@ scene::Scene sheetScene(const std::vector<scene::Vertex>& vertices) {
     mesh.indices.resize(vertices.size());
     std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
     mesh.boundingRadius = scene::boundingRadiusOf(vertices);
-    scene::addInstance(scene, 1, 0, 0, {0.0, -6.0, -15.0}, glm::mat3(1.0f));
+    scene::addInstance(scene, 1, 0, 0, {0.0, -9.0, -15.0}, glm::mat3(1.0f));
     scene.lights.front().position = {0.0, 30.0, -10.0};
     return scene;
 }
