@@ -11,6 +11,9 @@ namespace {
 /// Of a difference of cosines; KHR_lights_punctual bounds how sharp a cone is.
 constexpr double kMinFall = 1e-3;
 
+/// Scene units, about 10^18; the squares of three such coordinates fit a float32.
+constexpr double kFarthestLight = 0x1p60;
+
 float perSquare(double distance) {
     return std::min(static_cast<float>(1.0 / (distance * distance)), std::numeric_limits<float>::max());
 }
@@ -62,7 +65,24 @@ glm::vec2 splitDouble(double value) {
     return {pair.value, pair.rest};
 }
 
-shaders::LightRecord makeLightRecord(const scene::PointLight& light, const scene::Camera& camera) {
+scene::PointLight broughtNear(const scene::PointLight& light, const scene::Camera& camera) {
+    const glm::dvec3 way = light.position - camera.position;
+    const double farthest = std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)});
+    if (farthest <= kFarthestLight) {
+        return light;
+    }
+    const double share = kFarthestLight / farthest;
+    scene::PointLight near = light;
+    near.position = camera.position + share * way;
+    near.halfDistance *= share;
+    if (near.range) {
+        *near.range *= share;
+    }
+    return near;
+}
+
+shaders::LightRecord makeLightRecord(const scene::PointLight& anywhere, const scene::Camera& camera) {
+    const scene::PointLight light = broughtNear(anywhere, camera);
     const glm::dvec3 view = camera.toView(light.position);
     const glm::vec2 x = splitDouble(view.x);
     const glm::vec2 y = splitDouble(view.y);

@@ -30,8 +30,12 @@ class DrawRecordMaker {
     std::array<glm::vec3, 3> m_rows;
 };
 
-/// A light in view space, each coordinate as a float and its rest.
-shaders::LightRecord makeLightRecord(const scene::PointLight& light, const scene::Camera& camera);
+/// A light whose distance float32 can square: one that is too far away is moved towards the camera. It lights all that is much
+/// nearer as before.
+scene::PointLight broughtNear(const scene::PointLight& light, const scene::Camera& camera);
+
+/// A light in view space, broughtNear(), each coordinate as a float and its rest.
+shaders::LightRecord makeLightRecord(const scene::PointLight& anywhere, const scene::Camera& camera);
 
 /// A direction of the world along the camera's axes: right, up, back.
 glm::dvec3 directionInView(const scene::Camera& camera, const glm::dvec3& world);

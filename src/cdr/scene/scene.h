@@ -51,8 +51,9 @@ struct LightCone {
 
 /// A light at a point. It shines alike in all directions, or within a cone.
 struct PointLight {
-    glm::dvec3 position{0.0}; ///< world space
-    glm::vec3 color{1.0f};    ///< linear
+    /// World space. Surfaces that are more than 10^18 units from a light are lit by it too brightly, or not at all.
+    glm::dvec3 position{0.0};
+    glm::vec3 color{1.0f}; ///< linear
     /// Distance at which the light is half as strong, in scene units. It falls as 1 / (1 + (d /
     /// halfDistance)^2).
     double halfDistance = 1.0;

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace cdr::render {
 
@@ -24,13 +25,13 @@ enum class Reflection : std::uint8_t {
 /// facet. The model is that of matt surfaces in shaders/shading/lighting.glsl.
 class FacetLight {
   public:
-    /// @param scene must outlive it, and has at most shaders::kPushedLights lights, none with a cone or a range.
-    explicit FacetLight(const scene::Scene& scene);
+    /// @param scene has at most shaders::kPushedLights lights, none with a cone or a range.
+    FacetLight(const scene::Scene& scene, const scene::Camera& camera);
 
     /// Colours per vertex. First the ambient light that the facet reflects. Then for each of litBy() the product of its
     /// colour, the albedo and the light's height over the facet's plane, in scene units.
     static std::size_t strideOf(const scene::Scene& scene) { return 1 + litBy(scene); }
-    std::size_t stride() const { return strideOf(m_scene); }
+    std::size_t stride() const { return 1 + std::max<std::size_t>(m_lights.size(), 1); }
     /// How many lights shaders are told of: 1 or more, since without any there is a black one.
     static std::size_t litBy(const scene::Scene& scene) {
         return std::max<std::size_t>(scene.lights.size(), 1);
@@ -45,7 +46,8 @@ class FacetLight {
                glm::vec3* into) const;
 
   private:
-    const scene::Scene& m_scene;
+    std::vector<scene::PointLight> m_lights; ///< broughtNear()
+    glm::vec3 m_ambientLight;
     std::array<glm::vec3, kMaxSolidParts> m_ambient{};
     std::array<glm::vec3, kMaxSolidParts> m_albedo{}; ///< 0 of unlit facets
 };

@@ -25,7 +25,7 @@ void FacetPass::record(vk::CommandBuffer commands, const DrawJob& job, const Rec
     streams.firstFacet += static_cast<std::uint32_t>(first * most.facets);
     std::optional<FacetLight> light;
     if (lights()) {
-        light.emplace(recording.scene);
+        light.emplace(recording.scene, recording.view.camera);
         streams.lit += first * most.vertices * light->stride();
         commands.bindVertexBuffers(FacetPipelines::kLitBinding, {recording.lit}, {0});
     }
