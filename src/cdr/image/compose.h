@@ -15,7 +15,7 @@ ImageRgba8 shrink(const ImageRgba8& source, std::uint32_t factor);
 void paste(ImageRgba8& target, const ImageRgba8& source, std::uint32_t x, std::uint32_t y);
 
 /// Draws ASCII text with its top left corner at (x, y), glyphs about 8 * scale pixels high. Pixels outside
-/// are left out.
+/// are left out. Other characters of UTF-8 show as question marks.
 void drawText(ImageRgba8& target, const std::string& text, std::uint32_t x, std::uint32_t y,
               std::uint32_t scale, const Rgba8& color);
 

@@ -18,6 +18,19 @@ struct Corner {
 };
 static_assert(sizeof(Corner) == 16);
 
+/// Text with a question mark for each character that the font lacks, which would read beyond its tables.
+std::string inFont(const std::string& text) {
+    std::string known;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool isRest = (byte & 0xc0u) == 0x80u; // of a character in UTF-8
+        if (!isRest) {
+            known += c == '\n' || (byte >= ' ' && byte <= '~') ? c : '?';
+        }
+    }
+    return known;
+}
+
 void fill(ImageRgba8& target, const Corner* quad, std::uint32_t x, std::uint32_t y, std::uint32_t scale,
           const Rgba8& color) {
     const auto place = [scale](std::uint32_t origin, float offset) {
@@ -38,7 +51,7 @@ void drawText(ImageRgba8& target, const std::string& text, std::uint32_t x, std:
               std::uint32_t scale, const Rgba8& color) {
     // The font needs about 270 bytes a character.
     std::vector<Corner> corners(text.size() * 24 + 4);
-    std::string mutableText = text;
+    std::string mutableText = inFont(text);
     const int quads = stb_easy_font_print(0.0f, 0.0f, mutableText.data(), nullptr, corners.data(),
                                           static_cast<int>(corners.size() * sizeof(Corner)));
     for (int i = 0; i < quads; ++i) {
@@ -47,7 +60,7 @@ void drawText(ImageRgba8& target, const std::string& text, std::uint32_t x, std:
 }
 
 std::uint32_t textWidth(const std::string& text, std::uint32_t scale) {
-    std::string mutableText = text;
+    std::string mutableText = inFont(text);
     return static_cast<std::uint32_t>(stb_easy_font_width(mutableText.data())) * scale;
 }
 
