@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/scene/lod/levels.h>
+#include <cdr/scene/lod/shared_mesh.h>
 #include <cdr/scene/lod/surface_distance.h>
 #include <scenes/boulders.h>
 #include <scenes/random.h>
@@ -319,6 +320,20 @@ TEST(Levels, UnsharedVerticesAreTakenAsOne) {
     const std::vector<MeshLevel> levels = makeLevels(unshared);
     ASSERT_EQ(levels.size(), makeLevels(mesh).size());
     EXPECT_TRUE(bordersOf(levels.back().indices).empty());
+}
+
+/// A level that let one go for the other would bend tangents, or move a second picture.
+TEST(Levels, VerticesWithOtherDetailsAreNotTakenAsOne) {
+    Mesh mesh = unshareVertices(makeBox(glm::vec3(1.0f)));
+    EXPECT_EQ(sharedBy(mesh).vertices.size(), 24u);
+    mesh.details.resize(mesh.vertices.size());
+    EXPECT_EQ(sharedBy(mesh).vertices.size(), 24u);
+    mesh.details[0].tangent.w = -1.0f;
+    EXPECT_EQ(sharedBy(mesh).vertices.size(), 25u); // another triangle has a vertex in its place
+    mesh.details[1].uv.y = 0.5f;                    // as this one, of one triangle, has not
+    EXPECT_EQ(sharedBy(mesh).vertices.size(), 25u);
+    mesh.details[2].uv.y = 0.5f;
+    EXPECT_EQ(sharedBy(mesh).vertices.size(), 26u);
 }
 
 TEST(Levels, UnusableOptionsAreRefused) {

@@ -2,20 +2,25 @@
 
 #include <meshoptimizer.h>
 
+#include <array>
 #include <limits>
 
 namespace cdr::scene {
 
-// Vertices are compared byte by byte, so none may lie between members.
+// Vertices and details are compared byte by byte, so none may lie between members.
 static_assert(sizeof(Vertex) == 2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(glm::u8vec4));
+static_assert(sizeof(VertexDetail) == sizeof(glm::vec4) + sizeof(glm::vec2));
 
 SharedMesh sharedBy(const Mesh& mesh) {
     constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
     SharedMesh shared;
     shared.indices.resize(mesh.indices.size());
-    meshopt_generateShadowIndexBuffer(shared.indices.data(), mesh.indices.data(), mesh.indices.size(),
-                                      mesh.vertices.data(), mesh.vertices.size(), sizeof(Vertex),
-                                      sizeof(Vertex));
+    const std::array<meshopt_Stream, 2> streams{
+        {{mesh.vertices.data(), sizeof(Vertex), sizeof(Vertex)},
+         {mesh.details.data(), sizeof(VertexDetail), sizeof(VertexDetail)}}};
+    meshopt_generateShadowIndexBufferMulti(shared.indices.data(), mesh.indices.data(), mesh.indices.size(),
+                                           mesh.vertices.size(), streams.data(),
+                                           mesh.details.empty() ? 1 : streams.size());
     std::vector<std::uint32_t> places(mesh.vertices.size(), kUnseen);
     for (std::uint32_t& index : shared.indices) {
         std::uint32_t& place = places[index];

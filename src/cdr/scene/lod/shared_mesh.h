@@ -11,8 +11,8 @@
 
 namespace cdr::scene {
 
-/// A mesh as a simplifier wants it. Equal vertices are one, so that triangles of meshes without an index buffer touch.
-/// None is unused, since one in the same place would count as a seam.
+/// A mesh as a simplifier wants it. Vertices that are equal with their details are one, so that triangles of meshes without an
+/// index buffer touch. None is unused, since one in the same place would count as a seam.
 struct SharedMesh {
     std::vector<std::uint32_t> indices;
     std::vector<glm::vec3> positions;
