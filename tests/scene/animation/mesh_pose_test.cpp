@@ -110,6 +110,31 @@ TEST(MeshPose, AWorldTakesWhatCanBeDrawn) {
     EXPECT_EQ(world.pose(0), nullptr);
 }
 
+/// Without finish() nothing says which joints a pose must have.
+TEST(MeshPose, AWorldRefusesADeformerThatNamesWhatIsNotThere) {
+    const DeformerKind kind = test::deformerKinds()[2];
+    const auto sound = test::makeDeformer(kind, 7);
+    World world(oneMesh(*sound));
+    MeshPose pose = test::poseOf(kind, sound, 1);
+    auto spoilt = std::make_shared<Deformer>(*sound);
+    spoilt->targets[1].push_back({.vertex = 333, .position = glm::vec3(1.0f)});
+    finish(*spoilt);
+    pose.deformer = spoilt;
+    EXPECT_EQ(refusalOf(world, pose), "mesh 0: a morph target moves a vertex that its deformer has not");
+    spoilt = std::make_shared<Deformer>(*sound);
+    spoilt->jointReaches.clear(); // as before finish(), which finds out what joints there must be
+    pose.deformer = spoilt;
+    EXPECT_EQ(refusalOf(world, pose), "mesh 0: its deformer is not as finish() leaves it");
+    spoilt = std::make_shared<Deformer>(*sound);
+    spoilt->influences.back().joint = 1000;
+    finish(*spoilt);
+    pose.deformer = spoilt;
+    EXPECT_EQ(refusalOf(world, pose), "mesh 0: its pose has other joints than its deformer");
+    pose.deformer = sound;
+    pose.weights.clear(); // all 0
+    EXPECT_EQ(refusalOf(world, pose), "none");
+}
+
 } // namespace
 
 } // namespace cdr::scene

@@ -52,6 +52,15 @@ void requireUsable(const MeshPose& pose, const std::string& what) {
     if (!deformer.details.empty() && deformer.details.size() != vertices) {
         throw base::InputError(what + ": its deformer needs details for all vertices, or none");
     }
+    if (deformer.targetReach.size() != deformer.targets.size() ||
+        deformer.jointReaches.empty() != deformer.influences.empty()) {
+        throw base::InputError(what + ": its deformer is not as finish() leaves it");
+    }
+    for (const std::vector<MorphDelta>& target : deformer.targets) {
+        if (!target.empty() && target.back().vertex >= vertices) {
+            throw base::InputError(what + ": a morph target moves a vertex that its deformer has not");
+        }
+    }
     const std::size_t needed =
         deformer.jointReaches.empty() ? 1 : deformer.jointReaches.back().joint + std::size_t{1};
     if (!pose.joints.empty() &&

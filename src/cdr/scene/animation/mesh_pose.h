@@ -17,7 +17,7 @@ namespace cdr::scene {
 /// All that the vertices of a deformed mesh depend on at a moment.
 struct MeshPose {
     std::shared_ptr<const Deformer> deformer; ///< the mesh at rest and what moves it, after finish()
-    std::vector<double> weights;              ///< of its morph targets
+    std::vector<double> weights;              ///< of its morph targets, the first ones; 0 of others
     std::vector<glm::dmat4> joints;           ///< as placeOf() takes them; empty without a skin
     DeformedPlace place;                      ///< where the mesh stands
 
@@ -26,7 +26,8 @@ struct MeshPose {
     Deformation deformation() const { return {.weights = weights, .joints = joints, .place = place}; }
 };
 
-/// @throws base::InputError where a pose lacks its deformer, or a joint that this uses.
+/// @throws base::InputError where a pose lacks its deformer, or a joint that this uses. Or where a morph target moves a vertex
+/// that is not there, or finish() was left out.
 /// @param what names the mesh in the message
 CDR_EXPORT void requireUsable(const MeshPose& pose, const std::string& what);
 

@@ -194,6 +194,10 @@ void requireUsable(const Mesh& mesh, const std::string& what) {
         requireIndices(level.indices, mesh.vertices.size(), what);
     }
     requireClusters(mesh.clusters, mesh.vertices.size(), what);
+    if (mesh.boxHalfSides && !(areFinite(*mesh.boxHalfSides) &&
+                               glm::all(glm::greaterThanEqual(*mesh.boxHalfSides, glm::vec3(0.0f))))) {
+        refuseUse("{}: the half sides of its box must be finite and 0 or more", what);
+    }
     requireUsable(mesh.details, mesh.vertices.size(), what);
     requireUsable(mesh.vertices, mesh.boundingRadius, what);
 }
@@ -241,6 +245,9 @@ void requireUsable(const Texture& texture, const std::string& what) {
         pixels.pixels.size() != std::size_t{pixels.width} * pixels.height) {
         refuseUse("{}: {} pixels are no picture of {}x{}", what, pixels.pixels.size(), pixels.width,
                   pixels.height);
+    }
+    if (texture.cutoff && !(*texture.cutoff > 0.0f && *texture.cutoff <= 1.0f)) {
+        refuseUse("{}: its cutoff must lie in (0, 1], not {}", what, *texture.cutoff);
     }
 }
 

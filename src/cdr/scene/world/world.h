@@ -94,7 +94,8 @@ class CDR_EXPORT World {
     void setVertices(MeshHandle handle, MeshVertices deformed, float boundingRadius);
     /// Gives a mesh the vertices that deform() makes of a pose, which the device makes for itself. Those of scene() stay as
     /// they are, and only drawing sees the new ones: not truth, certificates and SurfacePath other than `gbuffer`. The bounds
-    /// are boundingRadiusOf(). Takes time by the number of joints and morph targets. setVertices() ends it.
+    /// are boundingRadiusOf(). They need not hold the vertices of scene(), so that another World of scene() may be refused; a
+    /// copy of this one is not. Takes time by the number of joints and morph targets. setVertices() ends it.
     /// @param pose of as many vertices as the mesh has
     void setPose(MeshHandle handle, MeshPose pose);
     /// The same where the CPU reads the vertices too.
