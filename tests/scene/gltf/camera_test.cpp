@@ -142,6 +142,25 @@ TEST_F(GltfFolder, CamerasThatANodeFlattensAreSaid) {
         anySays(result.ignored, "node 2: a camera is not used, because its transform is not invertible"));
 }
 
+/// glTF says that a magnification should not be negative, and not that it must not.
+TEST_F(GltfFolder, NegativeMagnificationsCountAsPositive) {
+    Document document = withCamera();
+    document.root["cameras"][2]["orthographic"]["ymag"] = -2.0;
+    const GltfImport result = load(document);
+    ASSERT_EQ(result.cameras.size(), 3u);
+    EXPECT_EQ(result.cameras[2].orthographic->halfHeight, 2.0);
+}
+
+TEST_F(GltfFolder, CamerasThatNoNodeOfTheSceneHasAreNotChecked) {
+    Document document = withCamera();
+    document.root["cameras"].push_back({{"type", "fisheye"}});
+    document.root["cameras"].push_back(nullptr);
+    document.root["nodes"][5]["camera"] = 3;
+    EXPECT_EQ(load(document).cameras.size(), 3u);
+    document.root["scene"] = 1;
+    expectSays(refusal(document), "camera 3 '': type 'fisheye' does not exist");
+}
+
 TEST_F(GltfFolder, UnsoundCamerasAreRefused) {
     const auto withLens = [&](const json& perspective) {
         Document document = withCamera();
@@ -160,6 +179,7 @@ TEST_F(GltfFolder, UnsoundCamerasAreRefused) {
         return refusal(document);
     };
     expectSays(withBox({{"ymag", 0.0}, {"znear", 0.0}, {"zfar", 1.0}}), "camera 2 '': its ymag is 0.0");
+    expectSays(withBox({{"ymag", "2"}, {"znear", 0.0}, {"zfar", 1.0}}), "'ymag' is not a number");
     expectSays(withBox({{"ymag", 1.0}, {"znear", -1.0}, {"zfar", 1.0}}), "a znear of at least 0");
     expectSays(withBox({{"ymag", 1.0}, {"znear", 1.0}, {"zfar", 1.0}}), "lies before its zfar");
     expectSays(withBox({{"ymag", 1.0}, {"zfar", 1.0}}), "needs a ymag, and a znear");

@@ -1,5 +1,7 @@
 #include "fixture.h"
 
+#include <cdr/scene/gltf/checks.h>
+
 namespace cdr::scene::test {
 namespace {
 
@@ -123,6 +125,14 @@ TEST_F(GltfJson, LongNamesDoNotPushOutWhatIsSaid) {
     document.root["meshes"][0]["name"] = name;
     document.primitive().erase("attributes");
     expectSays(refusal(document), "x...' primitive 0: has no 'attributes'");
+}
+
+TEST_F(GltfJson, LongNamesEndWithAWholeCharacter) {
+    EXPECT_EQ(gltf::oneLine("abc", 2), "ab...");
+    EXPECT_EQ(gltf::oneLine("a\u00e4", 2), "a...");
+    EXPECT_EQ(gltf::oneLine("a\u00e4", 3), "a\u00e4");
+    EXPECT_EQ(gltf::oneLine("a\U0001f600b", 4), "a...");
+    EXPECT_EQ(gltf::oneLine("a\U0001f600b", 5), "a\U0001f600...");
 }
 
 } // namespace

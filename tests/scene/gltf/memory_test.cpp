@@ -79,6 +79,92 @@ TEST_F(GltfMemory, CopiesOfAnExtensionAreForetold) {
     expectSays(refusal(document), "copies of a mesh: the import would take");
 }
 
+/// A skin of many joints that many nodes share; each has a copy of the joints to pose its mesh by.
+TEST_F(GltfMemory, JointsOfPosesAreForetold) {
+    constexpr int kNodes = 40;
+    Document document = triangle();
+    json& attributes = document.primitive()["attributes"];
+    attributes["JOINTS_0"] = document.addAccessor(std::vector<std::uint8_t>(12, 0), "VEC4", kUByte);
+    attributes["WEIGHTS_0"] =
+        document.addAccessor(std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4", kFloat);
+    document.root["skins"] = {{{"joints", std::vector<int>(1000, kNodes)}}};
+    document.root["nodes"] = json::array();
+    document.root["scenes"][0]["nodes"] = {kNodes};
+    for (int i = 0; i < kNodes; ++i) {
+        document.root["nodes"].push_back({{"mesh", 0}, {"skin", 0}});
+        document.root["scenes"][0]["nodes"].push_back(i);
+    }
+    document.root["nodes"].push_back(json::object());
+    EXPECT_EQ(refusal(document), "loaded");
+    GltfLimits limits;
+    limits.maxBytes = 1'000'000;
+    expectSays(refusal(document, limits), ": the import would take ");
+}
+
+/// Each primitive of a mesh that deforms is posed by all weights of its node.
+TEST_F(GltfMemory, WeightsOfPosesAreForetold) {
+    Document document = triangle();
+    const json target = {{"POSITION", 0}};
+    json& primitives = document.root["meshes"][0]["primitives"];
+    for (int i = 0; i < 60; ++i) {
+        json primitive = primitives[0];
+        primitive["targets"] = json::array({target});
+        primitives.push_back(primitive);
+    }
+    primitives[0]["targets"] = std::vector<json>(1000, target);
+    document.root["meshes"][0]["weights"] = std::vector<int>(1000, 0);
+    document.root["meshes"][0]["weights"][0] = 1;
+    EXPECT_EQ(refusal(document), "loaded");
+    GltfLimits limits;
+    limits.maxBytes = 500'000; // the weights take 488'000, and all else less
+    expectSays(refusal(document, limits), "node 0: the import would take ");
+}
+
+/// A square of 8 by 8 cells, drawn 200 times.
+Document copiedCells() {
+    constexpr std::uint16_t kCells = 8;
+    Document document = triangle();
+    std::vector<float> positions;
+    std::vector<std::uint16_t> indices;
+    for (std::uint16_t j = 0; j <= kCells; ++j) {
+        for (std::uint16_t i = 0; i <= kCells; ++i) {
+            positions.insert(positions.end(), {static_cast<float>(i), static_cast<float>(j), 0.0f});
+            if (i < kCells && j < kCells) {
+                const int a = j * (kCells + 1) + i;
+                for (const int corner : {a, a + 1, a + kCells + 2, a, a + kCells + 2, a + kCells + 1}) {
+                    indices.push_back(static_cast<std::uint16_t>(corner));
+                }
+            }
+        }
+    }
+    document.primitive()["attributes"]["POSITION"] = document.addAccessor(positions, "VEC3", kFloat);
+    document.primitive()["indices"] = document.addAccessor(indices, "SCALAR", kUShort);
+    document.root["accessors"].push_back({{"componentType", kFloat}, {"count", 200}, {"type", "VEC3"}});
+    document.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"] = {
+        {"attributes", {{"TRANSLATION", document.root["accessors"].size() - 1}}}};
+    return document;
+}
+
+TEST_F(GltfMemory, PiecesAreForetoldBeforeTheyArePlaced) {
+    Document document = copiedCells();
+    GltfLimits limits;
+    limits.maxBytes = 400'000;
+    EXPECT_EQ(refusal(document, limits), "loaded") << "of one piece";
+    limits.pieceRadius = 1.5;
+    expectSays(refusal(document, limits), "pieces of a mesh: the import would take ");
+    limits.maxBytes = GltfLimits().maxBytes;
+    const std::size_t instances = load(document, limits).scene.instances.size();
+    ASSERT_GE(instances, 200u * 8u);
+    limits.maxBytes = 400'000 + 228 * instances;
+    EXPECT_EQ(refusal(document, limits), "loaded");
+    const int times = document.addAccessor(std::vector<float>{0, 1}, "SCALAR", kFloat);
+    const int places = document.addAccessor(std::vector<float>{0, 0, 0, 1, 2, 0}, "VEC3", kFloat);
+    document.root["animations"] = {
+        {{"samplers", {{{"input", times}, {"output", places}}}},
+         {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+    expectSays(refusal(document, limits), "pieces of a mesh: the import would take ");
+}
+
 TEST_F(GltfMemory, SparseIndicesNeedNoBufferView) {
     Document document = square();
     json& indices = document.root["accessors"][2];

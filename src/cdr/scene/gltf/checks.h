@@ -42,6 +42,7 @@ std::optional<Value> valueOf(const std::array<std::string_view, N>& names, std::
 inline constexpr std::size_t kMaxNameLength = 100;
 
 /// Text from a hostile file or a library as one printable line of at most `maxLength` bytes and three dots.
+/// A character of UTF-8 is in it as a whole or not.
 std::string oneLine(std::string_view text, std::size_t maxLength = 400);
 
 } // namespace cdr::scene::gltf

@@ -5,7 +5,6 @@
 #include "draco/extension.h"
 #include "instancing.h"
 #include "json.h"
-#include "nodes/cameras.h"
 #include "nodes/lights.h"
 
 #include <nlohmann/json.hpp>
@@ -113,7 +112,7 @@ void requireBoundedArrays(const json& root, const GltfLimits& limits) {
 } // namespace
 
 Document parseDocument(std::string_view text, const GltfLimits& limits, Notes& notes) {
-    Document document{.root = parseBoundedJson(text), .lenses = {}};
+    Document document{.root = parseBoundedJson(text)};
     const json& root = document.root;
     if (!root.is_object()) {
         refuse("its JSON is not an object");
@@ -121,7 +120,6 @@ Document parseDocument(std::string_view text, const GltfLimits& limits, Notes& n
     requireVersion2(root);
     requireBoundedArrays(root, limits);
     requireSupportedExtensions(root, notes);
-    document.lenses = takeLenses(root);
     return document;
 }
 

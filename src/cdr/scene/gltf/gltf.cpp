@@ -60,8 +60,10 @@ bool isFlat(const glm::dmat3& linear, const glm::mat3& basis) {
            !(std::abs(glm::determinant(glm::dmat3(basis))) > 0.0);
 }
 
+/// What an instance that moves takes beside itself, with the growth of what holds it.
+constexpr std::uint64_t kCarriedBytes = 3 * sizeof(CarriedInstance);
 /// What a copy of a mesh takes beside its instances: a name, and where it moves its place.
-constexpr std::uint64_t kCopyBytes = sizeof(std::string) + kMaxNameLength + 3 * sizeof(CarriedInstance);
+constexpr std::uint64_t kCopyBytes = sizeof(std::string) + kMaxNameLength + kCarriedBytes;
 /// What one of several parts of a mesh takes beside its instance: a name made of two.
 constexpr std::uint64_t kPartBytes = sizeof(std::string) + 3 * kMaxNameLength;
 
@@ -118,6 +120,8 @@ class Importer {
     void readCopies(const std::vector<MeshNode>& nodes);
     std::uint64_t countOf(const MeshNode& node) const;
     void addRigid(const MeshNode& node, std::size_t index, std::uint32_t object);
+    /// Adds what a primitive takes for being of several pieces, which is known once it is cut.
+    void countPieces(const MeshNode& node, const PieceSet& pieces);
     /// A node as each of its copies stands, or as it is where it has none.
     void forEachCopy(const MeshNode& node, const std::function<void(const MeshNode&)>& add);
     void addDeformed(const MeshNode& node, std::size_t index, std::uint32_t object);
@@ -197,7 +201,7 @@ void Importer::requireBounded(const std::vector<MeshNode>& nodes) {
         }
         for (const Primitive& primitive : m_sourceMeshes.at(node.mesh).primitives) {
             if (m_moving->deforms(node, primitive)) {
-                m_memory.add(predictDeformer(primitive, m_accessors), fmt::format("node {}", node.node));
+                m_memory.add(m_moving->predict(node, primitive), fmt::format("node {}", node.node));
             }
         }
         const std::uint64_t copies = countOf(node);
@@ -217,7 +221,7 @@ void Importer::requireBounded(const std::vector<MeshNode>& nodes) {
     if (instances > kMaxObjects) {
         refuseObjects(instances);
     }
-    m_memory.addInstances(instances);
+    m_memory.addInstances(instances, fmt::format("{} instances", instances));
 }
 
 void Importer::addNodes(const std::vector<MeshNode>& nodes) {
@@ -321,6 +325,7 @@ void Importer::addRigid(const MeshNode& node, std::size_t index, std::uint32_t o
     if (!primitive) {
         return;
     }
+    countPieces(node, primitive->pieces);
     const std::size_t first = m_scene.instances.size();
     placePieces(m_scene, primitive->pieces, materialIn(node.layer, primitive->material), object,
                 flat ? glm::dmat4(glm::dmat3(0.0)) : node.toWorld);
@@ -342,6 +347,15 @@ void Importer::addDeformed(const MeshNode& node, std::size_t index, std::uint32_
     if (found->second) {
         m_moving->place(m_scene, found->second->deformed, node,
                         materialIn(node.layer, found->second->material), object);
+    }
+}
+
+void Importer::countPieces(const MeshNode& node, const PieceSet& pieces) {
+    const std::uint64_t more = pieces.origins.size() - 1; // requireBounded() counted one
+    if (more > 0) {
+        const std::string what = "pieces of a mesh";
+        m_memory.addInstances(more, what);
+        m_memory.add({.kept = m_moving->moves(node) ? more * kCarriedBytes : 0, .passing = 0}, what);
     }
 }
 
@@ -423,7 +437,7 @@ GltfImport importParts(const ByteSource& file, const std::filesystem::path& path
     GltfImport result;
     const PlacedNodes nodes = placeNodes(document.root, limits, scene, notes);
     Importer({document, buffers, files, notes}, limits).run(nodes, result);
-    result.cameras = placeCameras(nodes.cameras, document, notes);
+    result.cameras = placeCameras(nodes.cameras, document.root, notes);
     result.lights = placeLights(nodes.lights, document.root, notes);
     result.scene.name = path.stem().string();
     if (result.scene.instances.size() == 0) {

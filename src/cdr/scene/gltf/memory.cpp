@@ -82,9 +82,9 @@ std::uint64_t MemoryPrediction::leftBeside(const PrimitiveBytes& bytes) const {
     return left() - std::min(left(), bytes.passing);
 }
 
-void MemoryPrediction::addInstances(std::uint64_t count) {
+void MemoryPrediction::addInstances(std::uint64_t count, const std::string& what) {
     m_kept += count * kGrowth * kInstanceBytes;
-    require(0, fmt::format("{} instances", count));
+    require(0, what);
 }
 
 void MemoryPrediction::require(std::uint64_t passing, const std::string& what) const {

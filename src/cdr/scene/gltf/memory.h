@@ -37,8 +37,8 @@ class MemoryPrediction {
     /// Bytes that are free below the limit while a primitive that add() was told of is imported. What is optional may use
     /// them.
     std::uint64_t leftBeside(const PrimitiveBytes& bytes) const;
-    /// Instances: what places a primitive in the world.
-    void addInstances(std::uint64_t count);
+    /// Instances: what places a primitive in the world. `what` names them in the message.
+    void addInstances(std::uint64_t count, const std::string& what);
 
   private:
     void require(std::uint64_t passing, const std::string& what) const;

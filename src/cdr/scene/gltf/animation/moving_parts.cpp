@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace cdr::scene::gltf {
@@ -19,10 +20,11 @@ using nlohmann::json;
 
 /// Nodes that a rig needs: those that move, and those whose skins or weights deform what they draw.
 std::vector<bool> wantedNodes(const json& root, const PlacedNodes& nodes, std::vector<bool> wanted) {
+    std::set<int> skins; // a file may have many nodes of one skin, which may have many joints
     for (const MeshNode& node : nodes.meshes) {
         const auto i = static_cast<std::size_t>(node.node);
         wanted[i] = wanted[i] || node.skin.has_value() || targetCount(root, node.mesh) > 0;
-        if (node.skin) {
+        if (node.skin && skins.insert(*node.skin).second) {
             for (const int joint : jointNodes(root, *node.skin)) {
                 wanted[static_cast<std::size_t>(joint)] = true;
             }
@@ -78,6 +80,17 @@ std::optional<std::size_t> MovingParts::skinOf(const MeshNode& node, const Primi
 bool MovingParts::deforms(const MeshNode& node, const Primitive& primitive) const {
     return skinOf(node, primitive) ||
            (m_morphed[static_cast<std::size_t>(node.node)] && !primitive.targets.empty());
+}
+
+PrimitiveBytes MovingParts::predict(const MeshNode& node, const Primitive& primitive) const {
+    const auto skin = skinOf(node, primitive);
+    const std::uint64_t joints = skin ? m_made->skins[*skin].joints.size() : 0;
+    const std::size_t rigNode = m_rig.nodeOf[static_cast<std::size_t>(node.node)].value();
+    PrimitiveBytes bytes = predictDeformer(primitive, m_accessors);
+    // All meshes are posed at once, each with joints and weights of its own.
+    bytes.kept +=
+        joints * sizeof(glm::dmat4) + std::uint64_t{m_rig.rig.nodes[rigNode].weightCount} * sizeof(double);
+    return bytes;
 }
 
 void MovingParts::carry(const MeshNode& node, std::uint32_t instance, const glm::dvec3& origin) {

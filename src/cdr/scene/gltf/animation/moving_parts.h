@@ -34,6 +34,8 @@ class MovingParts {
     bool moves(const MeshNode& node) const;
     /// Whether a primitive deforms where a node draws it: it needs a mesh of its own there.
     bool deforms(const MeshNode& node, const Primitive& primitive) const;
+    /// What such a primitive takes: its deformer, and what poses it.
+    PrimitiveBytes predict(const MeshNode& node, const Primitive& primitive) const;
 
     /// Notes that a node carries an instance. @param origin of its mesh, in the node's space
     void carry(const MeshNode& node, std::uint32_t instance, const glm::dvec3& origin);

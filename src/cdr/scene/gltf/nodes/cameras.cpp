@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace cdr::scene::gltf {
@@ -16,6 +17,15 @@ namespace cdr::scene::gltf {
 namespace {
 
 using nlohmann::json;
+
+/// What a camera of the file looks through.
+struct CameraLens {
+    std::string name{};
+    double fovY = 0.0; ///< radians; 0 of an orthographic camera
+    double nearView = 0.0;
+    std::optional<double> farView{};                ///< none: infinitely far
+    std::optional<OrthographicLens> orthographic{}; ///< instead
+};
 
 /// A positive number below `limit`; nothing when absent.
 std::optional<double> positive(const json& object, const char* key, double limit, const std::string& where) {
@@ -30,7 +40,16 @@ std::optional<double> positive(const json& object, const char* key, double limit
     return number;
 }
 
-CameraLens lensOf(const json& camera, const std::string& where) {
+/// A number other than 0, as if it were positive: glTF advises against negative ones and lets them be.
+std::optional<double> magnification(const json& object, const char* key, const std::string& where) {
+    const std::optional<double> number = numberMember(object, key, where);
+    if (number == 0.0) {
+        refuse("{}: its {} is {}, which no camera has", where, key, oneLine(member(object, key)->dump()));
+    }
+    return number ? std::optional(std::abs(*number)) : std::nullopt;
+}
+
+CameraLens perspectiveLensOf(const json& camera, const std::string& where) {
     const json* perspective = member(camera, "perspective");
     if (perspective == nullptr || !perspective->is_object()) {
         refuse("{}: has no 'perspective' object", where);
@@ -53,7 +72,7 @@ CameraLens orthographicLensOf(const json& camera, const std::string& where) {
     if (orthographic == nullptr || !orthographic->is_object()) {
         refuse("{}: has no 'orthographic' object", where);
     }
-    const auto halfHeight = positive(*orthographic, "ymag", INFINITY, where);
+    const auto halfHeight = magnification(*orthographic, "ymag", where);
     const auto nearView = numberMember(*orthographic, "znear", where);
     const auto farView = positive(*orthographic, "zfar", INFINITY, where);
     if (!halfHeight || !nearView || !farView || !(*nearView >= 0.0 && *nearView < *farView)) {
@@ -77,36 +96,37 @@ Camera seenThrough(const CameraLens& lens) {
             .farView = lens.farView.value_or(kGltfFarRatio * lens.nearView)};
 }
 
-} // namespace
-
-std::vector<CameraLens> takeLenses(const json& root) {
-    std::vector<CameraLens> lenses;
-    for (const json& camera : arrayMember(root, "cameras")) {
-        const std::string where = fmt::format("camera {} '{}'", lenses.size(), nameOf(camera));
-        const std::string type = stringMember(camera, "type").value_or("");
-        if (type == "perspective") {
-            lenses.push_back(lensOf(camera, where));
-        } else if (type == "orthographic") {
-            lenses.push_back(orthographicLensOf(camera, where));
-        } else {
-            refuse("{}: type '{}' does not exist", where, oneLine(type));
-        }
+CameraLens lensOf(const json& root, int index) {
+    const json& camera = itemAt(root, "cameras", index, "camera");
+    const std::string where = fmt::format("camera {} '{}'", index, nameOf(camera));
+    const std::string type = stringMember(camera, "type").value_or("");
+    if (type == "perspective") {
+        return perspectiveLensOf(camera, where);
     }
-    return lenses;
+    if (type == "orthographic") {
+        return orthographicLensOf(camera, where);
+    }
+    refuse("{}: type '{}' does not exist", where, oneLine(type));
 }
 
-std::vector<GltfCamera> placeCameras(std::span<const CameraNode> nodes, const Document& document,
-                                     Notes& notes) {
+} // namespace
+
+std::vector<GltfCamera> placeCameras(std::span<const CameraNode> nodes, const json& root, Notes& notes) {
     std::vector<GltfCamera> cameras;
+    std::map<int, CameraLens> lenses; // by camera of the file, which many nodes may have
     for (const CameraNode& node : nodes) {
-        const CameraLens& lens = itemAt(document.lenses, node.camera, "camera");
+        const auto [found, isNew] = lenses.try_emplace(node.camera);
+        if (isNew) {
+            found->second = lensOf(root, node.camera);
+        }
+        const CameraLens& lens = found->second;
         const auto camera = carriedBy(node.toWorld, seenThrough(lens));
         if (!camera) {
             notes.add("a camera is not used, because its transform is not invertible",
                       fmt::format("node {}", node.node));
             continue;
         }
-        const std::string nodeName = oneLine(fullNameOf(itemAt(document.root, "nodes", node.node, "node")));
+        const std::string nodeName = oneLine(fullNameOf(itemAt(root, "nodes", node.node, "node")));
         cameras.push_back({!lens.name.empty() ? lens.name : nodeName, *camera, node.node, lens.orthographic});
     }
     // Others keep the numbers that they had before these were drawn.

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "../document.h"
 #include "../notes.h"
 #include "nodes.h"
+
+#include <cdr/scene/gltf/gltf.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -11,12 +12,10 @@
 
 namespace cdr::scene::gltf {
 
-/// The cameras of a document, by index. Refuses a lens that no camera can have.
-std::vector<CameraLens> takeLenses(const nlohmann::json& root);
-
 /// The cameras that nodes carry, where those stand; orthographic ones come last. A node's scale and mirroring do not reach its
-/// camera; one whose axes no longer span a space is noted and left out.
-std::vector<GltfCamera> placeCameras(std::span<const CameraNode> nodes, const Document& document,
+/// camera; one whose axes no longer span a space is noted and left out. Refuses a lens that no camera can have.
+/// @param root of the document.
+std::vector<GltfCamera> placeCameras(std::span<const CameraNode> nodes, const nlohmann::json& root,
                                      Notes& notes);
 
 } // namespace cdr::scene::gltf
