@@ -109,6 +109,16 @@ if ! { printf '%s\n' "${alone[@]}" | (cd "$headers/.." &&
 fi
 echo "headers: ${#installed[@]} are installed; they compile together twice, and ${#alone[@]} of them alone"
 
+# GLM's aligned types would give structs another layout than the libraries have.
+for header in mesh camera; do
+    if printf '#define GLM_FORCE_INTRINSICS\n#define GLM_FORCE_DEFAULT_ALIGNED_GENTYPES\n#include <cdr/scene/%s.h>\n' "$header" |
+        c++ -std=c++20 -fsyntax-only "-I$headers/.." -x c++ - >"$work/log" 2>&1 || ! grep -q "leave out GLM_FORCE_DEFAULT_ALIGNED_GENTYPES" "$work/log"; then
+        cat "$work/log" >&2
+        echo "$header.h takes GLM's aligned types, or does not say why not" >&2
+        exit 1
+    fi
+done
+
 # The scene alone, and what is said where a package is missing.
 static=("-DCMAKE_PREFIX_PATH=$work/render")
 quiet cmake -G Ninja -S "$source_dir/tests/package/components" -B "$work/scene_only" "${static[@]}" \

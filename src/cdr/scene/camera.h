@@ -9,6 +9,10 @@
 
 namespace cdr::scene {
 
+static_assert(
+    sizeof(glm::dvec3) == 3 * sizeof(double),
+    "cdr's libraries were built without GLM's aligned types: leave out GLM_FORCE_DEFAULT_ALIGNED_GENTYPES");
+
 /// Of Camera::lensShift, in halves of the picture's height.
 inline constexpr double kMaxLensShift = 1000.0;
 

@@ -18,6 +18,10 @@
 
 namespace cdr::scene {
 
+static_assert(
+    sizeof(glm::vec3) == 3 * sizeof(float),
+    "cdr's libraries were built without GLM's aligned types: leave out GLM_FORCE_DEFAULT_ALIGNED_GENTYPES");
+
 /// A corner of a mesh.
 struct Vertex {
     glm::vec3 position{0.0f};           ///< object space, relative to the mesh's bounding centre
