@@ -347,6 +347,28 @@ TEST(FittedSplit, FollowsAMovingCameraWithinItsSlack) {
     EXPECT_LE(changes, 6);
 }
 
+/// The figures of SplitFitted::target, with a 60 degree lens.
+TEST(FittedSplit, ACascadeSpansTheRatioThatTheHeaderNames) {
+    struct Picture {
+        double rows;
+        double ratio;
+        std::size_t cascades;
+    };
+    std::vector<Interval> small;
+    for (double at = 0.1; at < 1e5; at *= 1.001) {
+        small.push_back({at, std::min(1.00101 * at, 1e5)});
+    }
+    for (const Picture& picture : {Picture{180.0, 109.0, 3}, Picture{720.0, 28.0, 5},
+                                   Picture{1080.0, 19.0, 5}, Picture{2160.0, 10.0, 7}}) {
+        SplitContext view = viewOf(Mapping::anchored);
+        view.farView = 1e5;
+        view.footprintSlope = 2.0 * std::tan(std::numbers::pi / 6.0) / picture.rows;
+        const Cascades cascades = fit({}, view, small);
+        EXPECT_EQ(cascades.size(), picture.cascades) << picture.rows;
+        EXPECT_NEAR(cascades[0].farView / cascades[0].nearView, picture.ratio, 0.6) << picture.rows;
+    }
+}
+
 TEST(FittedSplit, TheCountDoesNotFlickerAtItsThreshold) {
     const SplitContext view = viewOf(Mapping::anchored);
     const std::vector<Interval> whole{{1.0, 100.0}};

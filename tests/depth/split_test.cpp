@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
+#include <utility>
 
 namespace {
 
@@ -88,6 +90,48 @@ TEST(Split, ACountMadeByHandIsRefusedBeforeItTakesMemory) {
     for (const unsigned count : {unsigned{kMaxCascades} + 1, std::numeric_limits<unsigned>::max()}) {
         EXPECT_THROW(makeCascades(SplitCount{count}, context), InputError) << count;
     }
+}
+
+std::string problemOf(const Split& split) {
+    const auto problem = splitProblem(split);
+    return problem ? problem->message : "none";
+}
+
+/// What makeCascades() says of it.
+std::string refusalOf(const Split& split) {
+    const auto cascades =
+        tryMakeCascades(split, {.nearView = 1.0, .farView = 100.0, .footprintSlope = 0.001});
+    return cascades ? "none" : cascades.refusal().message;
+}
+
+TEST(Split, ASplitMadeByHandIsRefusedAsItsTextIs) {
+    constexpr unsigned kMany = unsigned{kMaxCascades} + 1;
+    for (const Split& split :
+         {Split(SplitRatio{1.0}), Split(SplitRatio{-3.0}), Split(SplitCount{0}), Split(SplitCount{kMany}),
+          Split(SplitMinimax{0}), Split(SplitMinimax{kMany}), Split(SplitAt{{2.0, 1.0}}),
+          Split(SplitAt{{1.0, 1.0}}), Split(SplitAt{{0.0}}), Split(SplitFitted{.target = 0.0}),
+          Split(SplitFitted{.target = -1.0, .unit = SplitFitted::Unit::scene}), Split(SplitFitted{.most = 0}),
+          Split(SplitFitted{.most = kMany})}) {
+        const auto parsed = tryParseSplit(nameOf(split));
+        ASSERT_FALSE(parsed) << nameOf(split);
+        EXPECT_EQ(problemOf(split), parsed.refusal().message);
+        EXPECT_EQ(refusalOf(split), parsed.refusal().message);
+    }
+    EXPECT_EQ(problemOf(SplitAt{}), "none");
+    EXPECT_EQ(problemOf(SplitCount{kMaxCascades}), "none");
+    EXPECT_EQ(problemOf(SplitFitted{.most = kMaxCascades}), "none");
+}
+
+TEST(Split, NumbersThatAreNoneAreRefused) {
+    for (const double value :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        EXPECT_EQ(refusalOf(SplitRatio{value}).find("split ratio must be a finite number"), 0u) << value;
+        EXPECT_EQ(refusalOf(SplitFitted{.target = value}).find("target of a fitted split must be a finite"),
+                  0u)
+            << value;
+    }
+    EXPECT_EQ(refusalOf(SplitAt{{2.0, std::numeric_limits<double>::quiet_NaN()}}),
+              "split boundaries must be above 0 and ascend");
 }
 
 TEST(Split, RefusesToFitPixelsOfUnknownSize) {

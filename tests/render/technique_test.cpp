@@ -54,6 +54,16 @@ TEST_F(TechniqueTest, CubesFailUnderStandardAlone) {
     }
 }
 
+/// Before the first frame, in the words of the split's text.
+TEST_F(TechniqueTest, ARendererRefusesASplitOutOfRange) {
+    for (const depth::Split& split :
+         {depth::Split(depth::SplitCount{0}), depth::Split(depth::SplitRatio{1.0}),
+          depth::Split(depth::SplitFitted{.target = 0.0})}) {
+        EXPECT_EQ(refusalOf(boxScene(), thumbnailOptions({depth::Mapping::anchored, split})),
+                  depth::tryParseSplit(nameOf(split)).refusal().message);
+    }
+}
+
 /// Every mapping, split and format draws an easy scene right; this is what finds a wrong sign or a swapped
 /// plane.
 TEST_F(TechniqueTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {

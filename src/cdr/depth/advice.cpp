@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace cdr::depth {
@@ -19,14 +20,17 @@ constexpr std::array kSimplestFirst{"standard", "reversed", "log", "cdr", "logcd
 /// between float32 values is up to two steps.
 constexpr double kStepsPerSeparation = 5.0;
 
+/// A target that rounds to 0 would be none.
+constexpr double kLeastTarget = std::numeric_limits<double>::denorm_min();
+
 /// As fine as eight cascades allow, for detail at one distance. No visible content reaches its target.
 constexpr const char* kFinest = "anchored-reversed/fitted:1e-9";
 
 Technique anchoredFor(double separationView, DepthFormat format) {
-    return Technique{
-        Mapping::anchored,
-        SplitFitted{.target = separationView / kStepsPerSeparation, .unit = SplitFitted::Unit::scene},
-        format};
+    return Technique{Mapping::anchored,
+                     SplitFitted{.target = std::max(separationView / kStepsPerSeparation, kLeastTarget),
+                                 .unit = SplitFitted::Unit::scene},
+                     format};
 }
 
 bool resolves(const Technique& technique, const ForecastScene& scene, double separationView) {

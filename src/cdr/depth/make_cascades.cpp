@@ -41,7 +41,7 @@ struct Cut {
     base::Result<Cascades> operator()(const SplitRatio& split) const {
         const double cascades =
             std::ceil(std::log(context.farView / context.nearView) / std::log(split.ratio));
-        if (!(split.ratio > 1.0) || cascades > static_cast<double>(kMaxCascades)) {
+        if (cascades > static_cast<double>(kMaxCascades)) {
             return tooMany(split, cascades);
         }
         std::vector<double> boundaries;
@@ -52,9 +52,6 @@ struct Cut {
     }
 
     base::Result<Cascades> operator()(const SplitCount& split) const {
-        if (split.count > kMaxCascades) {
-            return tooMany(split, split.count);
-        }
         std::vector<double> boundaries;
         for (unsigned i = 1; i < split.count; ++i) {
             boundaries.push_back(context.nearView * std::pow(context.farView / context.nearView,
@@ -106,6 +103,9 @@ Cascades makeCascades(const Split& split, const SplitContext& context) {
 
 base::Result<Cascades> tryMakeCascades(const Split& split, const SplitContext& context) {
     if (const auto problem = rangeProblem(context.nearView, context.farView)) {
+        return *problem;
+    }
+    if (const auto problem = splitProblem(split)) {
         return *problem;
     }
     base::Result<Cascades> cascades = std::visit(Cut{context}, split);

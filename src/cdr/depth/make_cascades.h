@@ -34,7 +34,7 @@ struct SplitContext {
 /// - none, ratio, count, at, minimax: the whole range, without gap or overlap.
 /// - fitted: what is visible, as SplitFitted says; there may be gaps.
 ///
-/// @throws base::InputError for a range that requireRange() refuses and for more than kMaxCascades.
+/// @throws base::InputError for a range that requireRange() refuses, for a splitProblem() and for more than kMaxCascades.
 /// @throws base::InputError for a split that is fitted to pixels if the footprint slope is not above 0.
 CDR_EXPORT Cascades makeCascades(const Split& split, const SplitContext& context);
 /// makeCascades(), refused instead of thrown.

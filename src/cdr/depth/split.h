@@ -7,6 +7,7 @@
 #include <cdr/base/result.h>
 #include <cdr/depth/cascade.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -21,7 +22,7 @@ struct SplitNone {
 
 /// Each far plane is `ratio` times its near plane, the last ends at far (thesis Listing 5.2: 1000).
 struct SplitRatio {
-    double ratio = 1000.0; ///< > 1
+    double ratio = 1000.0; ///< > 1, finite
     bool operator==(const SplitRatio&) const = default;
 };
 
@@ -31,7 +32,7 @@ struct SplitCount {
     bool operator==(const SplitCount&) const = default;
 };
 
-/// Boundaries given by hand, ascending; those outside (near, far) are left out.
+/// Boundaries given by hand, above 0 and ascending; those outside (near, far) are left out.
 struct SplitAt {
     std::vector<double> boundariesView; ///< view distances
     bool operator==(const SplitAt&) const = default;
@@ -45,9 +46,14 @@ struct SplitFitted {
     /// What the target is in: a pixel's footprint, or scene units.
     enum class Unit { pixels, scene };
     /// Largest step: a share of what a pixel covers at its distance, or scene units. With a thousandth of a
-    /// pixel and a 60 degree lens, one cascade spans a ratio of about 30. So a scene that fills everything
-    /// from 0.1 to 100,000 takes four.
-    double target = 0.001;    ///< > 0
+    /// pixel, a 60 degree lens and Mapping::anchored, one cascade of small objects spans a ratio of 109, 28, 19
+    /// or 10 in a picture of 180, 720, 1080 or 2160 rows. Small objects that fill everything from 0.1 to 100,000
+    /// so take three, five, five or seven. Large objects alone allow wider cascades.
+    ///
+    /// Gaps that are smaller than the target may be drawn wrong. A thousandth of a pixel is
+    /// 2 tan(fovY / 2) / height / 1000 of the distance. In a picture that spans many decades, Mapping::reversed
+    /// can resolve smaller gaps than this target asks for; a smaller target with a larger `most` resolves them.
+    double target = 0.001;    ///< > 0, finite
     Unit unit = Unit::pixels; ///< of `target`
     unsigned most = 8;        ///< 1 to kMaxCascades; a target that needs more is relaxed
     bool operator==(const SplitFitted&) const = default;
@@ -61,6 +67,9 @@ struct SplitMinimax {
 
 /// How the view-distance range is cut into cascades.
 using Split = std::variant<SplitNone, SplitRatio, SplitCount, SplitAt, SplitFitted, SplitMinimax>;
+
+/// Why the numbers of a split are none that it may have: empty where each is in the range that its comment says.
+CDR_EXPORT std::optional<base::Refusal> splitProblem(const Split& split);
 
 /// Reads "none", "ratio:R", "count:K", "at:a,b,...", "minimax:K" or "fitted[:TARGET[px][,max=K]]", TARGET in
 /// scene units, or in pixels with "px".

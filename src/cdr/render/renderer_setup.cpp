@@ -143,6 +143,9 @@ std::uint32_t subPixelBits(const gpu::Device& device, const RenderOptions& optio
 }
 
 void requireCompatible(const RenderOptions& options) {
+    if (const auto problem = depth::splitProblem(options.technique.split)) {
+        throw base::InputError(problem->message);
+    }
     requireUsable(options.effects);
     requireFocusable(options);
     requireShadows(options);
