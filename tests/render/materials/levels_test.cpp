@@ -1,3 +1,4 @@
+#include "../failing_calls.h"
 #include "../fixture.h"
 
 #include <cdr/measure/truth/layered_truth.h>
@@ -6,6 +7,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <set>
+#include <string>
+#include <system_error>
+#include <utility>
 
 namespace cdr::render_test {
 
@@ -195,6 +199,48 @@ TEST_F(LevelsTest, LooksAsFloat64TruthFromNearToFar) {
     EXPECT_LE(meanSteps(scene), 4.0);
     scene.textures[0].levels = scene::TextureLevels::none;
     EXPECT_GE(meanSteps(scene), 15.0);
+}
+
+/// Devices have as few as 4,000 samplers.
+TEST_F(LevelsTest, TexturesOfTheSameOptionsShareASampler) {
+    scene::Scene scene = squareWith({.name = "first", .pixels = image::ImageRgba8(1, 1)});
+    const auto addTexture = [&](const scene::Texture& texture) {
+        scene.materials.push_back(scene.materials[0]);
+        scene.materials.back().baseColorTexture = static_cast<std::uint32_t>(scene.textures.size());
+        scene.textures.push_back(texture);
+    };
+    const scene::Texture texture = scene.textures[0];
+    for (int i = 0; i < 8; ++i) {
+        addTexture(texture);
+    }
+    const auto makesMoreThan = [&](std::size_t samplers) {
+        const FailingCall failing("vkCreateSampler", samplers);
+        try {
+            const render::GpuScene onDevice(device(), scene);
+        } catch (const std::system_error&) { // of the call that failed
+        }
+        return FailingCall::hasFailed();
+    };
+    EXPECT_FALSE(makesMoreThan(1)); // that of materials without a texture is among them
+    scene::Texture clamped = texture;
+    clamped.wrapU = scene::WrapMode::clampToEdge;
+    addTexture(clamped);
+    addTexture(clamped);
+    EXPECT_TRUE(makesMoreThan(1));
+    EXPECT_FALSE(makesMoreThan(2));
+}
+
+TEST_F(LevelsTest, ATextureThatIsTooLargeIsNamed) {
+    const image::ImageRgba8 wide(device().info().maxImageSide + 1, 1, {255, 255, 255, 255});
+    for (const auto& [name, said] : {std::pair{"", "texture 0: "}, {"bricks", "texture 0 bricks: "}}) {
+        const scene::Scene scene = squareWith({.name = name, .pixels = wide});
+        try {
+            const render::GpuScene onDevice(device(), scene);
+            ADD_FAILURE() << "it was uploaded";
+        } catch (const base::InputError& error) {
+            EXPECT_EQ(std::string(error.what()).find(said), 0u) << error.what();
+        }
+    }
 }
 
 } // namespace cdr::render_test

@@ -9,6 +9,7 @@
 #include <array>
 #include <set>
 #include <span>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -63,16 +64,14 @@ vk::SamplerAddressMode addressModeOf(scene::WrapMode mode) {
 /// is what the Vulkan specification advises for VkSamplerCreateInfo.
 constexpr float kFirstLevelAlone = 0.25f;
 
-vk::UniqueSampler makeSampler(const gpu::Device& device, const scene::Texture& texture) {
-    return vk::Device(device.handle())
-        .createSamplerUnique(
-            {.magFilter = filterOf(texture.magFilter),
-             .minFilter = filterOf(texture.minFilter),
-             .mipmapMode = texture.levels == scene::TextureLevels::blended ? vk::SamplerMipmapMode::eLinear
-                                                                           : vk::SamplerMipmapMode::eNearest,
-             .addressModeU = addressModeOf(texture.wrapU),
-             .addressModeV = addressModeOf(texture.wrapV),
-             .maxLod = texture.levels == scene::TextureLevels::none ? kFirstLevelAlone : VK_LOD_CLAMP_NONE});
+vk::SamplerCreateInfo samplerInfo(const scene::Texture& texture) {
+    return {.magFilter = filterOf(texture.magFilter),
+            .minFilter = filterOf(texture.minFilter),
+            .mipmapMode = texture.levels == scene::TextureLevels::blended ? vk::SamplerMipmapMode::eLinear
+                                                                          : vk::SamplerMipmapMode::eNearest,
+            .addressModeU = addressModeOf(texture.wrapU),
+            .addressModeV = addressModeOf(texture.wrapV),
+            .maxLod = texture.levels == scene::TextureLevels::none ? kFirstLevelAlone : VK_LOD_CLAMP_NONE};
 }
 
 shaders::DetailRecord recordOf(const scene::Material& material) {
@@ -118,6 +117,12 @@ std::vector<bool> flagsOf(const SceneTextures::Changed& changed, std::size_t pla
 std::uint64_t bytesOf(const scene::Texture& texture) {
     return image::levelPixels(texture.pixels.width, texture.pixels.height, levelsOf(texture)) *
            sizeof(image::Rgba8);
+}
+
+/// For messages: its place, and its own name if it has one.
+std::string nameOfTexture(const scene::Scene& scene, std::uint32_t i) {
+    const std::string& name = scene.textures[i].name;
+    return "texture " + std::to_string(i) + (name.empty() ? "" : " " + name);
 }
 
 /// The textures that a material reads, each by itself.
@@ -178,10 +183,21 @@ SceneTextures::SceneTextures(const gpu::Device& device, std::size_t threads)
           gpu::makeSetLayout(device, {{kTextureType}, vk::ShaderStageFlagBits::eFragment}, "texture set")),
       m_detailLayout(
           gpu::makeSetLayout(device, {kDetailTypes, vk::ShaderStageFlagBits::eFragment}, "detail set")),
-      m_white(upload({.name = "white"}, std::vector{image::ImageRgba8(1, 1, {255, 255, 255, 255})})) {}
+      m_white(upload({}, "white texture", std::vector{image::ImageRgba8(1, 1, {255, 255, 255, 255})})) {}
 
-SceneTextures::Uploaded SceneTextures::upload(const scene::Texture& texture,
-                                              std::span<const image::ImageRgba8> levels) const {
+vk::Sampler SceneTextures::samplerOf(const scene::Texture& texture) {
+    const vk::SamplerCreateInfo info = samplerInfo(texture);
+    const auto found = std::find_if(m_samplers.begin(), m_samplers.end(),
+                                    [&](const Sampler& sampler) { return sampler.info == info; });
+    if (found != m_samplers.end()) {
+        return *found->made;
+    }
+    vk::UniqueSampler made = vk::Device(m_device.handle()).createSamplerUnique(info);
+    return *m_samplers.emplace_back(Sampler{.info = info, .made = std::move(made)}).made;
+}
+
+SceneTextures::Uploaded SceneTextures::upload(const scene::Texture& texture, const std::string& name,
+                                              std::span<const image::ImageRgba8> levels) {
     const vk::Format format = texture.content == scene::TextureContent::color ? vk::Format::eR8G8B8A8Srgb
                                                                               : vk::Format::eR8G8B8A8Unorm;
     std::vector<std::span<const std::byte>> bytes;
@@ -189,12 +205,12 @@ SceneTextures::Uploaded SceneTextures::upload(const scene::Texture& texture,
         bytes.push_back(std::as_bytes(std::span(level.pixels)));
     }
     Uploaded uploaded{.image = gpu::uploadImage(m_device, {levels.front().width, levels.front().height},
-                                                format, bytes, "texture " + texture.name),
-                      .sampler = makeSampler(m_device, texture),
+                                                format, bytes, name),
+                      .sampler = samplerOf(texture),
                       .pool = gpu::makeDescriptorPool(m_device, 1, 1, {kTextureType}),
                       .set = {}};
     uploaded.set = gpu::allocateSet(m_device, *uploaded.pool, *m_baseColorLayout);
-    gpu::writeImageBinding(m_device, uploaded.set, 0, kTextureType, uploaded.image.view(), *uploaded.sampler);
+    gpu::writeImageBinding(m_device, uploaded.set, 0, kTextureType, uploaded.image.view(), uploaded.sampler);
     return uploaded;
 }
 
@@ -215,7 +231,8 @@ void SceneTextures::uploadTexturesOf(const scene::Scene& scene, const scene::Mat
                                      Workers& workers) {
     for (const std::uint32_t i : texturesOf(material)) {
         if (!m_textures[i]) {
-            m_textures[i] = upload(scene.textures[i], workers.levelsOf(scene.textures[i]));
+            m_textures[i] =
+                upload(scene.textures[i], nameOfTexture(scene, i), workers.levelsOf(scene.textures[i]));
         }
     }
 }
@@ -227,7 +244,8 @@ SceneTextures::uploadPair(const scene::Scene& scene, const PackedPair& pair, Wor
     }
     std::vector<image::ImageRgba8> levels = workers.levelsOf(scene.textures[pair.host]);
     putIntoAlpha(levels, workers.guestLevelsOf(scene.textures[pair.guest]), pair.channel);
-    auto made = std::make_shared<const Uploaded>(upload(scene.textures[pair.host], levels));
+    auto made = std::make_shared<const Uploaded>(
+        upload(scene.textures[pair.host], nameOfTexture(scene, pair.host), levels));
     m_pairs[pair] = made;
     return made;
 }
@@ -291,7 +309,7 @@ SceneTextures::Detail SceneTextures::makeDetail(const scene::Material& material,
             texture = &*m_textures[use->texture];
         }
         gpu::writeImageBinding(m_device, made.set, binding++, kTextureType, texture->image.view(),
-                               *texture->sampler);
+                               texture->sampler);
     }
     gpu::writeBufferBinding(m_device, made.set, binding, vk::DescriptorType::eUniformBuffer,
                             made.record.handle());

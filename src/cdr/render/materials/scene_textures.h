@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace cdr::platform {
@@ -53,7 +54,7 @@ class SceneTextures {
   private:
     struct Uploaded {
         gpu::Image image;
-        vk::UniqueSampler sampler;
+        vk::Sampler sampler; ///< of m_samplers
         vk::UniqueDescriptorPool pool;
         vk::DescriptorSet set;
     };
@@ -71,7 +72,15 @@ class SceneTextures {
     };
     /// Threads that make levels, started for large textures alone: starting them takes time too.
     struct Workers;
-    Uploaded upload(const scene::Texture& texture, std::span<const image::ImageRgba8> levels) const;
+    struct Sampler {
+        vk::SamplerCreateInfo info;
+        vk::UniqueSampler made;
+    };
+    /// Textures of the same options share one: a device may have as few as 4,000.
+    vk::Sampler samplerOf(const scene::Texture& texture);
+    /// @param name for messages
+    Uploaded upload(const scene::Texture& texture, const std::string& name,
+                    std::span<const image::ImageRgba8> levels);
     void uploadTexturesOf(const scene::Scene& scene, const scene::Material& material, Workers& workers);
     std::shared_ptr<const Uploaded> uploadPair(const scene::Scene& scene, const PackedPair& pair,
                                                Workers& workers);
@@ -82,6 +91,7 @@ class SceneTextures {
     std::size_t m_threads;
     gpu::SetLayout m_baseColorLayout;
     gpu::SetLayout m_detailLayout;
+    std::vector<Sampler> m_samplers; ///< each of other options; at most 108, so all are kept
     Uploaded m_white;
     std::vector<std::optional<Uploaded>>
         m_textures; ///< the scene's; nothing where no material reads it by itself
