@@ -7,6 +7,7 @@
 #include <cdr/gpu/features.h>
 #include <cdr/gpu/memory.h>
 #include <cdr/render/output/readback.h>
+#include <cdr/render/views/views_renderer.h>
 #include <scenes/cubes.h>
 
 #include <program/sha256.h>
@@ -14,9 +15,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace cdr::render_test {
 
@@ -317,6 +320,30 @@ TEST_F(FrameTest, ARendererRefusesTheGpuSceneOfAnotherScene) {
     const render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
     EXPECT_NO_THROW(render::Renderer(device(), scene, gpuScene, options));
     EXPECT_THROW(render::Renderer(device(), equal, gpuScene, options), base::InputError);
+}
+
+TEST_F(FrameTest, ARendererRefusesTheGpuSceneOfAnotherDevice) {
+    const scene::Scene scene = boxScene();
+    const scene::World world(boxScene());
+    const gpu::Device other(instance(), "");
+    const render::GpuScene there(other, scene);
+    render::GpuScene live(other, world);
+    const render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
+    const std::vector<std::function<void()>> makers{
+        [&] { render::Renderer(device(), scene, there, options); },
+        [&] { render::Renderer(device(), live, options); },
+        [&] { render::ViewsRenderer(device(), scene, there, options, 2); },
+        [&] { render::ViewsRenderer(device(), live, options, 2); },
+    };
+    for (const auto& make : makers) {
+        try {
+            make();
+            ADD_FAILURE() << "it was accepted";
+        } catch (const base::InputError& error) {
+            EXPECT_STREQ(error.what(), "the GpuScene is on another device than the renderer");
+        }
+    }
+    EXPECT_NO_THROW(render::Renderer(other, scene, there, options));
 }
 
 /// The commands that carry edits to the device were never run, so the next frame carries them again.

@@ -64,6 +64,11 @@ class GpuScene::State {
         std::uint64_t materials = 0;
         std::uint64_t textures = 0;
         std::uint64_t vertices = 0;
+
+        static Followed allOf(const scene::World::Changes& c) {
+            return {c.instances.end(), c.meshes.end(), c.materials.end(), c.textures.end(), c.vertices.end()};
+        }
+        bool operator==(const Followed&) const = default;
     };
 
     void updateTables();
@@ -134,22 +139,14 @@ GpuScene::GpuScene(const gpu::Device& device, const scene::Scene& scene, std::si
 GpuScene::GpuScene(const gpu::Device& device, const scene::World& world, std::size_t threads)
     : GpuScene(device, world.scene(), threads) {
     m_state->m_world = &world;
-    const scene::World::Changes& changes = world.changes();
-    m_state->m_followed = {changes.instances.end(), changes.meshes.end(), changes.materials.end(),
-                           changes.textures.end(), changes.vertices.end()};
+    m_state->m_followed = State::Followed::allOf(world.changes());
     if (m_state->followPoses()) {
         m_state->readKinds();
     }
 }
 
 bool GpuScene::State::isCurrent() const {
-    if (m_world == nullptr) {
-        return true;
-    }
-    const scene::World::Changes& changes = m_world->changes();
-    return m_followed.instances == changes.instances.end() && m_followed.meshes == changes.meshes.end() &&
-           m_followed.materials == changes.materials.end() && m_followed.textures == changes.textures.end() &&
-           m_followed.vertices == changes.vertices.end();
+    return m_world == nullptr || m_followed == Followed::allOf(m_world->changes());
 }
 
 GpuScene::~GpuScene() = default;
@@ -177,6 +174,9 @@ std::uint32_t GpuScene::generation(std::size_t instance) const {
 }
 
 // clang-format off: a list
+VkDevice GpuScene::device() const {
+    return m_state->m_device.handle();
+}
 const scene::Scene& GpuScene::scene() const {
     return *m_state->m_scene;
 }
@@ -279,8 +279,7 @@ void GpuScene::State::update() {
         }
         updateInstances();
     }
-    m_followed = {changes.instances.end(), changes.meshes.end(), changes.materials.end(),
-                  changes.textures.end(), changes.vertices.end()};
+    m_followed = Followed::allOf(changes);
     ++m_revision;
 }
 

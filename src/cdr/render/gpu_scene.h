@@ -75,6 +75,8 @@ class CDR_EXPORT GpuScene {
 
     // What passes read, for the renderer's own use.
 
+    /// That it is on.
+    VkDevice device() const;
     /// Another number after each update() that changed what a draw kind says, or that read all instances anew.
     std::uint64_t tablesRevision() const;
     /// Another number after each update() that may have changed a mesh or a material.

@@ -6,10 +6,10 @@ namespace cdr::render {
 
 Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
                    const RenderOptions& options)
-    : m_frames(std::make_unique<FrameRunner>(device, SceneFollower(scene, gpuScene), options)) {}
+    : m_frames(std::make_unique<FrameRunner>(device, SceneFollower(device, scene, gpuScene), options)) {}
 
 Renderer::Renderer(const gpu::Device& device, GpuScene& live, const RenderOptions& options)
-    : m_frames(std::make_unique<FrameRunner>(device, SceneFollower(live), options)) {}
+    : m_frames(std::make_unique<FrameRunner>(device, SceneFollower(device, live), options)) {}
 
 Renderer::~Renderer() = default;
 

@@ -26,10 +26,11 @@ class FrameRunner;
 class CDR_EXPORT Renderer {
   public:
     /// For a scene that does not change.
-    /// @param gpuScene of `scene`
+    /// @param gpuScene of `scene`, made on `device`
     /// @throws base::InputError for options that are out of range, do not go together or need more than the
     /// device has. Examples are no or too many pixels, and a depth format that the device lacks.
-    /// @throws base::InputError for the GpuScene of another scene, or of a world, which changes.
+    /// @throws base::InputError for the GpuScene of another scene, or of a world, which changes, and for one that was made on
+    ///         another device.
     /// @throws base::RunError with both figures when the device's memory or its limits do not suffice.
     /// @throws std::system_error for Vulkan's other errors, and when the system starts no more threads.
     Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,

@@ -7,7 +7,13 @@ namespace cdr::render {
 
 namespace {
 
-const GpuScene& fixed(const GpuScene& gpuScene, const scene::Scene& scene) {
+void requireOn(const gpu::Device& device, const GpuScene& gpuScene) {
+    if (gpuScene.device() != device.handle()) {
+        throw base::InputError("the GpuScene is on another device than the renderer");
+    }
+}
+
+const GpuScene& fixed(const gpu::Device& device, const GpuScene& gpuScene, const scene::Scene& scene) {
     if (gpuScene.isLive()) {
         throw base::InputError(
             "the scene of a world changes: give its GpuScene to the renderer without its scene");
@@ -15,24 +21,26 @@ const GpuScene& fixed(const GpuScene& gpuScene, const scene::Scene& scene) {
     if (&gpuScene.scene() != &scene) {
         throw base::InputError("the GpuScene was made of another scene than the renderer is to draw");
     }
+    requireOn(device, gpuScene);
     return gpuScene;
 }
 
-const GpuScene& updated(GpuScene& live) {
+const GpuScene& updated(const gpu::Device& device, GpuScene& live) {
+    requireOn(device, live);
     live.update();
     return live;
 }
 
 } // namespace
 
-SceneFollower::SceneFollower(const scene::Scene& scene, const GpuScene& gpuScene)
+SceneFollower::SceneFollower(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene)
     : m_live(nullptr),
-      m_drawn{.scene = scene, .uploaded = fixed(gpuScene, scene)},
+      m_drawn{.scene = scene, .uploaded = fixed(device, gpuScene, scene)},
       m_revision(gpuScene.revision()) {}
 
-SceneFollower::SceneFollower(GpuScene& live)
+SceneFollower::SceneFollower(const gpu::Device& device, GpuScene& live)
     : m_live(&live),
-      m_drawn{.scene = live.scene(), .uploaded = updated(live)},
+      m_drawn{.scene = live.scene(), .uploaded = updated(device, live)},
       m_revision(live.revision()) {}
 
 void SceneFollower::keepLastVertices() {

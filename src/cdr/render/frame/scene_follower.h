@@ -13,10 +13,12 @@ class DrawPathFactory;
 /// The scene that a renderer draws, and how much of its changes the renderer has taken over.
 class SceneFollower {
   public:
-    /// For a scene that does not change. base::InputError for the GpuScene of another scene, or of a world.
-    SceneFollower(const scene::Scene& scene, const GpuScene& gpuScene);
-    /// For a world, which it updates, so that what is made from it is up to date.
-    explicit SceneFollower(GpuScene& live);
+    /// For a scene that does not change. base::InputError for the GpuScene of another scene, of a world, or on another device
+    /// than this one.
+    SceneFollower(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene);
+    /// For a world, which it updates, so that what is made from it is up to date. base::InputError for a GpuScene on another
+    /// device.
+    SceneFollower(const gpu::Device& device, GpuScene& live);
 
     const DrawnScene& drawn() const { return m_drawn; }
     /// Motion is worked out: a world keeps the vertices that meshes had before.

@@ -90,13 +90,14 @@ ViewsRenderer::ViewsRenderer(std::size_t views, const RenderOptions& options, co
 ViewsRenderer::ViewsRenderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
                              const RenderOptions& options, std::size_t views)
     : ViewsRenderer(views, options, [&] {
-          return std::make_unique<FrameRunner>(device, SceneFollower(scene, gpuScene), options);
+          return std::make_unique<FrameRunner>(device, SceneFollower(device, scene, gpuScene), options);
       }) {}
 
 ViewsRenderer::ViewsRenderer(const gpu::Device& device, GpuScene& live, const RenderOptions& options,
                              std::size_t views)
-    : ViewsRenderer(views, options,
-                    [&] { return std::make_unique<FrameRunner>(device, SceneFollower(live), options); }) {}
+    : ViewsRenderer(views, options, [&] {
+          return std::make_unique<FrameRunner>(device, SceneFollower(device, live), options);
+      }) {}
 
 ViewsRenderer::~ViewsRenderer() = default;
 

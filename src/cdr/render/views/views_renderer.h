@@ -28,7 +28,7 @@ class CDR_EXPORT ViewsRenderer {
   public:
     /// For a scene that does not change.
     /// @param views how many cameras look, 1 to kMaxViews
-    /// @throws base::InputError for another number of views, or as Renderer.
+    /// @throws base::InputError for another number of views, or as Renderer, for a GpuScene on another device among them.
     /// @throws base::RunError, std::system_error as Renderer.
     ViewsRenderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
                   const RenderOptions& options, std::size_t views);
