@@ -15,6 +15,8 @@ std::string noteOnLists(const render::ListRefusal& refusal, std::string_view dev
     switch (refusal.cause) {
     case Cause::noFragmentStores:
         return fmt::format("{} lacks fragmentStoresAndAtomics", device);
+    case Cause::storageBuffers:
+        return fmt::format("{} has too few storage buffers in a fragment shader", device);
     case Cause::bound:
         return fmt::format("{} need {} bytes before the first fragment, {} are allowed", lists,
                            refusal.neededBytes, refusal.allowedBytes);

@@ -13,6 +13,8 @@ std::string noteOf(const ListRefusal& refusal) {
 
 TEST(FrameNotes, SayWhatEmptyListsLack) {
     EXPECT_EQ(noteOf({.cause = Cause::noFragmentStores}), "the device lacks fragmentStoresAndAtomics");
+    EXPECT_EQ(noteOf({.cause = Cause::storageBuffers}),
+              "the device has too few storage buffers in a fragment shader");
     EXPECT_EQ(noteOf({.cause = Cause::bound, .neededBytes = 921'600, .allowedBytes = 1000}),
               "lists of a 640x360 picture need 921600 bytes before the first fragment, 1000 are allowed");
     EXPECT_EQ(noteOf({.cause = Cause::bufferSize, .neededBytes = 921'600, .allowedBytes = 1000}),

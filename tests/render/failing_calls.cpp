@@ -32,6 +32,7 @@ WantedFailure& wantedFailure() {
 
 constexpr char kCreateBuffer[] = "vkCreateBuffer";
 constexpr char kCreateFence[] = "vkCreateFence";
+constexpr char kCreateSampler[] = "vkCreateSampler";
 constexpr char kQueueSubmit2[] = "vkQueueSubmit2";
 constexpr char kGetQueryPoolResults[] = "vkGetQueryPoolResults";
 
@@ -66,6 +67,9 @@ PFN_vkVoidFunction failableOf(std::string_view name, PFN_vkVoidFunction found) {
     if (name == kCreateFence) {
         return Failable<kCreateFence, PFN_vkCreateFence>::standIn(found);
     }
+    if (name == kCreateSampler) {
+        return Failable<kCreateSampler, PFN_vkCreateSampler>::standIn(found);
+    }
     if (name == kQueueSubmit2) {
         return Failable<kQueueSubmit2, PFN_vkQueueSubmit2>::standIn(found);
     }
@@ -90,6 +94,19 @@ void VKAPI_PTR memoryOf(VkPhysicalDevice physical, VkPhysicalDeviceMemoryPropert
     }
 }
 
+std::optional<std::uint32_t>& storageBuffers() {
+    static std::optional<std::uint32_t> most;
+    return most;
+}
+
+PFN_vkGetPhysicalDeviceProperties realProperties = nullptr;
+
+void VKAPI_PTR propertiesOf(VkPhysicalDevice physical, VkPhysicalDeviceProperties* properties) {
+    realProperties(physical, properties);
+    std::uint32_t& most = properties->limits.maxPerStageDescriptorStorageBuffers;
+    most = std::min(most, storageBuffers().value_or(most));
+}
+
 PFN_vkGetDeviceProcAddr realDeviceLoader = nullptr;
 
 PFN_vkVoidFunction VKAPI_PTR failableDeviceLoader(VkDevice device, const char* name) {
@@ -108,6 +125,10 @@ PFN_vkVoidFunction VKAPI_PTR failableLoader(VkInstance instance, const char* nam
     if (std::string_view(name) == "vkGetPhysicalDeviceMemoryProperties") {
         realMemory = reinterpret_cast<PFN_vkGetPhysicalDeviceMemoryProperties>(found);
         return reinterpret_cast<PFN_vkVoidFunction>(&memoryOf);
+    }
+    if (std::string_view(name) == "vkGetPhysicalDeviceProperties") {
+        realProperties = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties>(found);
+        return reinterpret_cast<PFN_vkVoidFunction>(&propertiesOf);
     }
     return failableOf(name, found);
 }
@@ -135,6 +156,14 @@ SmallHeaps::SmallHeaps(std::uint64_t bytes) {
 
 SmallHeaps::~SmallHeaps() {
     heapBytes().reset();
+}
+
+FewStorageBuffers::FewStorageBuffers(std::uint32_t most) {
+    storageBuffers() = most;
+}
+
+FewStorageBuffers::~FewStorageBuffers() {
+    storageBuffers().reset();
 }
 
 } // namespace cdr::render_test

@@ -10,7 +10,7 @@ namespace cdr::render_test {
 /// of these calls meanwhile.
 class FailingCall {
   public:
-    /// @param name vkCreateBuffer, vkCreateFence, vkQueueSubmit2 or vkGetQueryPoolResults
+    /// @param name vkCreateBuffer, vkCreateFence, vkCreateSampler, vkQueueSubmit2 or vkGetQueryPoolResults
     /// @param after calls that succeed first
     explicit FailingCall(std::string_view name, std::size_t after = 0);
     ~FailingCall();
@@ -28,6 +28,15 @@ class SmallHeaps {
     ~SmallHeaps();
     SmallHeaps(const SmallHeaps&) = delete;
     SmallHeaps& operator=(const SmallHeaps&) = delete;
+};
+
+/// While it lives, physical devices say that a shader stage reads at most so many storage buffers.
+class FewStorageBuffers {
+  public:
+    explicit FewStorageBuffers(std::uint32_t most);
+    ~FewStorageBuffers();
+    FewStorageBuffers(const FewStorageBuffers&) = delete;
+    FewStorageBuffers& operator=(const FewStorageBuffers&) = delete;
 };
 
 } // namespace cdr::render_test

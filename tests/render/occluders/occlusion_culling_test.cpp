@@ -1,4 +1,5 @@
 #include "../../support/all_cases.h"
+#include "../failing_calls.h"
 #include "../fixture.h"
 
 #include <cdr/gpu/vulkan_hpp.h>
@@ -261,6 +262,26 @@ TEST_F(OcclusionCullingTest, APictureWhoseDepthTheDeviceCannotReadIsRefused) {
         ADD_FAILURE() << "it was drawn";
     } catch (const base::RunError& error) {
         EXPECT_NE(std::string(error.what()).find("byte buffer"), std::string::npos) << error.what();
+    }
+}
+
+/// Its passes read the sets of binning and of occlusion together.
+TEST_F(OcclusionCullingTest, ADeviceWithTooFewStorageBuffersIsRefused) {
+    if (!canDrawGpuDriven()) {
+        return;
+    }
+    RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
+    options.submission = render::Submission::gpuDriven;
+    scene::Scene scene = boxScene();
+    addBox(scene, {0.0, 0.0, -5.0});
+    const FewStorageBuffers few(17);
+    EXPECT_NO_THROW(draw(scene, {}, options));
+    try {
+        draw(scene, {}, culling(options));
+        ADD_FAILURE() << "it was drawn";
+    } catch (const base::RunError& error) {
+        EXPECT_NE(std::string(error.what()).find("needs 18 storage buffers"), std::string::npos)
+            << error.what();
     }
 }
 

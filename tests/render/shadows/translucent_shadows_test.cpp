@@ -1,4 +1,5 @@
 #include "../../support/all_cases.h"
+#include "../failing_calls.h"
 #include "../fixture.h"
 #include "../steps.h"
 
@@ -98,6 +99,20 @@ TEST_F(TranslucentShadowsTest, ASheetUnderABoxShowsItsShadowByBothMethods) {
         EXPECT_GE(difference.withinFraction(), 0.9999) << nameOf(method);
         EXPECT_LT(measure::compareLayers(frame.color, frame.fragmentCounts, lit).withinFraction(), 0.99);
     }
+}
+
+/// Vulkan promises four storage buffers in a fragment shader. Lists need three, lights one, and shadows another.
+TEST_F(TranslucentShadowsTest, ADeviceWithTooFewStorageBuffersDrawsThemWeighted) {
+    RenderOptions options = tinyOptionsFor("reversed", Translucency::weighted);
+    const std::string weighted = hashOf(draw(m_sheets.scene, m_camera, options));
+    options.translucency.method = Translucency::sorted;
+    const FewStorageBuffers few(4);
+    const render::Frame frame = draw(m_sheets.scene, m_camera, options);
+    EXPECT_EQ(hashOf(frame), weighted);
+    ASSERT_TRUE(frame.stats.translucency.refusal);
+    EXPECT_EQ(frame.stats.translucency.refusal->cause, render::ListRefusal::Cause::storageBuffers);
+    options.shadows = {};
+    EXPECT_EQ(draw(m_sheets.scene, m_camera, options).stats.translucency.method, Translucency::sorted);
 }
 
 /// A number of threads and a submission with each kind of targets, or all with CDR_ALL_CASES.

@@ -5,6 +5,7 @@
 #include <cdr/render/occluders/occluder_view.h>
 #include <cdr/render/occluders/order_margin.h>
 #include <cdr/render/stages.h>
+#include <cdr/render/submit/binning_pass.h>
 #include <cdr/shaders/binning_shared.h>
 #include <cdr/shaders/occluders_shared.h>
 #include <cdr/shaders/reduce_depth_comp.h>
@@ -96,6 +97,15 @@ void DeviceOcclusion::requireLimits(const gpu::Device& device, vk::Extent2D exte
         throw base::RunError(fmt::format(
             "occlusion culling of a {}x{} picture on the device needs a {} byte buffer, {} allows {}",
             extent.width, extent.height, bytes, device.info().name, device.info().maxStorageBufferBytes));
+    }
+    // The passes that count read both sets.
+    constexpr std::uint32_t kBothSets = BinningPass::kBindings + kBuffers;
+    const std::uint32_t most =
+        vk::PhysicalDevice(device.physical()).getProperties().limits.maxPerStageDescriptorStorageBuffers;
+    if (most < kBothSets) {
+        throw base::RunError(
+            fmt::format("occlusion culling on the device needs {} storage buffers in a shader, {} allows {}",
+                        kBothSets, device.info().name, most));
     }
     gpu::requireGroups(device, partsOf(tilesOf(extent).size(), kReduceInvocations),
                        "occlusion culling on the device");

@@ -41,7 +41,7 @@ class DeviceOcclusion {
     void forget() { m_hasSeen = false; }
 
     static std::uint64_t predictBytes(const gpu::Device& device, vk::Extent2D extent);
-    /// base::RunError, with both figures, for a picture that the device's limits of shaders do not allow.
+    /// base::RunError, with both figures, where the device's limits of shaders do not allow it, or not for such a picture.
     static void requireLimits(const gpu::Device& device, vk::Extent2D extent);
 
   private:

@@ -29,12 +29,16 @@ std::uint64_t bytesFor(std::uint64_t fragments) {
 } // namespace
 
 std::optional<ListRefusal> FragmentList::refusal(const gpu::Device& device, vk::Extent2D extent,
-                                                 std::uint64_t maxBytes) {
+                                                 std::uint64_t maxBytes, std::uint32_t otherBuffers) {
     const auto refused = [](ListRefusal::Cause cause, std::uint64_t needed, std::uint64_t allowed) {
         return ListRefusal{.cause = cause, .fragments = 0, .neededBytes = needed, .allowedBytes = allowed};
     };
     if (!device.info().hasFragmentStores) {
         return refused(ListRefusal::Cause::noFragmentStores, 0, 0);
+    }
+    const vk::PhysicalDeviceLimits limits = vk::PhysicalDevice(device.physical()).getProperties().limits;
+    if (limits.maxPerStageDescriptorStorageBuffers < kBindings + otherBuffers) {
+        return refused(ListRefusal::Cause::storageBuffers, 0, 0);
     }
     const std::uint64_t heads = pixelsOf(extent) * sizeof(std::uint32_t);
     if (heads + bytesFor(1) > maxBytes) {

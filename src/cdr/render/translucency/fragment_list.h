@@ -15,8 +15,9 @@ namespace cdr::render {
 class FragmentList {
   public:
     /// Why there can be no lists at all for a picture; none if there can.
+    /// @param otherBuffers storage buffers that draws read beside the lists
     static std::optional<ListRefusal> refusal(const gpu::Device& device, vk::Extent2D extent,
-                                              std::uint64_t maxBytes);
+                                              std::uint64_t maxBytes, std::uint32_t otherBuffers);
 
     /// Starts with a node per pixel, or as many as the bound allows. There must be no refusal().
     FragmentList(const gpu::Device& device, const gpu::SetLayout& layout, vk::Extent2D extent,

@@ -21,7 +21,8 @@ enum class Translucency : std::uint8_t {
     /// own range. One pass, memory known beforehand; colours are approximate where surfaces overlap.
     weighted,
     /// Exact: every fragment of a pixel kept in a list, sorted by metric view distance, blended in float32.
-    /// Needs fragmentStoresAndAtomics, and memory per fragment.
+    /// Needs fragmentStoresAndAtomics, memory per fragment, and for surfaces that receive shadows five storage buffers in a
+    /// fragment shader.
     sorted,
 };
 
@@ -54,6 +55,7 @@ struct ListRefusal {
         bound,            ///< TranslucencyOptions::maxBytes
         bufferSize,       ///< the largest storage buffer of the device
         memory,           ///< what the device has free
+        storageBuffers, ///< the device has fewer in a fragment shader than are read; there are no bytes to say
     };
     Cause cause = Cause::noFragmentStores; ///< what was in the way
     std::uint64_t fragments = 0;           ///< that were to be kept; 0 where empty lists have no room

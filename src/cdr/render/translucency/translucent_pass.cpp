@@ -1,6 +1,8 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/translucency/translucent_pass.h>
 
+#include <algorithm>
+
 namespace cdr::render {
 
 namespace {
@@ -26,9 +28,13 @@ vk::Extent2D checkedExtent(const gpu::Device& device, vk::Extent2D extent,
 }
 
 std::optional<ListRefusal> refusalOf(const gpu::Device& device, vk::Extent2D extent,
-                                     const TranslucencyOptions& options) {
-    return options.method == Translucency::sorted ? FragmentList::refusal(device, extent, options.maxBytes)
-                                                  : std::nullopt;
+                                     const TranslucencyOptions& options, const Shadows& shadows) {
+    if (options.method != Translucency::sorted) {
+        return std::nullopt;
+    }
+    const std::vector<vk::DescriptorType> bindings = surroundingBindings(shadows);
+    const auto buffers = std::count(bindings.begin(), bindings.end(), kBuffer);
+    return FragmentList::refusal(device, extent, options.maxBytes, static_cast<std::uint32_t>(buffers));
 }
 
 } // namespace
@@ -50,7 +56,7 @@ TranslucentPass::TranslucentPass(const gpu::Device& device, const DrawnScene& sc
       m_weighted(device, scene.uploaded, m_surroundingsLayout,
                  checkedExtent(device, m_lit.options().extent, options),
                  {options.countsFragments, shadows.isOn(), variants}),
-      m_refusal(refusalOf(device, m_lit.options().extent, options)),
+      m_refusal(refusalOf(device, m_lit.options().extent, options, shadows)),
       m_counter(options.countsFragments ? std::make_unique<FragmentCounter>(device, m_lit.options().extent)
                                         : nullptr) {
     if (options.method == Translucency::sorted && !m_refusal) {
