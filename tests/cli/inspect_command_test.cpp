@@ -232,6 +232,21 @@ TEST(InspectCommand, FindsANearPairFarAwayAndWhatSuffices) {
         0);
 }
 
+/// Wrong pixels off planes and those in planes are shares of one total, so all of them together are at most all.
+TEST(InspectCommand, AddsSharesOfOneTotal) {
+    const TemporaryFolder folder;
+    writeSquares(folder.path() / "a.gltf", {{"wall", {-5.2, 0.0, -20.1}, 10.0},
+                                            {"poster", {-5.2, 0.0, -20.1}, 9.9},
+                                            {"road", {0.0, 0.0, -3000.0 + 3e-5}, 40.0},
+                                            {"hill", {0.0, 0.0, -3000.0}, 60.0}});
+    const InspectRun run = inspect(
+        "a.gltf --fov 3 --techniques reversed --format d16 --fail-above 1" + std::string(kSmall), folder);
+    const double wrong = rowOf(run.document, "reversed", "d16").at("wrong_fraction");
+    EXPECT_GT(wrong + run.document.at("coplanar_fraction").get<double>(), 1.0) << "of what is judged, of all";
+    EXPECT_EQ(run.status, 0);
+    EXPECT_NE(run.out.find("reversed with d16: of the object pixels, "), std::string::npos) << run.out;
+}
+
 /// The order of drawing may hide that the depth buffer stores one number for both.
 TEST(InspectCommand, LuckDoesNotSuffice) {
     const TemporaryFolder folder;

@@ -132,9 +132,8 @@ void print(const Command& command, const InspectArguments& arguments, const Insp
     }
     if (arguments.failAbove) {
         console.line(fmt::format(
-            "{}: {} % of the pixels are wrong and {} % coplanar; at most {} % are allowed.",
-            nameOf(inspection.techniques[inspection.judged]),
-            output::percent(inspection.techniques[inspection.judged].wrong.fraction()),
+            "{}: of the object pixels, {} % are wrong and {} % coplanar; at most {} % are allowed.",
+            nameOf(inspection.techniques[inspection.judged]), output::percent(inspection.wrongFraction()),
             output::percent(inspection.coplanarFraction()), output::percent(*arguments.failAbove)));
     }
 }
@@ -221,7 +220,7 @@ void addOptions(CLI::App& command, InspectArguments& arguments) {
     options::addStillChoice(command, arguments.choice);
     command
         .add_option("--fail-above", arguments.failAbove,
-                    "End with status 3 where a larger share of the pixels, 0 to 1, is wrong or coplanar")
+                    "End with status 3 where a larger share of object pixels, 0 to 1, is wrong or coplanar")
         ->check(options::numberFrom(0.0, 1.0));
     command.add_option("--heat-map", arguments.heatMap,
                        "Write the worst view as PNG: red wrong, orange wrong on an edge, magenta coplanar");

@@ -58,13 +58,16 @@ struct Inspection {
     std::uint64_t coplanarPixels = 0;      ///< of them, whose two nearest surfaces lie in one plane
     image::ImageRgba8 heatMap{}; ///< of the worst view: red wrong, orange wrong on an edge, magenta coplanar
 
-    double coplanarFraction() const {
-        return objectPixels ? static_cast<double>(coplanarPixels) / static_cast<double>(objectPixels) : 0.0;
-    }
+    double coplanarFraction() const { return shareOf(coplanarPixels); }
     /// Whether a view shows surfaces off edges that some technique could order.
     bool couldJudge() const { return techniques[judged].wrong.pixels > 0; }
-    /// Share of pixels that the judged technique gets wrong or that no technique gets right.
-    double badFraction() const { return techniques[judged].wrong.fraction() + coplanarFraction(); }
+    /// Share of the object pixels that the judged technique gets wrong, off edges.
+    double wrongFraction() const { return shareOf(techniques[judged].wrong.wrong); }
+    /// Share of the object pixels that the judged technique gets wrong or that no technique gets right.
+    double badFraction() const { return shareOf(techniques[judged].wrong.wrong + coplanarPixels); }
+    double shareOf(std::uint64_t pixels) const {
+        return objectPixels ? static_cast<double>(pixels) / static_cast<double>(objectPixels) : 0.0;
+    }
 };
 
 /// Casts the truth of every view and renders each technique from there. base::InputError as TruthCaster and Renderer.

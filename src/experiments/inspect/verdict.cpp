@@ -2,6 +2,7 @@
 
 #include <cdr/depth/forecast.h>
 #include <cdr/scene/frustum.h>
+#include <cdr/scene/gltf/checks.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -80,7 +81,7 @@ std::string coplanarLine(const ObjectPair& pair, const scene::Scene& scene, cons
 
 std::string nameOfObject(const scene::Scene& scene, std::uint32_t object) {
     const bool isNamed = object < scene.objectNames.size() && !scene.objectNames[object].empty();
-    return isNamed ? scene.objectNames[object] : fmt::format("object {}", object);
+    return isNamed ? scene::gltf::oneLine(scene.objectNames[object]) : fmt::format("object {}", object);
 }
 
 std::string nameOf(const InspectedTechnique& technique) {

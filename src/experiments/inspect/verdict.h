@@ -10,7 +10,7 @@
 
 namespace cdr::experiments {
 
-/// The scene's name of an object, or "object 12".
+/// The scene's name of an object as one printable line, since a file may name it anything; or "object 12".
 std::string nameOfObject(const scene::Scene& scene, std::uint32_t object);
 
 /// "anchored with d32f".
