@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <options/camera_options.h>
 #include <options/help_format.h>
+#include <options/number_checks.h>
 #include <program/allocator.h>
 #include <program/build_info.h>
 #include <ranks/join.h>
@@ -50,6 +51,7 @@ void addCommands(CLI::App& program, const cdr::cli::GlobalOptions& global) {
     cdr::cli::addReport(program, global);
     program.group("Shell");
     cdr::cli::addShellCommands(program);
+    cdr::options::takeDecimals(program);
 }
 
 void printOnce(const cdr::ranks::Ranks& ranks, const std::string& text) {

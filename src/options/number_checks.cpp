@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -10,6 +12,25 @@
 #include <system_error>
 
 namespace cdr::options {
+
+namespace {
+
+constexpr std::string_view kDigits = "0123456789";
+
+/// Takes leading zeros away. What is no number is left to the other checks.
+std::string withoutLeadingZeros(std::string& text) {
+    const std::size_t first = text.find_first_not_of("+- ");
+    if (first == std::string::npos || text[first] != '0') {
+        return "";
+    }
+    if (text.find_first_not_of(kDigits, first) != std::string::npos) {
+        return fmt::format("must be a whole number in decimal, not {}", text.substr(0, 60));
+    }
+    text.erase(first, std::min(text.find_first_not_of('0', first), text.size() - 1) - first);
+    return "";
+}
+
+} // namespace
 
 CLI::Validator numberFrom(double least, double most) {
     return CLI::Validator(
@@ -26,7 +47,6 @@ CLI::Validator numberFrom(double least, double most) {
 CLI::Validator wholeNumber() {
     return CLI::Validator(
         [](const std::string& text) -> std::string {
-            constexpr std::string_view kDigits = "0123456789";
             std::uint64_t value = 0;
             const char* end = text.data() + text.size();
             const bool isDecimal = text.find_first_not_of(kDigits) == std::string::npos;
@@ -39,6 +59,18 @@ CLI::Validator wholeNumber() {
             return "";
         },
         "");
+}
+
+void takeDecimals(CLI::App& program) {
+    for (CLI::Option* option : program.get_options()) {
+        const std::string type = option->get_type_name();
+        if (type.starts_with("UINT") || type.starts_with("INT")) {
+            option->transform(CLI::Validator(withoutLeadingZeros, ""));
+        }
+    }
+    for (CLI::App* command : program.get_subcommands({})) {
+        takeDecimals(*command);
+    }
 }
 
 } // namespace cdr::options

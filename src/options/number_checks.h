@@ -11,4 +11,8 @@ CLI::Validator numberFrom(double least, double most);
 /// large.
 CLI::Validator wholeNumber();
 
+/// Reads the whole numbers of all options that a program and its commands have in decimal: "010" is ten. Another base, such as
+/// "0x10", is refused. CLI11 alone takes a leading zero for octal.
+void takeDecimals(CLI::App& program);
+
 } // namespace cdr::options

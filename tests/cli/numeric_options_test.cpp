@@ -93,7 +93,7 @@ const std::vector<Numbers> kNumbersOfCommands{
       "--camera @",
       "--gltf-scene @",
       "--snap-bits @",
-      "--translucency-memory @",
+      "--translucency sorted --translucency-memory @",
       "--texture-memory @",
       "--points @",
       "--split ratio:@",
@@ -366,6 +366,36 @@ TEST(NumericOptionsList, HoldsEveryOption) {
                 EXPECT_TRUE(listed.contains(command + " " + name)) << command << " " << name;
             }
         }
+    }
+}
+
+/// Of every command. Other bases are refused, and leading zeros say nothing.
+TEST(WholeNumbers, AreDecimal) {
+    const TemporaryFolder folder;
+    std::size_t options = 0;
+    for (const std::string& command : commandNames()) {
+        std::istringstream help(runProgram(command + " --help", folder.path()).out);
+        for (std::string line; std::getline(help, line);) {
+            std::istringstream words(line);
+            std::string name;
+            std::string type;
+            words >> name >> type;
+            if (type == "UINT" || type == "INT") {
+                ++options;
+                const ProgramResult result = runProgram(command + " " + name + "=0x1", folder.path());
+                EXPECT_EQ(result.status, 2) << command << " " << name;
+                EXPECT_NE(result.err.find("in decimal, not 0x1"), std::string::npos) << result.err;
+            }
+        }
+    }
+    EXPECT_GT(options, 30u);
+    for (const char* frame : {"010", "008", "00", "-01"}) {
+        const std::string arguments = std::string("render afc --size 8x8 --frame=") + frame + " -o f%d.png";
+        const bool isTaken = std::string(frame) != "-01";
+        EXPECT_EQ(runProgram(arguments, folder.path()).status, isTaken ? 0 : 2) << frame;
+    }
+    for (const char* name : {"f10.png", "f8.png", "f0.png"}) {
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / name)) << name;
     }
 }
 

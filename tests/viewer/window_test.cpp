@@ -297,7 +297,8 @@ TEST_F(ViewerTest, SaysWhatIsWrongInOneLine) {
         expectError("--frames 1 --depth standard " + second + " afc", 2,
                     "give either --technique or --compare, or --depth and --split");
     }
-    for (const std::string option : {"--ui-scale nan", "--seed -1", "--frames -1", "--threads -1"}) {
+    for (const std::string option :
+         {"--ui-scale nan", "--seed -1", "--frames -1", "--threads -1", "--gltf-scene 0x1"}) {
         expectError("--frames 1 " + option + " afc", 2, option.substr(0, option.find(' ')));
     }
     // What the panels leave unused, a command line may not ask for.

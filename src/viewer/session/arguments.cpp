@@ -135,6 +135,7 @@ std::optional<int> parseViewer(int argc, char** argv, Arguments& arguments) {
 }
 
 std::optional<int> parse(CLI::App& program, int argc, char** argv) {
+    options::takeDecimals(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& success) {
