@@ -38,7 +38,10 @@ depth::Technique referenceTechnique() {
 
 void chooseScene(ViewSettings& settings, std::string nameOrPath) {
     settings.scene = std::move(nameOrPath);
-    settings.choice = {};
+    scene::GltfChoice kept;
+    kept.textureMiB = settings.choice.textureMiB;
+    kept.pointRadius = settings.choice.pointRadius;
+    settings.choice = kept;
     settings.layers.clear();
 }
 

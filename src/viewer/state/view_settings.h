@@ -57,7 +57,8 @@ struct ViewSettings {
     bool operator==(const ViewSettings&) const = default;
 };
 
-/// Another scene, or the same as it is by itself: what was chosen of its contents goes.
+/// Another scene, or the same as it is by itself: what was chosen of its contents goes. What bounds textures and
+/// points stays.
 void chooseScene(ViewSettings& settings, std::string nameOrPath);
 
 /// The layer that the settings give a material; empty where it has the scene's own.

@@ -42,6 +42,18 @@ TEST(ViewSettings, SidesBecomeRenderOptions) {
     EXPECT_EQ(right.targets, render::TargetsChoice(render::TargetsKind::layers));
 }
 
+/// They are of the machine and of who looks, and not of a scene.
+TEST(ViewSettings, AnotherSceneKeepsWhatBoundsTexturesAndPoints) {
+    ViewSettings settings;
+    settings.choice.camera = 1;
+    settings.choice.textureMiB = 64;
+    settings.choice.pointRadius = 0.1;
+    chooseScene(settings, "other.glb");
+    EXPECT_FALSE(settings.choice.camera);
+    EXPECT_EQ(settings.choice.textureMiB, 64u);
+    EXPECT_EQ(settings.choice.pointRadius, 0.1);
+}
+
 TEST(Explanations, EachChoiceHasASentenceOfItsOwn) {
     std::set<std::string> seen;
     const auto expectSentence = [&](std::string_view text) {
