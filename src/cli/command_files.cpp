@@ -25,6 +25,15 @@ bool isSame(const fs::path& a, const fs::path& b) {
     return resolved(a) == resolved(b) || fs::equivalent(a, b, error);
 }
 
+/// The same of names that may be many: only where they end alike are links followed.
+bool isSameName(const fs::path& a, const fs::path& b) {
+    return a.filename() == b.filename() && isSame(a, b);
+}
+
+[[noreturn]] void refuseBoth(const fs::path& path, const std::string& first, const std::string& second) {
+    throw base::InputError(fmt::format("{}: both {} and {} would write it", path.string(), first, second));
+}
+
 /// Whether there is something at the path that is no regular file, such as a device.
 bool isSpecial(const fs::path& path) {
     std::error_code error;
@@ -50,8 +59,14 @@ void CommandFiles::writes(const std::string& option, const fs::path& path) {
     requireApart(output);
     for (const Output& other : m_outputs) {
         if (isSame(other.path, path)) {
-            throw base::InputError(
-                fmt::format("{}: both {} and {} would write it", path.string(), other.option, option));
+            refuseBoth(path, other.option, option);
+        }
+    }
+    for (const Sequence& sequence : m_sequences) {
+        for (std::size_t number = sequence.begin; number < sequence.end; ++number) {
+            if (isSameName(sequence.nameAt(number), path)) {
+                refuseBoth(path, sequence.option, option);
+            }
         }
     }
     m_outputs.push_back(output);
@@ -72,8 +87,15 @@ void CommandFiles::mayPlot(const fs::path& path) {
 
 void CommandFiles::writesSequence(const std::string& option, std::size_t begin, std::size_t end,
                                   const std::function<fs::path(std::size_t)>& nameAt) {
+    const std::vector<Output> others = m_outputs;
+    m_sequences.push_back({option, begin, end, nameAt});
     for (std::size_t number = begin; number < end; ++number) {
         const Output output{option, nameAt(number)};
+        for (const Output& other : others) {
+            if (other.option != option && isSameName(output.path, other.path)) {
+                refuseBoth(output.path, other.option, option);
+            }
+        }
         std::error_code error;
         if (fs::exists(output.path, error) && !isSpecial(output.path)) { // else nothing is lost
             requireUnread(output);
@@ -105,8 +127,7 @@ void CommandFiles::requireApart(const Output& output) const {
         const fs::path file = resolved(output.path);
         if (file.parent_path() == resolved(pictures.folder / "x").parent_path() &&
             file.extension() == ".png" && file.filename().string().starts_with(pictures.stem)) {
-            throw base::InputError(fmt::format("{}: both {} and {} would write it", output.path.string(),
-                                               pictures.option, output.option));
+            refuseBoth(output.path, pictures.option, output.option);
         }
     }
 }

@@ -25,7 +25,8 @@ class CommandFiles {
     /// The same of --plot. base::InputError also as output::requirePlottable().
     void mayPlot(const std::filesystem::path& path);
 
-    /// The other pictures of a sequence, whose first one is named by writes(). base::InputError when the command reads one.
+    /// The other pictures of a sequence, whose first one is named by writes(). base::InputError when the command reads one, or
+    /// another output is one, of those noted later too.
     /// @param number of the picture that nameAt() is to name.
     void writesSequence(const std::string& option, std::size_t begin, std::size_t end,
                         const std::function<std::filesystem::path(std::size_t number)>& nameAt);
@@ -39,6 +40,12 @@ class CommandFiles {
         std::string option;
         std::filesystem::path path;
     };
+    struct Sequence {
+        std::string option;
+        std::size_t begin = 0;
+        std::size_t end = 0;
+        std::function<std::filesystem::path(std::size_t number)> nameAt; ///< outlives the call that gave it
+    };
     struct Pictures {
         std::string option;
         std::filesystem::path folder;
@@ -49,6 +56,7 @@ class CommandFiles {
 
     std::vector<std::filesystem::path> m_inputs;
     std::vector<Output> m_outputs;
+    std::vector<Sequence> m_sequences;
     std::vector<Pictures> m_pictures;
 };
 

@@ -2,6 +2,8 @@
 
 #include <cdr/base/error.h>
 #include <cdr/image/picture_size.h>
+#include <cdr/scene/gltf/open_gltf.h>
+#include <scenes/open_scene.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -30,12 +32,26 @@ image::PictureSize parseSize(const std::string& text) {
     return *size;
 }
 
+/// A scene behind a bare --json is one to open, and would be replaced. base::InputError for it.
+void requireNoScene(const std::string& file) {
+    const auto generated = scenes::generatedScenes();
+    if (scene::isGltfPath(file) || std::find(generated.begin(), generated.end(), file) != generated.end()) {
+        throw base::InputError(
+            fmt::format("--json takes a file to write, not the scene {}: write --json=FILE, or --json last",
+                        file.substr(0, 200)));
+    }
+}
+
 } // namespace
 
 void addJson(CLI::App& command, OutputOptions& output) {
     command
         .add_option_function<std::string>(
-            "--json", [&output](const std::string& file) { output.json = file.empty() ? "-" : file; },
+            "--json",
+            [&output](const std::string& file) {
+                requireNoScene(file);
+                output.json = file.empty() ? "-" : file;
+            },
             "Write the results as JSON to FILE, or to standard output without one")
         ->expected(0, 1)
         ->type_name("FILE");

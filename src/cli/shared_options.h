@@ -65,6 +65,7 @@ using options::addThreads;
 // Each adds an option; what it refers to must live as long as the command.
 
 /// `--json [FILE]`; without a file, or with "-", JSON goes to standard output and the table to standard error.
+/// base::InputError for a file that is named as a scene.
 void addJson(CLI::App& command, OutputOptions& output);
 
 /// `--state FILE`, for Command::keepUnits().

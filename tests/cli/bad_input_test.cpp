@@ -42,6 +42,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"render afc --certify a.json --detail object",
                  "a frame with levels of detail cannot be certified"},
         BadInput{"render afc --certify a.json --json a.json", "a.json"},
+        BadInput{"render afc --certify a.png", "--certify: a.png does not end in .json"},
         BadInput{"render sheets --certify a.json", "material 'translucent 0' is blended"},
         BadInput{"render coplanar --certify a.json", "has a layer offset"},
         BadInput{"render afc --near 5 --far 5 -o a.png", "far must be finite and beyond near"},
@@ -193,8 +194,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"pictures --techniques anchord", "did you mean 'anchored'"},
         BadInput{"render afc --depth anchored --split fitted:0px -o a.png", "must be above 0"},
         BadInput{"render afc --depth anchored --split fitted:1px,max=65 -o a.png", "from 1 to 64"},
-        BadInput{"probe --distances 0.01", "at least 0.1"}, BadInput{"probe --distances nan", "distance"},
-        BadInput{"advise", "separation"}, BadInput{"advise --separation 0", "above 0"},
+        BadInput{"probe --distances 0.01", "from 0.1 to 1e16"},
+        BadInput{"probe --distances 100,1e30", "from 0.1 to 1e16"},
+        BadInput{"probe --distances nan", "distance"}, BadInput{"advise", "separation"},
+        BadInput{"advise --separation 0", "above 0"},
         BadInput{"advise --separation 1 --at 1e9", "must lie from near"},
         BadInput{"advise --separation 1 --near 5 --far 5", "far must be finite and beyond near"},
         BadInput{"advise --separation 1 --fov 180", "field of view"},
@@ -242,6 +245,24 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"render cubes --seed -1 -o a.png", "from 0 to 18446744073709551615, not -1"},
         BadInput{"timing --seed 18446744073709551616", "not 18446744073709551616"},
         BadInput{"render cubes --seed 5x -o a.png", "--seed"}));
+
+/// Options that would say nothing.
+INSTANTIATE_TEST_SUITE_P(
+    Unused, BadInputTest,
+    testing::Values(BadInput{"advise --separation 1 --size 64x36", "--size requires --measured"},
+                    BadInput{"advise --separation 1 --frames 2", "--frames requires --measured"},
+                    BadInput{"advise --separation 1 --seed 2", "--seed requires --measured"},
+                    BadInput{"advise --separation 1 --threads 2", "--threads requires --measured"},
+                    BadInput{"render alley --shadow-texels 512 -o a.png",
+                             "--shadow-texels requires --shadows"},
+                    BadInput{"render sheets --translucency-memory 8 -o a.png",
+                             "--translucency-memory requires --translucency"},
+                    BadInput{"render cubes --deform cpu -o a.png", "--deform is for glTF files"}));
+
+/// A scene behind --json, which takes it for its file.
+INSTANTIATE_TEST_SUITE_P(Scenes, BadInputTest,
+                         testing::Values(BadInput{"models --json a.gltf b.gltf", "write --json=FILE"},
+                                         BadInput{"rivals --json cubes", "not the scene cubes"}));
 
 /// An output that would take the place of another.
 INSTANTIATE_TEST_SUITE_P(

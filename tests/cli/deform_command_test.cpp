@@ -39,8 +39,9 @@ TEST(DeformCommand, PicturesAreTheSameWhoeverDeforms) {
 
 TEST(DeformCommand, NothingThatDeformsNamesNobody) {
     const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("render cubes --size 32x18 --deform cpu --json f.json", folder.path());
+    const ProgramResult result = runProgram(
+        "render " CDR_SOURCE_DIR "/tests/golden/shapes.gltf --size 32x18 --deform cpu --json f.json",
+        folder.path());
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_FALSE(nlohmann::json::parse(readText(folder.path() / "f.json"))["options"].contains("deform"));
     const ProgramResult other = runProgram("render cubes --size 32x18 --deform gpu", folder.path());

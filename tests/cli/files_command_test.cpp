@@ -28,20 +28,50 @@ void writeNotedModel(const fs::path& path) {
 TEST(Files, AnOutputNeverReplacesTheInput) {
     const TemporaryFolder folder;
     writeNotedModel(folder.path() / "in.gltf");
-    fs::create_symlink("in.gltf", folder.path() / "link.gltf");
+    fs::create_symlink("in.gltf", folder.path() / "link.json");
     fs::create_hard_link(folder.path() / "in.gltf", folder.path() / "other.json");
     const std::string before = readText(folder.path() / "in.gltf");
     for (const char* arguments :
-         {"render in.gltf --json in.gltf", "render in.gltf --json link.gltf",
-          "render in.gltf --json other.json", "render in.gltf --trace in.gltf",
-          "pictures --scenes in.gltf --json in.gltf", "detail in.gltf --json in.gltf",
-          "render cubes --path in.gltf --json in.gltf", "inspect cubes --path in.gltf --json in.gltf",
-          "shadows alley --path in.gltf --json in.gltf"}) {
+         {"render in.gltf --json link.json", "render in.gltf --json other.json",
+          "render in.gltf --trace in.gltf", "pictures --scenes in.gltf --json link.json",
+          "detail in.gltf --json link.json", "render cubes --path in.gltf --json link.json",
+          "inspect cubes --path in.gltf --json link.json", "shadows alley --path in.gltf --json link.json"}) {
         const ProgramResult result = runProgram(arguments, folder.path());
         EXPECT_EQ(result.status, 2) << arguments;
         EXPECT_NE(result.err.find("would replace what the command reads"), std::string::npos) << result.err;
         EXPECT_EQ(readText(folder.path() / "in.gltf"), before) << arguments;
     }
+}
+
+/// As it would where --json takes the first of two models for its file.
+TEST(Files, ABareJsonNeverReplacesAModel) {
+    const TemporaryFolder folder;
+    writeNotedModel(folder.path() / "in.gltf");
+    const std::string before = readText(folder.path() / "in.gltf");
+    const ProgramResult result = runProgram("models --json in.gltf in.gltf", folder.path());
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("write --json=FILE, or --json last"), std::string::npos) << result.err;
+    EXPECT_EQ(readText(folder.path() / "in.gltf"), before);
+}
+
+/// Whether the files are there already or not.
+TEST(Files, NoOutputIsALaterPictureOfASequence) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder.path() / "d");
+    const std::string frames = "--quiet render cubes --size 16x16 --frames 3 -o d/f%d.png ";
+    for (const bool isThere : {false, true}) {
+        for (const char* other : {"--trace d/f1.png", "--json d/f2.png", "--state ./d/../d/f2.png"}) {
+            if (isThere) {
+                std::ofstream(folder.path() / "d" / "f1.png") << "x";
+                std::ofstream(folder.path() / "d" / "f2.png") << "x";
+            }
+            const ProgramResult result = runProgram(frames + other, folder.path());
+            EXPECT_EQ(result.status, 2) << other;
+            EXPECT_NE(result.err.find("would write it"), std::string::npos) << result.err;
+            EXPECT_FALSE(fs::exists(folder.path() / "d" / "f0.png")) << other;
+        }
+    }
+    EXPECT_EQ(runProgram(frames + "--trace d/f3.png", folder.path()).status, 0);
 }
 
 /// Its buffers and pictures too, and by any picture of a sequence.

@@ -49,10 +49,15 @@ void checkFiles(const RenderArguments& arguments, const RenderPlan& plan, Comman
             throw base::InputError(base::unknownName("picture format", extension, kExtensions));
         }
         files.writes("-o", plan.name.at(plan.cameras.first));
-        files.writesSequence("-o", plan.cameras.first + 1, plan.cameras.first + plan.cameras.frames,
-                             [&](std::size_t frame) { return plan.name.at(static_cast<unsigned>(frame)); });
+        files.writesSequence(
+            "-o", plan.cameras.first + 1, plan.cameras.first + plan.cameras.frames,
+            [name = plan.name](std::size_t frame) { return name.at(static_cast<unsigned>(frame)); });
     }
     files.mayWrite("--trace", arguments.trace);
+    if (!arguments.certify.empty() && platform::lowerExtension(arguments.certify) != ".json") {
+        throw base::InputError(
+            fmt::format("--certify: {} does not end in .json", arguments.certify.string()));
+    }
     files.mayWrite("--certify", arguments.certify);
     files.mayWrite("--state", arguments.state);
 }
@@ -78,6 +83,14 @@ void requireOneView(const RenderArguments& arguments, const RenderPlan& plan) {
     }
 }
 
+/// base::InputError for --deform where nothing can bend.
+void requireBending(const RenderArguments& arguments) {
+    if (arguments.deform && !scene::isGltfPath(arguments.scene)) {
+        throw base::InputError(
+            fmt::format("--deform is for glTF files: nothing bends in {}", arguments.scene.substr(0, 200)));
+    }
+}
+
 RenderPlan planOf(Command& command, const RenderArguments& arguments) {
     const SequenceName name(arguments.file);
     render::RenderOptions options = optionsOf(arguments);
@@ -89,6 +102,7 @@ RenderPlan planOf(Command& command, const RenderArguments& arguments) {
                     .options = options,
                     .views = options::ViewsPlan(arguments.views, options.width, options.height)};
     requireOneView(arguments, plan);
+    requireBending(arguments);
     if (!arguments.certify.empty() && arguments.aov == output::Aov::linear) {
         throw base::InputError("--certify repairs the encoded picture: leave out --aov linear");
     }

@@ -73,6 +73,13 @@ void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
     addThreads(command, options.threads);
 }
 
+void addRenderEffects(CLI::App& command, RenderArguments& arguments) {
+    options::addEffectOptions(command, arguments.drawing, arguments.choice);
+    // Not in the viewer, whose panels turn both on later.
+    command.get_option("--shadow-texels")->needs(command.get_option("--shadows"));
+    command.get_option("--translucency-memory")->needs(command.get_option("--translucency"));
+}
+
 } // namespace
 
 void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
@@ -83,7 +90,7 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     command.option_defaults()->group("Technique");
     addTechniqueOptions(command, arguments);
     command.option_defaults()->group("Effects");
-    options::addEffectOptions(command, arguments.drawing, arguments.choice);
+    addRenderEffects(command, arguments);
     command.option_defaults()->group("Camera");
     options::addFrameOptions(command, arguments.camera);
     options::addCameraOptions(command, arguments.camera);

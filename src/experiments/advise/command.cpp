@@ -247,13 +247,17 @@ void addOptions(CLI::App& command, AdviseArguments& arguments) {
     options::addParsedList(command, "--format", arguments.formats, depth::parseDepthFormat,
                            "Depth formats to consider, separated by commas; all");
     addTechniques(command, arguments.techniques);
-    command.add_flag("--measured", arguments.measured,
-                     "Measure separations and frame times on the device, beside the formulas");
+    CLI::Option* measured =
+        command.add_flag("--measured", arguments.measured,
+                         "Measure separations and frame times on the device, beside the formulas");
     addSize(command, arguments.measuring.width, arguments.measuring.height);
     command.get_option("--size")->description("With --measured: WIDTHxHEIGHT in pixels of what is rendered");
     addFrames(command, arguments.measuring.frames, "With --measured: frames timed per technique", 1u << 20);
     addSeed(command, arguments.measuring.seed, "With --measured: seed of both scenes");
     addThreads(command, arguments.measuring.threads, "With --measured: threads that record");
+    for (const char* measuring : {"--size", "--frames", "--seed", "--threads"}) {
+        command.get_option(measuring)->needs(measured);
+    }
 }
 
 } // namespace

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace cdr::experiments {
 
@@ -52,9 +51,10 @@ Rungs judged(const image::ImageU32& ids, const measure::TruthImage& truth,
 
 scenes::LadderOptions probeLadder(double distanceView, std::optional<double> nearView,
                                   std::optional<double> farView) {
-    if (!std::isfinite(distanceView) || distanceView < 0.1) {
+    // Beyond, float64 has no place for the ladder's cubes. NaN is refused too.
+    if (!(distanceView >= 0.1 && distanceView <= 1e16)) {
         throw base::InputError(
-            fmt::format("a probe's distance must be finite and at least 0.1, not {}", distanceView));
+            fmt::format("a probe's distance must be from 0.1 to 1e16, not {}", distanceView));
     }
     return {.distanceView = distanceView,
             .nearView = nearView.value_or(0.001),

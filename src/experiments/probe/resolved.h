@@ -9,7 +9,7 @@
 
 namespace cdr::experiments {
 
-/// The ladder at one distance, as ProbeOptions says. base::InputError for a distance that is too short or not finite.
+/// The ladder at one distance, as ProbeOptions says. base::InputError unless the distance is from 0.1 to 1e16.
 scenes::LadderOptions probeLadder(double distanceView, std::optional<double> nearView = {},
                                   std::optional<double> farView = {});
 

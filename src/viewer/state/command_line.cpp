@@ -68,11 +68,13 @@ void addFinish(Words& words, const ViewSettings& settings) {
                     visibility::nameOf(options.detail));
     words.addUnless(options.translucency.method == defaults.translucency.method, "--translucency",
                     render::nameOf(options.translucency.method));
-    words.addUnless(options.translucency.maxBytes == defaults.translucency.maxBytes, "--translucency-memory",
-                    fmt::format("{}", options.translucency.maxBytes >> 20u));
+    // Where they say nothing, cdr render refuses them.
+    const bool isSorted = options.translucency.method == render::Translucency::sorted;
+    words.addUnless(!isSorted || options.translucency.maxBytes == defaults.translucency.maxBytes,
+                    "--translucency-memory", fmt::format("{}", options.translucency.maxBytes >> 20u));
     words.addUnless(!options.shadows.isOn(), "--shadows", render::nameOf(options.shadows.method));
-    words.addUnless(options.shadows.maxTexels == defaults.shadows.maxTexels, "--shadow-texels",
-                    fmt::format("{}", options.shadows.maxTexels));
+    words.addUnless(!options.shadows.isOn() || options.shadows.maxTexels == defaults.shadows.maxTexels,
+                    "--shadow-texels", fmt::format("{}", options.shadows.maxTexels));
     const render::Effects& effects = options.effects;
     words.addUnless(effects.antialias == defaults.effects.antialias, "--antialias",
                     render::nameOf(effects.antialias));
@@ -176,7 +178,7 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
     addGiven("--animation", settings.choice.animation);
     addGiven("--time", settings.choice.seconds);
     addGiven("--fps", settings.choice.framesPerSecond);
-    if (settings.deform) {
+    if (settings.deform && scene::isGltfPath(settings.scene)) {
         words.add("--deform", nameOf(*settings.deform));
     }
     addGiven("--texture-memory", settings.choice.textureMiB);

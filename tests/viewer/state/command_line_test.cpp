@@ -86,7 +86,23 @@ TEST(RenderCommand, KeepsWhoBendsMeshes) {
     ReproducedView view = viewWith(kOwn);
     EXPECT_EQ(renderCommand(view, "a.png").find("--deform"), std::string::npos);
     view.settings.deform = scenes::Deform::device;
+    EXPECT_EQ(renderCommand(view, "a.png").find("--deform"), std::string::npos) << "nothing bends in afc";
+    view.settings.scene = "model.glb";
     EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--deform"), "device");
+}
+
+/// cdr render refuses limits of what is not drawn.
+TEST(RenderCommand, LeavesOutLimitsOfWhatIsOff) {
+    ReproducedView view = viewWith(kOwn);
+    view.settings.finish.shadows.maxTexels = 512;
+    view.settings.finish.translucency.maxBytes = std::uint64_t{8} << 20u;
+    const std::string line = renderCommand(view, "a.png");
+    EXPECT_EQ(line.find("--shadow-texels"), std::string::npos) << line;
+    EXPECT_EQ(line.find("--translucency-memory"), std::string::npos) << line;
+    view.settings.finish.shadows.method = render::ShadowMethod::anchored;
+    view.settings.finish.translucency.method = render::Translucency::sorted;
+    EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--shadow-texels"), "512");
+    EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--translucency-memory"), "8");
 }
 
 TEST(RenderCommand, SaysTheLayersThatWereChosen) {
