@@ -16,14 +16,13 @@ ChunkTest::ChunkTest(const scene::Camera& camera, const scene::Frustum& frustum,
                      const depth::Cascade& clipRange)
     : m_position(camera.position),
       m_toView(glm::transpose(glm::dmat3(frustum.rightOf(camera), frustum.upOf(camera), -camera.back))),
-      m_pixel(frustum.footprintSlope) {
-    const auto plane = [](const glm::dvec3& normal, double offset) {
-        return Plane{normal, offset, glm::length(normal)};
-    };
-    m_planes = {plane({frustum.cosX, 0.0, frustum.sinX}, 0.0), plane({-frustum.cosX, 0.0, frustum.sinX}, 0.0),
-                plane({0.0, frustum.cosY, frustum.sinY}, 0.0), plane({0.0, -frustum.cosY, frustum.sinY}, 0.0),
-                plane({0.0, 0.0, 1.0}, -clipRange.nearView),   plane({0.0, 0.0, -1.0}, clipRange.farView)};
-}
+      m_sides{HalfSpace({frustum.cosX, 0.0, frustum.sinX}, 0.0),
+              HalfSpace({-frustum.cosX, 0.0, frustum.sinX}, 0.0),
+              HalfSpace({0.0, frustum.cosY, frustum.sinY}, 0.0),
+              HalfSpace({0.0, -frustum.cosY, frustum.sinY}, 0.0),
+              HalfSpace({0.0, 0.0, 1.0}, -clipRange.nearView),
+              HalfSpace({0.0, 0.0, -1.0}, clipRange.farView)},
+      m_pixel(frustum.footprintSlope) {}
 
 ChunkTest::Placed ChunkTest::placed(const glm::dvec3& position, const glm::mat3& basis, float radius) const {
     const glm::dvec3 fromCamera = position - m_position;
@@ -36,23 +35,20 @@ ChunkTest::Placed ChunkTest::placed(const glm::dvec3& position, const glm::mat3&
 }
 
 bool ChunkTest::holdsAll(const Placed& instance) const {
-    const double reach =
-        instance.radius + instance.rounding; // a vertex inside is drawn, wherever it is snapped to
-    return std::all_of(m_planes.begin(), m_planes.end(), [&](const Plane& plane) {
-        return glm::dot(plane.normal, instance.centre) + plane.offset >= reach * plane.length;
+    return std::all_of(m_sides.begin(), m_sides.end(), [&](const HalfSpace& side) {
+        return side.holds(instance.centre, instance.radius + instance.rounding);
     });
 }
 
 bool ChunkTest::mayShow(const Placed& instance, const MeshChunk& chunk) const {
-    const glm::dvec3 middle = instance.centre + instance.basis * glm::dvec3(chunk.middle);
     const glm::dvec3 half(chunk.half);
-    const auto reach = [&](const glm::dvec3& way) { return glm::dot(glm::abs(way * instance.basis), half); };
-    const double farthest = std::abs(middle.z) + reach({0.0, 0.0, 1.0});
-    const double rounding = instance.rounding + m_pixel * farthest;
-    return std::none_of(m_planes.begin(), m_planes.end(), [&](const Plane& plane) {
-        return glm::dot(plane.normal, middle) + plane.offset <
-               -(reach(plane.normal) + rounding * plane.length);
-    });
+    const glm::dmat3& basis = instance.basis;
+    const SkewBox box{.middle = instance.centre + basis * glm::dvec3(chunk.middle),
+                      .halfSides = {basis[0] * half.x, basis[1] * half.y, basis[2] * half.z}};
+    const double farthest = std::abs(box.middle.z) + box.reach({0.0, 0.0, 1.0});
+    const double around = instance.rounding + m_pixel * farthest;
+    return std::all_of(m_sides.begin(), m_sides.end(),
+                       [&](const HalfSpace& side) { return side.meets(box, around); });
 }
 
 } // namespace cdr::visibility

@@ -2,6 +2,7 @@
 
 #include <cdr/depth/cascade.h>
 #include <cdr/scene/frustum.h>
+#include <cdr/visibility/half_space.h>
 #include <cdr/visibility/mesh_chunks.h>
 
 #include <glm/glm.hpp>
@@ -33,15 +34,9 @@ class ChunkTest {
     bool mayShow(const Placed& instance, const MeshChunk& chunk) const;
 
   private:
-    /// Inside where dot(normal, place) + offset >= 0.
-    struct Plane {
-        glm::dvec3 normal{0.0};
-        double offset = 0.0;
-        double length = 0.0; ///< of the normal
-    };
     glm::dvec3 m_position;
     glm::dmat3 m_toView;
-    std::array<Plane, 6> m_planes;
+    std::array<HalfSpace, 6> m_sides;
     double m_pixel; ///< what snapped vertices may move by, per unit of distance
 };
 
