@@ -127,6 +127,12 @@ TEST_F(GltfJson, LongNamesDoNotPushOutWhatIsSaid) {
     expectSays(refusal(document), "x...' primitive 0: has no 'attributes'");
 }
 
+TEST_F(GltfJson, NamesHoldNoControlCharacters) {
+    EXPECT_EQ(gltf::oneLine("a\x1b[31mb\nc\x7f"), "a [31mb c ");
+    EXPECT_EQ(gltf::oneLine("a\u009b31mb\u0085"), "a  31mb  ");
+    EXPECT_EQ(gltf::oneLine("\u00a0\u00c2\u00e9\u0100"), "\u00a0\u00c2\u00e9\u0100");
+}
+
 TEST_F(GltfJson, LongNamesEndWithAWholeCharacter) {
     EXPECT_EQ(gltf::oneLine("abc", 2), "ab...");
     EXPECT_EQ(gltf::oneLine("a\u00e4", 2), "a...");

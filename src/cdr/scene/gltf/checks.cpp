@@ -23,8 +23,15 @@ std::string oneLine(std::string_view text, std::size_t maxLength) {
         --length;
     }
     std::string line(text.substr(0, length));
-    std::replace_if(
-        line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(line[i]);
+        // U+0080 to U+009F are controls too: terminals take U+009B for the start of a command.
+        if (i > 0 && line[i - 1] == '\xc2' && byte >= 0x80 && byte < 0xa0) {
+            line[i - 1] = line[i] = ' ';
+        } else if (byte < 0x20 || byte == 0x7f) {
+            line[i] = ' ';
+        }
+    }
     if (text.size() > length) {
         line += kMore;
     }
