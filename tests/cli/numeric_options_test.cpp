@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cdr::cli_test {
@@ -339,6 +340,19 @@ TEST_P(NumericOptions, WhatIsNoFiniteNumberIsRefused) {
 INSTANTIATE_TEST_SUITE_P(Commands, NumericOptions, testing::ValuesIn(kNumbersOfCommands),
                          [](const auto& row) { return std::string(row.param.name); });
 
+/// Each line's first two words in a command's help: an option and its type, where it describes one.
+std::vector<std::pair<std::string, std::string>> typedOptions(const std::string& command,
+                                                              const TemporaryFolder& folder) {
+    std::vector<std::pair<std::string, std::string>> found;
+    std::istringstream help(runProgram(command + " --help", folder.path()).out);
+    for (std::string line; std::getline(help, line);) {
+        std::istringstream words(line);
+        auto& [name, type] = found.emplace_back();
+        words >> name >> type;
+    }
+    return found;
+}
+
 /// Options that take a number by itself stand above.
 TEST(NumericOptionsList, HoldsEveryOption) {
     std::set<std::string> commands;
@@ -356,12 +370,7 @@ TEST(NumericOptionsList, HoldsEveryOption) {
     }
     const TemporaryFolder folder;
     for (const std::string& command : commands) {
-        std::istringstream help(runProgram(command + " --help", folder.path()).out);
-        for (std::string line; std::getline(help, line);) {
-            std::istringstream words(line);
-            std::string name;
-            std::string type;
-            words >> name >> type;
+        for (const auto& [name, type] : typedOptions(command, folder)) {
             if (type == "UINT" || type == "INT" || type == "FLOAT") {
                 EXPECT_TRUE(listed.contains(command + " " + name)) << command << " " << name;
             }
@@ -374,12 +383,7 @@ TEST(WholeNumbers, AreDecimal) {
     const TemporaryFolder folder;
     std::size_t options = 0;
     for (const std::string& command : commandNames()) {
-        std::istringstream help(runProgram(command + " --help", folder.path()).out);
-        for (std::string line; std::getline(help, line);) {
-            std::istringstream words(line);
-            std::string name;
-            std::string type;
-            words >> name >> type;
+        for (const auto& [name, type] : typedOptions(command, folder)) {
             if (type == "UINT" || type == "INT") {
                 ++options;
                 const ProgramResult result = runProgram(command + " " + name + "=0x1", folder.path());
