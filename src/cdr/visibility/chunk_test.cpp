@@ -41,10 +41,7 @@ bool ChunkTest::holdsAll(const Placed& instance) const {
 }
 
 bool ChunkTest::mayShow(const Placed& instance, const MeshChunk& chunk) const {
-    const glm::dvec3 half(chunk.half);
-    const glm::dmat3& basis = instance.basis;
-    const SkewBox box{.middle = instance.centre + basis * glm::dvec3(chunk.middle),
-                      .halfSides = {basis[0] * half.x, basis[1] * half.y, basis[2] * half.z}};
+    const SkewBox box = placedBox(instance.centre, instance.basis, chunk.middle, chunk.half);
     const double farthest = std::abs(box.middle.z) + box.reach({0.0, 0.0, 1.0});
     const double around = instance.rounding + m_pixel * farthest;
     return std::all_of(m_sides.begin(), m_sides.end(),

@@ -16,6 +16,15 @@ struct SkewBox {
     }
 };
 
+/// A box of object space where an instance stands.
+/// @param place of the instance. @param basis of it, its columns along the axes of `place`.
+inline SkewBox placedBox(const glm::dvec3& place, const glm::dmat3& basis, const glm::vec3& middle,
+                         const glm::vec3& half) {
+    const glm::dvec3 sides(half);
+    return {.middle = place + basis * glm::dvec3(middle),
+            .halfSides = {basis[0] * sides.x, basis[1] * sides.y, basis[2] * sides.z}};
+}
+
 /// What is on one side of a plane: inside is where dot(normal, place) + offset >= 0.
 struct HalfSpace {
     glm::dvec3 normal{0.0}; ///< of any length

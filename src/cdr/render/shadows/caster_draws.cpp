@@ -96,10 +96,7 @@ std::optional<CasterDraws::Range> CasterDraws::cut(const Batch& batch, std::uint
     const glm::dmat3 basis(source.basis);
     const double rounding = roundingOf(caster, view);
     const auto isSeen = [&](const visibility::MeshChunk& chunk) {
-        const glm::dvec3 half(chunk.half);
-        return test.holds({.middle = place + basis * glm::dvec3(chunk.middle),
-                           .halfSides = {basis[0] * half.x, basis[1] * half.y, basis[2] * half.z}},
-                          rounding);
+        return test.holds(visibility::placedBox(place, basis, chunk.middle, chunk.half), rounding);
     };
     const std::size_t first = runs.size();
     visibility::forEachSeenRun(m_scene.uploaded.chunksOf(mesh), mesh.indexCount, isSeen,
