@@ -3,6 +3,7 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/device.h>
+#include <cdr/gpu/features.h>
 #include <cdr/gpu/vulkan_hpp.h>
 
 #include <gtest/gtest.h>
@@ -36,6 +37,7 @@ class BorrowedDevices : public testing::Test {
     }
     const std::string& name() const { return m_device.info().name; }
     bool hasFloat64() const { return m_device.info().hasFloat64; }
+    bool hasCondition() const { return m_device.info().hasConditionalRendering; }
     bool canDeform() const { return m_device.info().deformMissing.empty(); }
 
   private:
@@ -67,6 +69,31 @@ TEST_F(BorrowedDevices, HaveTheNumbersOfShadersThatTheirOwnerNames) {
     EXPECT_EQ(Device(borrowed).info().hasFloat64, hasFloat64());
     EXPECT_EQ(Device(borrowed).info().deformMissing.empty(), canDeform());
     EXPECT_FALSE(Device(borrowed).info().hasInt64Atomics);
+}
+
+TEST_F(BorrowedDevices, RenderConditionallyWhereTheirOwnerNamesTheFeature) {
+    EXPECT_FALSE(Device(lent()).info().hasConditionalRendering);
+    VkPhysicalDeviceConditionalRenderingFeaturesEXT conditional{};
+    conditional.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT;
+    VkPhysicalDeviceVulkan13Features v13{};
+    v13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+    v13.pNext = &conditional;
+    VkPhysicalDeviceVulkan12Features v12{};
+    v12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+    v12.pNext = &v13;
+    VkPhysicalDeviceFeatures2 features{};
+    features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+    features.pNext = &v12;
+    BorrowedDevice borrowed = lent();
+    borrowed.features = &features;
+    enableFeatures(borrowed.instance, borrowed.physical, features);
+    EXPECT_EQ(hasConditionalRendering(features), hasCondition());
+    EXPECT_EQ(Device(borrowed).info().hasConditionalRendering, hasCondition());
+    conditional.conditionalRendering = VK_FALSE;
+    EXPECT_FALSE(Device(borrowed).info().hasConditionalRendering);
+    v13.pNext = nullptr; // an owner that does not know the extension
+    EXPECT_FALSE(hasConditionalRendering(features));
+    EXPECT_FALSE(Device(borrowed).info().hasConditionalRendering);
 }
 
 TEST_F(BorrowedDevices, UseThePipelineCacheOfTheirOwnerAndLeaveIt) {

@@ -59,12 +59,17 @@ std::uint32_t chooseDevice(const std::vector<DeviceInfo>& infos, const std::stri
     return best->index;
 }
 
-/// Drivers that lack a part of Vulkan say so by this extension, and ask that it be enabled.
-bool hasPortabilitySubset(vk::PhysicalDevice physical) {
-    const auto extensions = physical.enumerateDeviceExtensionProperties();
-    return std::any_of(extensions.begin(), extensions.end(), [](const vk::ExtensionProperties& extension) {
-        return std::string_view(extension.extensionName.data()) == kPortabilitySubset;
-    });
+/// Those that cdr uses or has to.
+std::vector<const char*> extensionsOf(vk::PhysicalDevice physical, const DeviceInfo& info) {
+    std::vector<const char*> extensions;
+    if (hasExtension(physical, kPortabilitySubset)) {
+        // Drivers that lack a part of Vulkan say so by this extension, and ask that it be enabled.
+        extensions.push_back(kPortabilitySubset);
+    }
+    if (info.hasConditionalRendering) {
+        extensions.push_back(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME);
+    }
+    return extensions;
 }
 
 vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFamily, const DeviceInfo& info) {
@@ -72,7 +77,11 @@ vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFami
     constexpr float kPriority = 1.0f;
     const vk::DeviceQueueCreateInfo queue{
         .queueFamilyIndex = queueFamily, .queueCount = 1, .pQueuePriorities = &kPriority};
-    vk::PhysicalDeviceVulkan13Features v13{.synchronization2 = true, .dynamicRendering = true};
+    const std::vector<const char*> extensions = extensionsOf(physical, info);
+    vk::PhysicalDeviceConditionalRenderingFeaturesEXT conditional{.conditionalRendering = true};
+    vk::PhysicalDeviceVulkan13Features v13{.pNext = info.hasConditionalRendering ? &conditional : nullptr,
+                                           .synchronization2 = true,
+                                           .dynamicRendering = true};
     vk::PhysicalDeviceVulkan12Features v12{.pNext = &v13,
                                            .drawIndirectCount = gpuDriven,
                                            .shaderBufferInt64Atomics = info.hasInt64Atomics,
@@ -86,11 +95,12 @@ vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFami
                      .shaderClipDistance = true,
                      .shaderFloat64 = info.hasFloat64,
                      .shaderInt64 = info.hasInt64Atomics}};
-    return physical.createDeviceUnique({.pNext = &features,
-                                        .queueCreateInfoCount = 1,
-                                        .pQueueCreateInfos = &queue,
-                                        .enabledExtensionCount = hasPortabilitySubset(physical) ? 1u : 0u,
-                                        .ppEnabledExtensionNames = &kPortabilitySubset});
+    return physical.createDeviceUnique(
+        {.pNext = &features,
+         .queueCreateInfoCount = 1,
+         .pQueueCreateInfos = &queue,
+         .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
+         .ppEnabledExtensionNames = extensions.data()});
 }
 
 /// What can be asked of Vulkan, which does not say what a device was created with.
@@ -259,6 +269,8 @@ Device::Device(const BorrowedDevice& borrowed) : m_handles(std::make_unique<Hand
         info.deformMissing = {"shaderFloat64"};
     }
     info.hasInt64Atomics = false;
+    info.hasConditionalRendering = info.hasConditionalRendering && borrowed.features != nullptr &&
+                                   hasConditionalRendering(*borrowed.features);
     if (borrowed.hasDebugNames) {
         loadDebugNames();
     }

@@ -61,6 +61,8 @@ struct DeviceInfo {
     /// Shaders may order 64-bit integers in buffers (shaderInt64, shaderBufferInt64Atomics). False of a borrowed device,
     /// since nothing that is drawn for a host needs it.
     bool hasInt64Atomics = false;
+    /// Commands may depend on what the device wrote before (VK_EXT_conditional_rendering and its feature).
+    bool hasConditionalRendering = false;
     double timestampPeriodNs = 0.0; ///< nanoseconds that one step of a timestamp counts
 };
 
@@ -83,7 +85,8 @@ struct BorrowedDevice {
     PFN_vkGetInstanceProcAddr loader = nullptr;
     bool hasDebugNames = false; ///< the instance has VK_EXT_debug_utils
     /// What the device was created with; read while the gpu::Device is made. A feature that cdr needs and this leaves off
-    /// is refused. Null: only what `physical` lacks is, and the two below say what else is on.
+    /// is refused. Null: only what `physical` lacks is, and the two below say what else is on. With
+    /// VkPhysicalDeviceConditionalRenderingFeaturesEXT in the chain, its extension must be on too where the feature is.
     const VkPhysicalDeviceFeatures2* features = nullptr;
     /// shaderFloat64, multiDrawIndirect, drawIndirectFirstInstance and drawIndirectCount are on too.
     bool hasGpuDrivenFeatures = false;

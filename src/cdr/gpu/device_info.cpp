@@ -115,7 +115,24 @@ bool hasBufferInt64Atomics(vk::PhysicalDevice physical) {
                .shaderBufferInt64Atomics != 0;
 }
 
+bool hasConditionalRendering(vk::PhysicalDevice physical) {
+    return functions().vkCmdBeginConditionalRenderingEXT != nullptr &&
+           hasExtension(physical, VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME) &&
+           physical.getFeatures2<vk::PhysicalDeviceFeatures2,
+                                 vk::PhysicalDeviceConditionalRenderingFeaturesEXT>()
+                   .get<vk::PhysicalDeviceConditionalRenderingFeaturesEXT>()
+                   .conditionalRendering != 0;
+}
+
 } // namespace
+
+bool hasExtension(vk::PhysicalDevice physical, std::string_view name) {
+    const auto extensions = physical.enumerateDeviceExtensionProperties();
+    return std::any_of(extensions.begin(), extensions.end(),
+                       [name](const vk::ExtensionProperties& extension) {
+                           return std::string_view(extension.extensionName.data()) == name;
+                       });
+}
 
 std::vector<std::string> thoseOff(std::initializer_list<std::pair<vk::Bool32, const char*>> features) {
     std::vector<std::string> off;
@@ -181,6 +198,7 @@ DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {
     info.hasFragmentStores = features.fragmentStoresAndAtomics != 0;
     info.hasFloat64 = features.shaderFloat64 != 0;
     info.hasInt64Atomics = features.shaderInt64 != 0 && hasBufferInt64Atomics(physical);
+    info.hasConditionalRendering = hasConditionalRendering(physical);
     info.timestampPeriodNs = static_cast<double>(core.limits.timestampPeriod);
     return info;
 }

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,9 @@ std::optional<std::uint32_t> findQueueFamily(vk::PhysicalDevice physical);
 
 /// The Vulkan format of depth attachments for `format`, if the device has one.
 std::optional<vk::Format> findDepthFormat(vk::PhysicalDevice physical, depth::DepthFormat format);
+
+/// Whether a device can be made with this extension.
+bool hasExtension(vk::PhysicalDevice physical, std::string_view name);
 
 DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index);
 

@@ -33,6 +33,12 @@ const VkPhysicalDeviceVulkan13Features* vulkan13(const VkPhysicalDeviceFeatures2
                                                      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
 }
 
+const VkPhysicalDeviceConditionalRenderingFeaturesEXT*
+conditionalRendering(const VkPhysicalDeviceFeatures2& features) {
+    return inChain<VkPhysicalDeviceConditionalRenderingFeaturesEXT>(
+        features, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT);
+}
+
 /// Engines that came before Vulkan 1.3 may name its features one by one.
 template <typename Core, typename Alone>
 bool isOn(const Core* core, VkBool32 Core::*inCore, const Alone* alone, VkBool32 Alone::*inAlone) {
@@ -80,6 +86,11 @@ std::vector<std::string> missingGpuDrivenFeatures(const VkPhysicalDeviceFeatures
                      {v12 != nullptr && v12->drawIndirectCount != 0, "drawIndirectCount"}});
 }
 
+bool hasConditionalRendering(const VkPhysicalDeviceFeatures2& features) {
+    const auto* conditional = conditionalRendering(features);
+    return conditional != nullptr && conditional->conditionalRendering != 0;
+}
+
 void enableFeatures(VkInstance instance, VkPhysicalDevice physical, VkPhysicalDeviceFeatures2& features,
                     PFN_vkGetInstanceProcAddr loader) {
     if (instance == VK_NULL_HANDLE || physical == VK_NULL_HANDLE) {
@@ -114,6 +125,11 @@ void enableFeatures(VkInstance instance, VkPhysicalDevice physical, VkPhysicalDe
     }
     if (info.hasFragmentStores) {
         core.fragmentStoresAndAtomics = VK_TRUE;
+    }
+    auto* conditional =
+        const_cast<VkPhysicalDeviceConditionalRenderingFeaturesEXT*>(conditionalRendering(features));
+    if (conditional != nullptr && info.hasConditionalRendering) {
+        conditional->conditionalRendering = VK_TRUE;
     }
 }
 

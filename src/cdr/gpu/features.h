@@ -10,7 +10,8 @@
 namespace cdr::gpu {
 
 /// Turns on the features that cdr needs, and those that it can use and the device has. It does so in the structs that the
-/// device will be created with. What is on stays on.
+/// device will be created with. What is on stays on. Of extensions it can use one, VK_EXT_conditional_rendering, by which
+/// shadow maps that no pixel reads are not drawn: enable it, and have VkPhysicalDeviceConditionalRenderingFeaturesEXT in the chain.
 /// @param instance of the device.
 /// @param features whose pNext chain holds VkPhysicalDeviceVulkan12Features and VkPhysicalDeviceVulkan13Features.
 /// @param loader as BorrowedDevice::loader.
@@ -28,5 +29,9 @@ CDR_EXPORT std::vector<std::string> missingFeatures(const VkPhysicalDeviceFeatur
 /// The same for Submission::gpuDriven alone.
 /// @errors None.
 CDR_EXPORT std::vector<std::string> missingGpuDrivenFeatures(const VkPhysicalDeviceFeatures2& features);
+
+/// Whether VkPhysicalDeviceConditionalRenderingFeaturesEXT is in the chain, and its feature on.
+/// @errors None.
+CDR_EXPORT bool hasConditionalRendering(const VkPhysicalDeviceFeatures2& features);
 
 } // namespace cdr::gpu

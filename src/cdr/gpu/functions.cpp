@@ -88,6 +88,7 @@ void loadFunctions(PFN_vkGetInstanceProcAddr loader, VkInstance instance) {
 #define CDR_FILL_IN(name) fillIn(f.name, #name, instance);
     CDR_CORE_FUNCTIONS(CDR_FILL_IN)
     CDR_WINDOW_FUNCTIONS(CDR_FILL_IN)
+    CDR_EXTENSION_FUNCTIONS(CDR_FILL_IN)
 #undef CDR_FILL_IN
     if (const char* missing = firstMissing(f)) {
         if (isFirst) {

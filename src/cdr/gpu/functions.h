@@ -18,6 +18,7 @@
     X(vkAllocateCommandBuffers)                                                                              \
     X(vkAllocateDescriptorSets)                                                                              \
     X(vkBeginCommandBuffer)                                                                                  \
+    X(vkCmdBeginQuery)                                                                                       \
     X(vkCmdBeginRenderPass)                                                                                  \
     X(vkCmdBeginRendering)                                                                                   \
     X(vkCmdBindDescriptorSets)                                                                               \
@@ -31,10 +32,12 @@
     X(vkCmdCopyBufferToImage)                                                                                \
     X(vkCmdCopyImage)                                                                                        \
     X(vkCmdCopyImageToBuffer)                                                                                \
+    X(vkCmdCopyQueryPoolResults)                                                                             \
     X(vkCmdDispatch)                                                                                         \
     X(vkCmdDraw)                                                                                             \
     X(vkCmdDrawIndexed)                                                                                      \
     X(vkCmdDrawIndexedIndirectCount)                                                                         \
+    X(vkCmdEndQuery)                                                                                         \
     X(vkCmdEndRenderPass)                                                                                    \
     X(vkCmdEndRendering)                                                                                     \
     X(vkCmdExecuteCommands)                                                                                  \
@@ -125,6 +128,11 @@
     X(vkGetSwapchainImagesKHR)                                                                               \
     X(vkQueuePresentKHR)
 
+/// Functions of extensions that cdr uses where a device has them. A loader that does not know one leaves it null.
+#define CDR_EXTENSION_FUNCTIONS(X)                                                                           \
+    X(vkCmdBeginConditionalRenderingEXT)                                                                     \
+    X(vkCmdEndConditionalRenderingEXT)
+
 namespace cdr::gpu {
 
 /// The functions of Vulkan that cdr calls. vulkan.hpp calls by it (vulkan_hpp.h). So nothing here links the system's loader,
@@ -135,6 +143,7 @@ struct Functions {
     CDR_GLOBAL_FUNCTIONS(CDR_MEMBER)
     CDR_CORE_FUNCTIONS(CDR_MEMBER)
     CDR_WINDOW_FUNCTIONS(CDR_MEMBER)
+    CDR_EXTENSION_FUNCTIONS(CDR_MEMBER)
 #undef CDR_MEMBER
 
     /// What vulkan.hpp compares its own version with in debug builds.

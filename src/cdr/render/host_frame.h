@@ -43,8 +43,8 @@ struct HostCascade {
 
 /// What a frame is recorded into. All of it is the host's.
 struct HostFrame {
-    /// A primary of the family of the device's queue that is recording, outside a rendering scope. What the host bound
-    /// before is not bound afterwards.
+    /// A primary of the family of the device's queue that is recording, outside a rendering scope, an occlusion query and
+    /// conditional rendering. What the host bound before is not bound afterwards.
     VkCommandBuffer commands = VK_NULL_HANDLE;
     /// A timeline semaphore that reaches `doneValue` once the device has run `commands`. Signalled by the submission
     /// that they are in. The renderer waits for it before it takes back what the frame reads, in its destructor too. So it must

@@ -70,7 +70,11 @@ ShadowPass::ShadowPass(const gpu::Device& device, const DrawnScene& scene, const
       m_receivers(ByCascades<FullscreenPass>::make(
           depth::isAnchored(mapping),
           [&](AnchorForm anchors) { return FullscreenPass(device, receiverOptions(gbuffer, anchors)); })),
-      m_slices(device, gbuffer, m_receivers.few.setLayout(), mapping) {}
+      m_slices(device, gbuffer, m_receivers.few.setLayout(), mapping) {
+    if (device.info().hasConditionalRendering) {
+        m_seen.emplace(device);
+    }
+}
 
 ShadowPass::Slot ShadowPass::makeSlot(const ShadingInputs& shading) const {
     Slot slot{.inputs = m_receivers.few.makeInputs(), .casters = CasterDraws(m_device, m_scene)};
@@ -79,6 +83,9 @@ ShadowPass::Slot ShadowPass::makeSlot(const ShadingInputs& shading) const {
     slot.inputs.setBuffer(1, shading.lights());
     slot.inputs.setImage(map, m_map.depth());
     slot.inputs.setImage(map + 1, m_map.slope());
+    if (m_seen) {
+        slot.seen = m_seen->makeSlot();
+    }
     return slot;
 }
 
@@ -92,15 +99,18 @@ void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::Vi
     slot.cascades = view.cascades.size();
     slot.views.clear();
     slot.receivers.clear();
+    slot.pixels.clear();
+    for (std::size_t i = 0; i < slices.size(); ++i) {
+        slot.pixels.push_back({sliceDepth(slices, i, m_options.method),
+                               areaOf(slices[i], view.frustum, m_gbuffer.options().extent)});
+    }
     const std::size_t lights = std::min(m_scene.scene.lights.size(), kMaxShadowLights);
     for (std::size_t light = 0; light < lights; ++light) {
         for (std::size_t i = 0; i < slices.size(); ++i) {
-            const vk::Rect2D area = areaOf(slices[i], view.frustum, m_gbuffer.options().extent);
             for (const LightView& seen : viewsOf(m_scene.scene.lights[light], slices[i], view)) {
                 slot.views.push_back(seen);
                 slot.views.back().slice = i;
-                slot.receivers.push_back(
-                    {.light = light, .depth = sliceDepth(slices, i, m_options.method), .area = area});
+                slot.receivers.push_back({.light = light});
             }
         }
     }
@@ -132,35 +142,43 @@ std::vector<LightView> ShadowPass::viewsOf(const scene::PointLight& light, const
 void ShadowPass::record(vk::CommandBuffer primary, const Slot& slot) const {
     m_device.beginLabel(primary, "shadows");
     m_slices.record(primary, slot.inputs.set(), slot.slices, slot.cascades);
-    const FullscreenPass& pass = m_receivers.of(slot.cascades);
-    gpu::pipelineBarrier(primary, {attachBarrier(m_mask)});
-    const vk::ClearValue reached{vk::ClearColorValue{std::array{1.0f, 1.0f, 1.0f, 1.0f}}};
-    for (std::size_t i = 0; i < slot.views.size(); ++i) {
-        const ShadowMapPart whole{.view = slot.views[i], .index = i};
-        m_map.record(primary, {&whole, 1}, slot.casters);
-        const Receivers& receivers = slot.receivers[i];
-        const FullscreenPass::Draw draw{.set = slot.inputs.set(),
-                                        .push = std::as_bytes(std::span(&receivers.push, 1)),
-                                        .depth = receivers.depth,
-                                        .area = receivers.area};
-        if (i > 0) {
-            gpu::pipelineBarrier(primary, {chainBarrier(m_mask)});
-        }
-        pass.record(primary, {&draw, 1},
-                    {.into = m_mask,
-                     .load = i == 0 ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eLoad,
-                     .clear = reached,
-                     .depth = &m_slices.image()});
+    if (m_seen) {
+        m_seen->record(primary, *slot.seen, slot.pixels, m_slices.image());
     }
-    if (slot.views.empty()) {
-        pass.record(primary, {},
-                    {.into = m_mask,
-                     .load = vk::AttachmentLoadOp::eClear,
-                     .clear = reached,
-                     .depth = &m_slices.image()});
+    gpu::pipelineBarrier(primary, {attachBarrier(m_mask)});
+    // Of its own, since a view may be skipped.
+    m_receivers.of(slot.cascades)
+        .record(primary, {},
+                {.into = m_mask,
+                 .load = vk::AttachmentLoadOp::eClear,
+                 .clear = vk::ClearColorValue{std::array{1.0f, 1.0f, 1.0f, 1.0f}},
+                 .depth = &m_slices.image()});
+    for (std::size_t i = 0; i < slot.views.size(); ++i) {
+        if (m_seen) {
+            SeenSlices::begin(primary, *slot.seen, slot.views[i].slice);
+        }
+        recordView(primary, slot, i);
+        if (m_seen) {
+            SeenSlices::end(primary);
+        }
     }
     gpu::pipelineBarrier(primary, {readBarrier(m_mask)});
     m_device.endLabel(primary);
+}
+
+void ShadowPass::recordView(vk::CommandBuffer primary, const Slot& slot, std::size_t index) const {
+    const LightView& view = slot.views[index];
+    const ShadowMapPart whole{.view = view, .index = index};
+    m_map.record(primary, {&whole, 1}, slot.casters);
+    const SlicePixels& pixels = slot.pixels[view.slice];
+    const FullscreenPass::Draw draw{.set = slot.inputs.set(),
+                                    .push = std::as_bytes(std::span(&slot.receivers[index].push, 1)),
+                                    .depth = pixels.depth,
+                                    .area = pixels.area};
+    gpu::pipelineBarrier(primary, {chainBarrier(m_mask)});
+    m_receivers.of(slot.cascades)
+        .record(primary, {&draw, 1},
+                {.into = m_mask, .load = vk::AttachmentLoadOp::eLoad, .depth = &m_slices.image()});
 }
 
 std::uint64_t ShadowPass::predictBytes(const gpu::Device& device, vk::Extent2D extent,

@@ -5,6 +5,7 @@
 #include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/render/shadows/caster_draws.h>
+#include <cdr/render/shadows/seen_slices.h>
 #include <cdr/render/shadows/shadow_map.h>
 #include <cdr/render/shadows/shadows.h>
 #include <cdr/render/shadows/slice_depth.h>
@@ -12,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace cdr::render {
@@ -27,8 +29,6 @@ class ShadowPass {
     /// The pixels that read one map.
     struct Receivers {
         std::size_t light = 0;
-        float depth = 0.0f;           ///< SliceDepth
-        vk::Rect2D area{};            ///< where they can be
         shaders::ReceiverPush push{}; ///< known once casters are
     };
     /// One frame slot's.
@@ -37,6 +37,8 @@ class ShadowPass {
         CasterDraws casters;
         shaders::SlicePush slices{};
         std::size_t cascades = 0;
+        std::optional<SeenSlices::Slot> seen{}; ///< where the device has conditional rendering
+        std::vector<SlicePixels> pixels{};      ///< of each slice
         std::vector<LightView> views{};
         std::vector<Receivers> receivers{}; ///< of each view
     };
@@ -53,6 +55,7 @@ class ShadowPass {
     static std::uint64_t predictBytes(const gpu::Device& device, vk::Extent2D extent, const Shadows& options);
 
   private:
+    void recordView(vk::CommandBuffer primary, const Slot& slot, std::size_t index) const;
     std::vector<LightView> viewsOf(const scene::PointLight& light, const ReceiverSlice& slice,
                                    const FrameView& view) const;
 
@@ -64,6 +67,7 @@ class ShadowPass {
     gpu::Image m_mask;
     ByCascades<FullscreenPass> m_receivers;
     SliceDepth m_slices;
+    std::optional<SeenSlices> m_seen; ///< as in Slot
 };
 
 } // namespace cdr::render

@@ -58,7 +58,7 @@ inline constexpr std::size_t kMaxShadowLights = 4;
 
 /// Counts of a frame's shadows.
 struct ShadowStats {
-    std::size_t maps = 0;    ///< that were drawn
+    std::size_t maps = 0;    ///< that were recorded; the device may skip those that no pixel reads
     std::size_t casters = 0; ///< draws into them
 };
 

@@ -38,6 +38,12 @@ class SliceDepth {
     gpu::Image m_depth;
 };
 
+/// Where a slice's pixels are.
+struct SlicePixels {
+    float depth = 0.0f; ///< what SliceDepth holds there, and nowhere else
+    vk::Rect2D area{};  ///< of the picture; there are none beside it
+};
+
 /// The ends of slices, for shaders.
 /// @param slices all of a frame, nearest first. @param method that they were made for.
 shaders::SlicePush slicePush(std::span<const ReceiverSlice> slices, ShadowMethod method);
