@@ -10,17 +10,12 @@ const titleOf = (row) => titles[row.mode] ?? row.mode;
 
 export function fillEffects(document, folder) {
     if (document.results.every((row) => row.picture)) {
-        slot("effects", "wipe").append(makeWipe({
-            scene: document.options.scene, width: document.options.width, height: document.options.height,
-            items: document.results.map((row) => itemOf(row, folder)),
+        slot("effects", "wipe").append(makeWipe(document, folder, document.results, {
+            title: titleOf, note: (row) => `${number(row.execute_ratio)} times the time of a plain frame`,
             start: modesOrWorst(document.results, ["occlusion", "occlusion-layers"], (row) => row.execute_ratio), alt: altOf }));
     }
     slot("effects", "table").append(makeTable(document),
         h("p", {}, `Worked out on each cascade alone, occlusion leaves ${percent(document.lost_per_layer)} of the pixels too bright.`));
-}
-
-function itemOf(row, folder) {
-    return { technique: row.mode, title: titleOf(row), note: `${number(row.execute_ratio)} times the time of a plain frame`, picture: `${folder}/${row.picture}` };
 }
 
 function altOf(item) {

@@ -10,16 +10,11 @@ const titleOf = (row) => titles[row.mode] ?? row.mode;
 export function fillFocus(document, folder) {
     const shown = document.results.filter((row) => row.picture && row.mode !== "single");
     if (shown.length > 0) {
-        slot("focus", "wipe").append(makeWipe({
-            scene: document.options.scene, width: document.options.width, height: document.options.height,
-            items: shown.map((row) => itemOf(row, folder)),
+        slot("focus", "wipe").append(makeWipe(document, folder, shown, {
+            title: titleOf, note: (row) => `mean FLIP ${number(row.flip)} to the cameras`,
             start: modesOrWorst(shown, ["focus", "focus-blend"], (row) => row.flip), alt: altOf }));
     }
     slot("focus", "table").append(makeTable(document));
-}
-
-function itemOf(row, folder) {
-    return { technique: row.mode, title: titleOf(row), note: `mean FLIP ${number(row.flip)} to the cameras`, picture: `${folder}/${row.picture}` };
 }
 
 function altOf(item) {

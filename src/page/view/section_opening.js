@@ -2,7 +2,7 @@ import { cleanTechniques, openingSentences, runwayRows, sceneColumns, sceneRows 
 import { techniqueTitles } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
 import { share } from "./figures.js";
-import { altOf, itemOf } from "./section_orbit.js";
+import { runway } from "./section_orbit.js";
 import { makeWipe } from "./wipe.js";
 
 /** @param {string} folder of the pictures of orbit. */
@@ -16,7 +16,7 @@ export function fillOpening(sections, folder) {
                 class: "earth", src: `${folder}/${orbit.window_picture}`, width, height,
                 alt: "The Earth 420 km below, seen past the frame of a space station\u2019s window.",
             }) : "",
-            makeWipe({ scene: "The runway\u2019s number", width, height, items: two.map((row) => itemOf(row, folder)), alt: altOf }));
+            makeWipe(orbit, folder, two, { ...runway, scene: "The runway\u2019s number" }));
     } else {
         document.getElementById("opening-title").textContent = "In short";
     }

@@ -6,29 +6,20 @@ import { slot, table, techniqueLabel } from "./elements.js";
 import { share } from "./figures.js";
 import { makeWipe } from "./wipe.js";
 
+/** What a wipe shows of the runway. */
+export const runway = {
+    title: (row) => techniqueTitle(row.technique),
+    note: (row) => `${percent(row.wrong_fraction)} wrong off edges through ${number(row.fov_degrees, 2)}\u00b0`,
+    heatMap: "heat_map",
+    alt: (item, kind) => (kind === "picture" ? `The runway\u2019s numbers under ${item.title}: ${item.note}.` : `The same, wrong pixels red, under ${item.title}: ${item.note}.`),
+};
 
 export function fillOrbit(document, folder) {
     const last = runwayRows(document);
     if (last.length > 0) {
-        slot("orbit", "wipe").append(makeWipe({
-            scene: "The runway from orbit", width: document.options.width, height: document.options.height,
-            items: last.map((row) => itemOf(row, folder)), start: worstAndBest(last), alt: altOf }));
+        slot("orbit", "wipe").append(makeWipe(document, folder, last, { ...runway, scene: "The runway from orbit", start: worstAndBest(last) }));
     }
     slot("orbit", "table").append(makeTable(document));
-}
-
-export function itemOf(row, folder) {
-    return {
-        technique: row.technique,
-        title: techniqueTitle(row.technique),
-        note: `${percent(row.wrong_fraction)} wrong off edges through ${number(row.fov_degrees, 2)}\u00b0`,
-        picture: `${folder}/${row.picture}`,
-        heatMap: `${folder}/${row.heat_map}`,
-    };
-}
-
-export function altOf(item, kind) {
-    return kind === "picture" ? `The runway\u2019s numbers under ${item.title}: ${item.note}.` : `The same, wrong pixels red, under ${item.title}: ${item.note}.`;
 }
 
 /** A row for each lens, a column for each technique. */

@@ -15,23 +15,15 @@ export function fillPictures(document, folder) {
         const { title, text } = about[scene.name] ?? { title: scene.name, text: "" };
         const lens = `The thesis names no lens; here it is ${number(scene.results[0].fov_degrees, 4)}\u00b0 high.`;
         slot("pictures", "wipes").append(h("h3", {}, title), h("p", {}, `${text} ${scene.name === "cubes" ? lens : ""}`),
-            makeWipe({ scene: title, ...sizeOf(document), items: scene.results.map((result) => itemOf(result, folder)), start: worstAndBest(scene.results), alt: (item, kind) => altOf(title, item, kind) }));
+            makeWipe(document, folder, scene.results, {
+                scene: title, title: (row) => techniqueTitle(row.technique), note: noteOf, heatMap: "heat_map",
+                start: worstAndBest(scene.results), alt: (item, kind) => altOf(title, item, kind) }));
     }
     slot("pictures", "table").append(makeTable(document));
 }
 
-function sizeOf({ options }) {
-    return { width: options.width, height: options.height };
-}
-
-function itemOf(result, folder) {
-    return {
-        technique: result.technique,
-        title: techniqueTitle(result.technique),
-        note: `${percent(result.wrong_fraction)} wrong off edges, ${percent(result.overlap_wrong_fraction)} where cubes overlap`,
-        picture: `${folder}/${result.picture}`,
-        heatMap: `${folder}/${result.heat_map}`,
-    };
+function noteOf(row) {
+    return `${percent(row.wrong_fraction)} wrong off edges, ${percent(row.overlap_wrong_fraction)} where cubes overlap`;
 }
 
 function altOf(scene, item, kind) {

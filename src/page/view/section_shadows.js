@@ -13,9 +13,9 @@ export function fillShadows(results) {
     for (const { document, folder } of results) {
         const shown = lastPictures(document.results);
         if (shown.length > 0) {
-            slot("shadows", "wipe").append(makeWipe({
-                scene: `Shadows in ${document.options.scene}`, width: document.options.width, height: document.options.height,
-                items: shown.map((row) => itemOf(row, folder)), start: worstAndBest(shown), alt: altOf }));
+            slot("shadows", "wipe").append(makeWipe(document, folder, shown, {
+                scene: `Shadows in ${document.options.scene}`, title: titleOf, note: noteOf, heatMap: "wrong_picture",
+                start: worstAndBest(shown), alt: altOf }));
         }
     }
     if (results.length > 0) {
@@ -23,14 +23,8 @@ export function fillShadows(results) {
     }
 }
 
-function itemOf(row, folder) {
-    return {
-        technique: row.method,
-        title: titleOf(row),
-        note: `${percent(row.wrong_fraction)} wrong off edges, ${number(row.maps, 7)} maps`,
-        picture: `${folder}/${row.picture}`,
-        heatMap: `${folder}/${row.wrong_picture}`,
-    };
+function noteOf(row) {
+    return `${percent(row.wrong_fraction)} wrong off edges, ${number(row.maps, 7)} maps`;
 }
 
 function altOf(item, kind) {

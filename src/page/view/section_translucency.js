@@ -9,22 +9,15 @@ const titleOf = (row) => `${titles[row.method] ?? row.method}, ${row.cascades} $
 
 export function fillTranslucency(document, folder) {
     if (document.results.every((row) => row.picture)) {
-        slot("translucency", "wipe").append(makeWipe({
-            scene: "Sheets of glass", width: document.options.width, height: document.options.height,
-            items: document.results.map((row) => itemOf(row, folder)),
+        slot("translucency", "wipe").append(makeWipe(document, folder, document.results, {
+            scene: "Sheets of glass", title: titleOf, note: noteOf, heatMap: "error_picture",
             start: worstAndBest(document.results, (row) => row.mean_error), alt: altOf }));
     }
     slot("translucency", "table").append(makeTable(document));
 }
 
-function itemOf(row, folder) {
-    return {
-        technique: `${row.method}-${row.cascades}`,
-        title: titleOf(row),
-        note: `mean error ${number(row.mean_error)} of 255 steps, ${percent(row.within_one_step)} of pixels within one`,
-        picture: `${folder}/${row.picture}`,
-        heatMap: `${folder}/${row.error_picture}`,
-    };
+function noteOf(row) {
+    return `mean error ${number(row.mean_error)} of 255 steps, ${percent(row.within_one_step)} of pixels within one`;
 }
 
 function altOf(item, kind) {

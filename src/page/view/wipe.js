@@ -5,11 +5,16 @@ import { h } from "./elements.js";
 let count = 0; // names of radio groups are page-wide
 
 /**
- * @param {{scene: string, width: number, height: number, alt: (item: object, kind: string) => string, start?: number[],
- *          items: {technique: string, title: string, note: string, picture: string, heatMap: (string|undefined)}[]}} options
+ * An item for each row, its picture in the folder and of the size that the document's options have.
+ * @param {{title: (row: object) => string, note: (row: object) => string, alt: (item: object, kind: string) => string,
+ *          heatMap?: string, scene?: string, start?: number[]}} about
+ * `heatMap` is the name of the rows' member with a second picture.
  * `start` are the places of the two items shown first; of two items there is nothing to choose.
  */
-export function makeWipe({ scene, width, height, items, alt, start = [0, items.length - 1] }) {
+export function makeWipe({ options }, folder, rows, { title, note, alt, heatMap, scene = options.scene, start = [0, rows.length - 1] }) {
+    const { width, height } = options;
+    const items = rows.map((row) => ({
+        title: title(row), note: note(row), picture: `${folder}/${row.picture}`, heatMap: heatMap && `${folder}/${row[heatMap]}` }));
     const left = picker("Left", items, start[0]);
     const right = picker("Right", items, start[1]);
     const kinds = radios(`wipe-kind-${++count}`, [["picture", "Picture"], ["heatMap", "Heat map"]]);
@@ -42,8 +47,7 @@ export function makeWipe({ scene, width, height, items, alt, start = [0, items.l
     }
     show();
     move();
-    const hasHeatMaps = items.every((item) => item.heatMap);
-    return h("figure", { class: "wipe" }, h("div", { class: "choices" }, items.length > 2 ? [left.label, right.label] : null, hasHeatMaps ? kinds.element : null), box, caption);
+    return h("figure", { class: "wipe" }, h("div", { class: "choices" }, items.length > 2 ? [left.label, right.label] : null, heatMap ? kinds.element : null), box, caption);
 }
 
 function picker(label, items, chosen) {
