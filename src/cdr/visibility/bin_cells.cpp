@@ -226,15 +226,4 @@ void CellBinner::binFew(const VisibleCells& visible, const LandingRanges& ranges
     }
 }
 
-std::uint64_t CellBinner::bytes() const {
-    std::uint64_t bytes = 0;
-    for (const InstanceSets& sets : m_sets) {
-        bytes += sets.bytes();
-    }
-    for (const InstanceBags& bags : m_bags) {
-        bytes += bags.bytes();
-    }
-    return bytes;
-}
-
 } // namespace cdr::visibility

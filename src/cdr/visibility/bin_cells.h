@@ -18,8 +18,6 @@ class CellBinner {
     void bin(const VisibleCells& visible, const depth::Cascades& clipRanges, double wideSpan,
              platform::WorkerPool& workers, DrawLists& lists);
 
-    std::uint64_t bytes() const; ///< of main memory
-
   private:
     void binMany(const VisibleCells& visible, const LandingRanges& ranges, platform::WorkerPool& workers,
                  DrawLists& lists);

@@ -65,12 +65,4 @@ void InstanceBags::drain(std::size_t bucket, std::size_t instances, std::uint32_
     bag.clear();
 }
 
-std::uint64_t InstanceBags::bytes() const {
-    std::size_t instances = m_scratch.capacity();
-    for (const std::vector<std::uint32_t>& bag : m_bags) {
-        instances += bag.capacity();
-    }
-    return instances * sizeof(std::uint32_t);
-}
-
 } // namespace cdr::visibility

@@ -24,8 +24,6 @@ class InstanceBags {
     /// @param instances that the scene has.
     void drain(std::size_t bucket, std::size_t instances, std::uint32_t* out);
 
-    std::uint64_t bytes() const; ///< of main memory
-
   private:
     std::vector<std::vector<std::uint32_t>> m_bags;
     std::vector<std::uint32_t> m_scratch;

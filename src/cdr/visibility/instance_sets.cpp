@@ -133,12 +133,4 @@ void InstanceSets::drain(std::size_t bucket, platform::IndexRange words, std::sp
     }
 }
 
-std::uint64_t InstanceSets::bytes() const {
-    std::uint64_t words = 0;
-    for (const std::vector<std::uint64_t>& set : m_sets) {
-        words += set.capacity();
-    }
-    return words * sizeof(std::uint64_t);
-}
-
 } // namespace cdr::visibility

@@ -34,8 +34,6 @@ class InstanceSets {
     /// @param out as many as count() says.
     void drain(std::size_t bucket, platform::IndexRange words, std::span<std::uint32_t> out);
 
-    std::uint64_t bytes() const; ///< of main memory
-
   private:
     std::vector<std::vector<std::uint64_t>> m_sets;
     std::size_t m_words = 0;
