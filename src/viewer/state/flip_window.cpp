@@ -61,7 +61,7 @@ void FlipWindow::paint(const render::Frame& frame, image::ImageRgba8& picture) c
     resize(picture, frame.width(), frame.height());
     const auto now = static_cast<float>(m_seconds - m_start);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        const std::uint8_t grey = dimGrey(frame.color.pixels[i]);
+        const std::uint8_t grey = measure::dimmed(frame.color.pixels[i])[0];
         const float age = now - m_flippedAt.pixels[i];
         const float fresh = std::max(0.0f, 1.0f - age / static_cast<float>(kSeconds));
         const float rest = (1.0f - fresh) * static_cast<float>(grey);

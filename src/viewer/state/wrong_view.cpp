@@ -68,10 +68,9 @@ WrongCount paintWrong(const render::Frame& frame, const render::Frame& reference
     const Answer answer = answerOf(frame, reference);
     resize(picture, frame.width(), frame.height());
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        const std::uint8_t grey = dimGrey(frame.color.pixels[i]);
         const image::Rgba8 wrong = answer.inner.pixels[i] != 0 ? kWrong : kWrongOnEdge;
         const bool isRight = frame.gbuffer.pixels[i].id() == answer.ids.pixels[i];
-        picture.pixels[i] = isRight ? image::Rgba8{grey, grey, grey, 255} : wrong;
+        picture.pixels[i] = isRight ? measure::dimmed(frame.color.pixels[i]) : wrong;
     }
     return countAgainst(answer, frame);
 }

@@ -35,14 +35,6 @@ void innerRow(const std::uint32_t* above, const std::uint32_t* row, const std::u
     }
 }
 
-/// Half as bright and without hue, so that only the marks have colour.
-image::Rgba8 dimmed(const image::Rgba8& color) {
-    // Rec. 709 luma in 1/512, which halves it.
-    const unsigned luma = (109u * color[0] + 366u * color[1] + 37u * color[2]) / 1024u;
-    const auto grey = static_cast<std::uint8_t>(luma);
-    return {grey, grey, grey, 255};
-}
-
 } // namespace
 
 WrongPixels& WrongPixels::operator+=(const WrongPixels& other) {

@@ -40,6 +40,14 @@ WrongPixels countWrong(const image::ImageU32& ids, const TruthImage& truth);
 WrongPixels countWrong(const image::ImageU32& ids, const TruthImage& truth,
                        const image::Raster<std::uint8_t>& inner);
 
+/// Half as bright and without hue, so that only the marks have colour.
+inline image::Rgba8 dimmed(const image::Rgba8& color) {
+    // Rec. 709 luma in 1/512, which halves it.
+    const unsigned luma = (109u * color[0] + 366u * color[1] + 37u * color[2]) / 1024u;
+    const auto grey = static_cast<std::uint8_t>(luma);
+    return {grey, grey, grey, 255};
+}
+
 /// The heat map, opaque. Pixels that are wrong are red (255, 0, 0) off edges and orange (255, 165, 0) on edges.
 /// Others show the picture as grey at half its brightness. base::InputError when the sizes differ.
 image::ImageRgba8 heatMap(const image::ImageU32& ids, const TruthImage& truth,
