@@ -3,20 +3,9 @@
 #ifndef CDR_SHADERS_SHARED_H
 #define CDR_SHADERS_SHARED_H
 
-#ifdef __cplusplus
-#include <glm/glm.hpp>
+#include "sharing.h"
 
-#include <cstdint>
-
-namespace cdr::shaders {
-using uint = std::uint32_t;
-using vec2 = glm::vec2;
-using vec3 = glm::vec3;
-using vec4 = glm::vec4;
-#define CDR_CONST inline constexpr uint
-#else
-#define CDR_CONST const uint
-#endif
+CDR_SHARED_BEGIN
 
 // How the vertex shader forms clip z; specialisation constant 0.
 CDR_CONST kDepthFormLinear = 0u;      // one row of a projection matrix: standard, reversed, anchored
@@ -207,7 +196,6 @@ struct ShadingHeader {
     vec2 anchors[kCascadeSlots]; // each cascade's anchor plane as a float and its rest
 };
 
-#ifdef __cplusplus
 static_assert(kMetallicSteps * kRoughnessSteps <= kMetallicRoughnessMask);
 static_assert(sizeof(DrawRecord) == 64);
 static_assert(sizeof(CascadePush) == 56);
@@ -220,8 +208,7 @@ static_assert(kManyLights == kFlatLights + 1 && kShapedLights == kFlatLights + 2
 static_assert(sizeof(LayerPush) == 24);
 static_assert(sizeof(ShadingHeader) == 240 + 8 * kCascadeSlots);
 static_assert(sizeof(DetailRecord) == 48 + 32 * kDetailTextures);
-} // namespace cdr::shaders
-#endif
 
-#undef CDR_CONST
+CDR_SHARED_END
+
 #endif

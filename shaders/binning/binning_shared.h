@@ -3,14 +3,9 @@
 #ifndef CDR_SHADERS_BINNING_SHARED_H
 #define CDR_SHADERS_BINNING_SHARED_H
 
-#ifdef __cplusplus
-#include <cdr/shaders/shared.h>
+#include "shared.h"
 
-namespace cdr::shaders {
-#define CDR_CONST inline constexpr uint
-#else
-#define CDR_CONST const uint
-#endif
+CDR_SHARED_BEGIN
 
 // Instances per workgroup, one invocation each.
 CDR_CONST kBinBlock = 256u;
@@ -122,7 +117,6 @@ struct BinningResult {
     uint hidden;          // instances that were left out, since occluders hide them
 };
 
-#ifdef __cplusplus
 static_assert(sizeof(InstanceSphere) == 32);
 static_assert(sizeof(InstanceLook) == 48);
 static_assert(sizeof(InstanceChange) == 88);
@@ -132,8 +126,7 @@ static_assert(sizeof(CoarserLevel) == 12);
 static_assert(sizeof(BinningView) == 208 + 3 * 8 * kCascadeSlots);
 static_assert(sizeof(IndirectCommand) == 20);
 static_assert(kBinBuckets == 2 * kCascadeSlots);
-} // namespace cdr::shaders
-#endif
 
-#undef CDR_CONST
+CDR_SHARED_END
+
 #endif

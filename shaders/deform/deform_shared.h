@@ -2,14 +2,9 @@
 #ifndef CDR_SHADERS_DEFORM_SHARED_H
 #define CDR_SHADERS_DEFORM_SHARED_H
 
-#ifdef __cplusplus
-#include <cdr/shaders/shared.h>
+#include "sharing.h"
 
-namespace cdr::shaders {
-#define CDR_CONST inline constexpr uint
-#else
-#define CDR_CONST const uint
-#endif
+CDR_SHARED_BEGIN
 
 // Invocations a workgroup: one for each vertex, or for each triangle of a flat mesh.
 CDR_CONST kDeformBlock = 128u;
@@ -40,9 +35,6 @@ struct DeformPush {
     uint flags;
 };
 
-#ifdef __cplusplus
-} // namespace cdr::shaders
-#endif
+CDR_SHARED_END
 
-#undef CDR_CONST
 #endif

@@ -2,14 +2,9 @@
 #ifndef CDR_SHADERS_OCCLUDERS_SHARED_H
 #define CDR_SHADERS_OCCLUDERS_SHARED_H
 
-#ifdef __cplusplus
-#include <cdr/shaders/shared.h>
+#include "shared.h"
 
-namespace cdr::shaders {
-#define CDR_CONST inline constexpr uint
-#else
-#define CDR_CONST const uint
-#endif
+CDR_SHARED_BEGIN
 
 // Pixels along the side of a tile, and tiles along that of a square.
 CDR_CONST kTileSide = 8u;
@@ -33,10 +28,8 @@ struct OccluderView {
     float margins[kMarginNodes]; // render::OrderMargin
 };
 
-#ifdef __cplusplus
 static_assert(sizeof(OccluderView) == 64 + 4 * kMarginNodes);
-} // namespace cdr::shaders
-#endif
 
-#undef CDR_CONST
+CDR_SHARED_END
+
 #endif

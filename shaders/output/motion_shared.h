@@ -3,11 +3,9 @@
 #ifndef CDR_SHADERS_MOTION_SHARED_H
 #define CDR_SHADERS_MOTION_SHARED_H
 
-#ifdef __cplusplus
-#include <cdr/shaders/shared.h>
+#include "sharing.h"
 
-namespace cdr::shaders {
-#endif
+CDR_SHARED_BEGIN
 
 // What the camera did since the last frame.
 struct MotionHeader {
@@ -51,11 +49,10 @@ struct DeformedPush {
     uint unused;
 };
 
-#ifdef __cplusplus
 static_assert(sizeof(DeformedPush) == 120);
 static_assert(sizeof(MotionHeader) == 112);
 static_assert(sizeof(MotionRecord) == 80);
-} // namespace cdr::shaders
-#endif
+
+CDR_SHARED_END
 
 #endif

@@ -2,14 +2,9 @@
 #ifndef CDR_SHADERS_RIVALS_SHARED_H
 #define CDR_SHADERS_RIVALS_SHARED_H
 
-#ifdef __cplusplus
-#include <cdr/shaders/shared.h>
+#include "shared.h"
 
-namespace cdr::shaders {
-#define CDR_CONST inline constexpr uint
-#else
-#define CDR_CONST const uint
-#endif
+CDR_SHARED_BEGIN
 
 // What a pipeline does with depth; specialisation constant 4.
 CDR_CONST kDepthNone = 0u;    // there is no depth buffer
@@ -37,12 +32,9 @@ struct RivalPush {
     uint shift;     // logarithm: lower bits that are dropped
 };
 
-#ifdef __cplusplus
 static_assert(sizeof(VisibilityRecord) == 64);
 static_assert(sizeof(RivalPush) == 16);
-} // namespace cdr::shaders
-#endif
 
-#undef CDR_CONST
+CDR_SHARED_END
 
 #endif

@@ -4,18 +4,12 @@
 #ifndef CDR_SHADERS_SHADOWS_SHARED_H
 #define CDR_SHADERS_SHADOWS_SHARED_H
 
-#ifdef __cplusplus
-#include <cdr/shaders/shared.h>
+#include "sharing.h"
 
-namespace cdr::shaders {
-using ivec2 = glm::ivec2;
-#define CDR_CONST inline constexpr float
-#else
-#define CDR_CONST const float
-#endif
+CDR_SHARED_BEGIN
 
 // A pixel's depth is the number of its slice over this. 16 bits of depth hold that exactly.
-CDR_CONST kMaxSlices = 65535.0;
+CDR_CONST_FLOAT kMaxSlices = 65535.0;
 
 // One caster: object space to a light's view. Per instance.
 struct CasterRecord {
@@ -68,13 +62,14 @@ struct SlicePush {
     uint isPlain;  // else slices begin at powers of two, whose exponents are their numbers
 };
 
-#ifdef __cplusplus
 static_assert(sizeof(CasterRecord) == 56);
 static_assert(sizeof(CasterPush) == 36);
 static_assert(sizeof(ReceiverPush) == 128);
 static_assert(sizeof(SlicePush) == 20);
-} // namespace cdr::shaders
-#else
+
+CDR_SHARED_END
+
+#ifndef __cplusplus
 // Clip z per unit of w that a texel's length towards the light amounts to, at a depth.
 float depthPerTexel(LightLens lens, float z) {
     precise float perUnit = lens.zPerUnit - z * lens.wPerUnit;
@@ -82,5 +77,4 @@ float depthPerTexel(LightLens lens, float z) {
 }
 #endif
 
-#undef CDR_CONST
 #endif

@@ -3,14 +3,9 @@
 #ifndef CDR_SHADERS_TRANSLUCENT_SHARED_H
 #define CDR_SHADERS_TRANSLUCENT_SHARED_H
 
-#ifdef __cplusplus
-#include <cdr/shaders/shared.h>
+#include "sharing.h"
 
-namespace cdr::shaders {
-#define CDR_CONST inline constexpr uint
-#else
-#define CDR_CONST const uint
-#endif
+CDR_SHARED_BEGIN
 
 // One translucent draw: object to view space, relative to the plane through the instance's own centre. It is drawn in one range
 // of view distances: a cascade's, or all of them where fragments are sorted. The record is the same for every cascade and
@@ -69,13 +64,11 @@ struct FragmentNode {
 // walk.
 CDR_CONST kNoNode = 0u;
 
-#ifdef __cplusplus
 static_assert(sizeof(TranslucentRecord) == 80);
 static_assert(sizeof(TranslucentPush) == 44);
 static_assert(sizeof(TranslucentSlice) == 16);
 static_assert(sizeof(FragmentNode) == 32);
-} // namespace cdr::shaders
-#endif
 
-#undef CDR_CONST
+CDR_SHARED_END
+
 #endif
