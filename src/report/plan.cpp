@@ -29,15 +29,15 @@ std::optional<std::string> valueOf(const PlanOption& option, const PlanOptions& 
 
 double secondsOf(const PlanRow& row, Effort effort) {
     constexpr double kSmallestShare = 1.0 / 50.0;
-    return effort == Effort::full ? row.fullSeconds
-                                  : row.quickSeconds * (effort == Effort::quick ? 1.0 : kSmallestShare);
+    return effort == Effort::full ? row.seconds.full
+                                  : row.seconds.quick * (effort == Effort::quick ? 1.0 : kSmallestShare);
 }
 
 Section sectionOf(const PlanRow& row, const PlanOptions& plan) {
     Section section{.name = row.name,
-                    .arguments = {row.command},
-                    .folderOption = row.folderOption,
-                    .folder = row.folder,
+                    .arguments = {row.command.empty() ? row.name : row.command},
+                    .folderOption = row.out.option,
+                    .folder = row.out.folder,
                     .isTimed = row.isTimed,
                     .expectedSeconds = secondsOf(row, plan.effort)};
     for (const PlanOption& option : row.options) {
@@ -52,7 +52,7 @@ Section sectionOf(const PlanRow& row, const PlanOptions& plan) {
             section.arguments.push_back(*value);
         }
     }
-    if (row.folderOption == kVideos && !plan.videos) {
+    if (row.out.option == kVideos && !plan.videos) {
         section.folderOption.clear();
         section.folder.clear();
     }

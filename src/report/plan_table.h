@@ -15,16 +15,26 @@ struct PlanOption {
     std::vector<std::string> values{};
 };
 
+/// What a section takes.
+struct PlanSeconds {
+    double quick = 0.0; ///< the smallest effort takes a fiftieth
+    double full = 0.0;
+};
+
+/// Where a section's files go, as Section has it.
+struct PlanOut {
+    std::string option{};
+    std::string folder{};
+};
+
 /// A section as the plan has it.
 struct PlanRow {
-    std::string name;    ///< of the section
-    std::string command; ///< with its positional arguments as options without a name
+    std::string name;      ///< of the section
+    std::string command{}; ///< else named as the section; positional arguments are options without a name
     std::vector<PlanOption> options{};
-    std::string folderOption{}; ///< as Section has both
-    std::string folder{};
-    bool isTimed = false;      ///< whether what it is about is time
-    double quickSeconds = 0.0; ///< the smallest effort takes a fiftieth
-    double fullSeconds = 0.0;
+    PlanOut out{};
+    bool isTimed = false; ///< whether what it is about is time
+    PlanSeconds seconds{};
 };
 
 /// Values that PlanOptions hold.

@@ -24,7 +24,7 @@ TEST(Plan, EveryOptionHasAValueForEveryEffort) {
     std::set<std::string> names;
     for (const PlanRow& row : planTable()) {
         EXPECT_TRUE(names.insert(row.name).second) << row.name;
-        EXPECT_LE(row.quickSeconds, row.fullSeconds) << row.name;
+        EXPECT_LE(row.seconds.quick, row.seconds.full) << row.name;
         for (const PlanOption& option : row.options) {
             const std::size_t values = option.values.size();
             EXPECT_TRUE(values == 0 || values == 1 || values == 3) << row.name << " " << option.name;
