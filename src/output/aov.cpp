@@ -2,6 +2,7 @@
 
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
+#include <cdr/image/compose.h>
 #include <cdr/image/srgb.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 
@@ -38,25 +39,14 @@ std::uint8_t toByte(double unit) {
 /// A picture, pixel by pixel.
 image::ImageRgba8 paint(const render::Frame& frame,
                         const std::function<image::Rgba8(std::uint32_t x, std::uint32_t y)>& pixel) {
-    image::ImageRgba8 picture(frame.width(), frame.height());
-    for (std::uint32_t y = 0; y < picture.height; ++y) {
-        for (std::uint32_t x = 0; x < picture.width; ++x) {
-            picture.at(x, y) = pixel(x, y);
-        }
-    }
-    return picture;
+    return image::rasterOf<image::Rgba8>(frame.width(), frame.height(), pixel);
 }
 
 /// A float image, pixel by pixel.
 image::ImageFloat values(const render::Frame& frame,
                          const std::function<double(std::uint32_t x, std::uint32_t y)>& value) {
-    image::ImageFloat image(frame.width(), frame.height());
-    for (std::uint32_t y = 0; y < image.height; ++y) {
-        for (std::uint32_t x = 0; x < image.width; ++x) {
-            image.at(x, y) = static_cast<float>(value(x, y));
-        }
-    }
-    return image;
+    return image::rasterOf<float>(frame.width(), frame.height(),
+                                  [&](auto x, auto y) { return static_cast<float>(value(x, y)); });
 }
 
 image::ImageRgba8 linearPicture(const render::Frame& frame) {

@@ -1,6 +1,7 @@
 #include "certified_frame.h"
 
 #include <cdr/base/error.h>
+#include <cdr/image/compose.h>
 #include <cdr/render/octahedral.h>
 
 #include <glm/gtc/packing.hpp>
@@ -54,20 +55,14 @@ void requireCertifiable(const render::RenderOptions& options) {
 measure::DrawnFrame drawnFrame(const render::Frame& frame, const render::RenderOptions& options,
                                std::uint32_t subPixelBits) {
     const auto step = [](std::uint32_t bits) { return std::exp2(-1.0 - bits); };
-    measure::DrawnFrame drawn{.camera = frame.camera,
-                              .technique = options.technique,
-                              .cascades = frame.cascades,
-                              .ids = frame.ids(),
-                              .distancesView = image::Raster<double>(frame.width(), frame.height()),
-                              .snapPixels =
-                                  step(subPixelBits) + (options.snapBits > 0 ? step(options.snapBits) : 0.0),
-                              .hasShadows = options.shadows.isOn()};
-    for (std::uint32_t y = 0; y < frame.height(); ++y) {
-        for (std::uint32_t x = 0; x < frame.width(); ++x) {
-            drawn.distancesView.at(x, y) = frame.distanceView(x, y);
-        }
-    }
-    return drawn;
+    return {.camera = frame.camera,
+            .technique = options.technique,
+            .cascades = frame.cascades,
+            .ids = frame.ids(),
+            .distancesView = image::rasterOf<double>(
+                frame.width(), frame.height(), [&](auto x, auto y) { return frame.distanceView(x, y); }),
+            .snapPixels = step(subPixelBits) + (options.snapBits > 0 ? step(options.snapBits) : 0.0),
+            .hasShadows = options.shadows.isOn()};
 }
 
 void putRight(render::Frame& frame, const measure::Certificate& certificate) {

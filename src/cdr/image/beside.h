@@ -3,7 +3,7 @@
 /// @file
 /// @errors None.
 
-#include <cdr/image/image.h>
+#include <cdr/image/compose.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -41,15 +41,11 @@ Raster<Pixel> beside(std::span<const Raster<Pixel>* const> pictures, std::uint32
 /// @param besides both eyes' pictures beside each other.
 inline ImageRgba8 anaglyphOf(const ImageRgba8& besides) {
     const std::uint32_t width = besides.width / 2;
-    ImageRgba8 anaglyph(width, besides.height);
-    for (std::uint32_t y = 0; y < besides.height; ++y) {
-        for (std::uint32_t x = 0; x < width; ++x) {
-            const Rgba8& left = besides.at(x, y);
-            const Rgba8& right = besides.at(width + x, y);
-            anaglyph.at(x, y) = {left[0], right[1], right[2], left[3]};
-        }
-    }
-    return anaglyph;
+    return rasterOf<Rgba8>(width, besides.height, [&](auto x, auto y) -> Rgba8 {
+        const Rgba8& left = besides.at(x, y);
+        const Rgba8& right = besides.at(width + x, y);
+        return {left[0], right[1], right[2], left[3]};
+    });
 }
 
 } // namespace cdr::image

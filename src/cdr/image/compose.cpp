@@ -28,13 +28,9 @@ ImageRgba8 shrink(const ImageRgba8& source, std::uint32_t factor) {
     if (factor < 1 || factor > source.width || factor > source.height) {
         throw base::InputError("a picture cannot be shrunk by " + std::to_string(factor));
     }
-    ImageRgba8 result(source.width / factor, source.height / factor);
-    for (std::uint32_t y = 0; y < result.height; ++y) {
-        for (std::uint32_t x = 0; x < result.width; ++x) {
-            result.at(x, y) = meanOfBlock(source, x * factor, y * factor, factor);
-        }
-    }
-    return result;
+    return rasterOf<Rgba8>(source.width / factor, source.height / factor, [&](auto x, auto y) {
+        return meanOfBlock(source, x * factor, y * factor, factor);
+    });
 }
 
 void paste(ImageRgba8& target, const ImageRgba8& source, std::uint32_t x, std::uint32_t y) {

@@ -6,6 +6,18 @@
 
 namespace cdr::image {
 
+/// A raster whose pixels are what `at` makes of (x, y), row by row.
+template <typename Pixel, typename At>
+Raster<Pixel> rasterOf(std::uint32_t width, std::uint32_t height, const At& at) {
+    Raster<Pixel> raster(width, height);
+    for (std::uint32_t y = 0; y < height; ++y) {
+        for (std::uint32_t x = 0; x < width; ++x) {
+            raster.at(x, y) = at(x, y);
+        }
+    }
+    return raster;
+}
+
 /// `source` made smaller by a whole factor: each pixel is the mean of a factor x factor block in linear
 /// light. Pixels that do not fill a block are left out. base::InputError when factor is 0 or larger than a
 /// side.

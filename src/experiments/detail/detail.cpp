@@ -1,6 +1,7 @@
 #include "detail.h"
 
 #include <cdr/base/error.h>
+#include <cdr/image/compose.h>
 #include <cdr/measure/compare/cracks.h>
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/platform/stopwatch.h>
@@ -35,13 +36,9 @@ constexpr std::array kDetailModes{ComparedMode{"none", visibility::DetailMode::n
                                   ComparedMode{"cluster", visibility::DetailMode::perCluster}};
 
 measure::SeenImage seenIn(const render::Frame& frame) {
-    measure::SeenImage seen(frame.width(), frame.height());
-    for (std::uint32_t y = 0; y < seen.height; ++y) {
-        for (std::uint32_t x = 0; x < seen.width; ++x) {
-            seen.at(x, y) = {.id = frame.id(x, y), .distanceView = frame.distanceView(x, y)};
-        }
-    }
-    return seen;
+    return image::rasterOf<measure::SeenPixel>(frame.width(), frame.height(), [&](auto x, auto y) {
+        return measure::SeenPixel{.id = frame.id(x, y), .distanceView = frame.distanceView(x, y)};
+    });
 }
 
 /// Pixels that show another object.

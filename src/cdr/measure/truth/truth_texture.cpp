@@ -1,3 +1,4 @@
+#include <cdr/image/compose.h>
 #include <cdr/image/srgb.h>
 #include <cdr/measure/truth/truth_texture.h>
 
@@ -148,14 +149,10 @@ std::vector<image::Raster<glm::vec4>> filteredLevels(const scene::Texture& textu
     const glm::uvec2 whole(texture.pixels.width, texture.pixels.height);
     for (glm::uvec2 size = whole; size != glm::uvec2(1);) {
         size = glm::max(size / 2u, glm::uvec2(1));
-        image::Raster<glm::vec4> level(size.x, size.y);
         const glm::dvec2 texel = glm::dvec2(whole) / glm::dvec2(size);
-        for (std::uint32_t y = 0; y < size.y; ++y) {
-            for (std::uint32_t x = 0; x < size.x; ++x) {
-                level.at(x, y) =
-                    average(texture, texel * glm::dvec2(x, y), texel * glm::dvec2(x + 1.0, y + 1.0));
-            }
-        }
+        auto level = image::rasterOf<glm::vec4>(size.x, size.y, [&](auto x, auto y) {
+            return average(texture, texel * glm::dvec2(x, y), texel * glm::dvec2(x + 1.0, y + 1.0));
+        });
         if (texture.cutoff && *texture.cutoff > 0.0f && *texture.cutoff <= 1.0f) {
             keepShare(texture, static_cast<double>(*texture.cutoff), level);
         }
