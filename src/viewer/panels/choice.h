@@ -20,7 +20,7 @@ void choose(const Widgets& widgets, std::string_view name, const std::array<Valu
     if (picked < N) {
         chosen = values[picked];
     }
-    widgets.sentence(explain(chosen));
+    widgets.sentence(explanationOf(chosen));
 }
 
 } // namespace cdr::viewer

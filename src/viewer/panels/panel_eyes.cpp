@@ -28,7 +28,7 @@ void drawEyesPanel(const Widgets& widgets, ViewerModel& model) {
         const auto wanted = chosen == 0 ? std::nullopt : std::optional(options::kStereoPictures[chosen - 1]);
         settings = withStereo(std::move(settings), wanted, model.camera.surfaceView);
     }
-    widgets.sentence(explain(stereoPictureOf(settings)));
+    widgets.sentence(explanationOf(stereoPictureOf(settings)));
     if (!stereoPictureOf(settings)) {
         return;
     }

@@ -44,15 +44,15 @@ void drawFinishPanel(const Widgets& widgets, ViewSettings& settings) {
     if (hasLayers(settings.targets.kind)) {
         widgets.checkbox("on each cascade alone", finish.effects.occlusion.perLayer);
     }
-    widgets.sentence(explain(finish.effects.occlusion));
+    widgets.sentence(explanationOf(finish.effects.occlusion));
     chooseLength(widgets, "fog", finish.effects.fog.visibility);
-    widgets.sentence(explain(finish.effects.fog));
+    widgets.sentence(explanationOf(finish.effects.fog));
     if (settings.targets.kind == render::TargetsKind::layers) {
         chooseLength(widgets, "focus", finish.focus.distance);
         chooseLength(widgets, "aperture", finish.focus.aperture);
         widgets.checkbox("fade between cascades", finish.focus.blend);
     }
-    widgets.sentence(explain(finish.focus));
+    widgets.sentence(explanationOf(finish.focus));
 }
 
 } // namespace cdr::viewer

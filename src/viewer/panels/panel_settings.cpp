@@ -45,7 +45,7 @@ void chooseTechnique(const Widgets& widgets, std::string_view prefix, depth::Tec
     if (split < kSplits.size()) {
         wanted.split = depth::parseSplit(std::string(kSplits[split]));
     }
-    widgets.sentence(explain(technique.split));
+    widgets.sentence(explanationOf(technique.split));
     choose(widgets, fmt::format("{}/format", prefix), depth::kDepthFormats, wanted.format);
     technique = wanted;
 }
@@ -124,7 +124,7 @@ void drawRenderingPanel(const Widgets& widgets, ViewSettings& settings) {
             settings.targets = render::TargetsChoice::pool(static_cast<std::uint32_t>(layers));
         }
     }
-    widgets.sentence(explain(settings.targets.kind));
+    widgets.sentence(explanationOf(settings.targets.kind));
     int threads = static_cast<int>(settings.threads);
     if (widgets.count("threads", threads, 1, kMaxThreads)) {
         settings.threads = static_cast<std::size_t>(std::clamp(threads, 1, kMaxThreads));

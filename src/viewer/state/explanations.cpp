@@ -11,45 +11,27 @@ std::string_view at(const std::array<std::string_view, N>& texts, Enum value) {
     return texts.at(static_cast<std::size_t>(value));
 }
 
-struct ExplainSplit {
-    std::string_view operator()(const depth::SplitNone&) const {
-        return "One depth range from near to far. It is simple and cheap, but one precision has to serve all "
-               "distances.";
-    }
-    std::string_view operator()(const depth::SplitRatio&) const {
-        return "Each cascade ends at a fixed multiple of where it begins, as in the thesis. It is even in "
-               "relative terms, but does not know where the content is, so a boundary may cut through it.";
-    }
-    std::string_view operator()(const depth::SplitCount&) const {
-        return "A fixed number of cascades of one ratio. The cost is known beforehand; the precision follows "
-               "from near and far.";
-    }
-    std::string_view operator()(const depth::SplitAt&) const {
-        return "Boundaries set by hand. They are right for a scene that you know, and wrong as soon as it "
-               "moves.";
-    }
-    std::string_view operator()(const depth::SplitFitted&) const {
-        return "Cascades fitted to what is visible in each frame. They are the fewest whose steps stay under "
-               "a target, with none over empty space. Objects must be found and sorted by distance on the "
-               "CPU first.";
-    }
-    std::string_view operator()(const depth::SplitMinimax&) const {
-        return "A fixed number of cascades, cut so that the largest step between near and far is as small as "
-               "possible. It is even in scene units, at the expense of what is near.";
-    }
-};
-
 } // namespace
 
-std::string_view explain(depth::Mapping mapping) {
-    return explanationOf(mapping);
+std::string_view explanationOf(const depth::Split& split) {
+    static constexpr std::array<std::string_view, std::variant_size_v<depth::Split>> kTexts{
+        "One depth range from near to far. It is simple and cheap, but one precision has to serve all "
+        "distances.",
+        "Each cascade ends at a fixed multiple of where it begins, as in the thesis. It is even in "
+        "relative terms, but does not know where the content is, so a boundary may cut through it.",
+        "A fixed number of cascades of one ratio. The cost is known beforehand; the precision follows "
+        "from near and far.",
+        "Boundaries set by hand. They are right for a scene that you know, and wrong as soon as it "
+        "moves.",
+        "Cascades fitted to what is visible in each frame. They are the fewest whose steps stay under "
+        "a target, with none over empty space. Objects must be found and sorted by distance on the "
+        "CPU first.",
+        "A fixed number of cascades, cut so that the largest step between near and far is as small as "
+        "possible. It is even in scene units, at the expense of what is near."};
+    return kTexts.at(split.index());
 }
 
-std::string_view explain(const depth::Split& split) {
-    return std::visit(ExplainSplit{}, split);
-}
-
-std::string_view explain(depth::DepthFormat format) {
+std::string_view explanationOf(depth::DepthFormat format) {
     static constexpr std::array<std::string_view, depth::kDepthFormats.size()> kTexts{
         "16 bits of fraction. It takes half the memory traffic, and has 65,536 depths in all, enough for one "
         "thin cascade.",
@@ -60,11 +42,7 @@ std::string_view explain(depth::DepthFormat format) {
     return at(kTexts, format);
 }
 
-std::string_view explain(render::TargetsKind targets) {
-    return explanationOf(targets);
-}
-
-std::string_view explain(render::Submission submission) {
+std::string_view explanationOf(render::Submission submission) {
     static constexpr std::array<std::string_view, render::kSubmissions.size()> kTexts{
         "Workers record secondary command buffers and one primary executes them. Recording scales with "
         "threads.",
@@ -75,7 +53,7 @@ std::string_view explain(render::Submission submission) {
     return at(kTexts, submission);
 }
 
-std::string_view explain(render::Batching batching) {
+std::string_view explanationOf(render::Batching batching) {
     static constexpr std::array<std::string_view, render::kBatchings.size()> kTexts{
         "One draw per object, with its record as an instance attribute, as engines without instancing "
         "submit.",
@@ -86,14 +64,14 @@ std::string_view explain(render::Batching batching) {
     return at(kTexts, batching);
 }
 
-std::string_view explain(render::Snapping snapping) {
+std::string_view explanationOf(render::Snapping snapping) {
     static constexpr std::array<std::string_view, render::kSnappings.size()> kTexts{
         "The device rounds vertices to sub-pixels and keeps their depth, so slanted triangles tilt a little.",
         "Vertices of flat facets move to their sub-pixel in the plane of the facet first, so depth stays exact."};
     return at(kTexts, snapping);
 }
 
-std::string_view explain(ViewKind view) {
+std::string_view explanationOf(ViewKind view) {
     static constexpr std::array<std::string_view, kViewKinds.size()> kTexts{
         "The lit picture, as a user of the scene would see it.",
         "Each pixel is tinted by the cascade that drew it. It shows where the boundaries are and what each "

@@ -18,7 +18,7 @@ void apply(const Finish& finish, render::RenderOptions& options) {
     }
 }
 
-std::string_view explain(visibility::DetailMode detail) {
+std::string_view explanationOf(visibility::DetailMode detail) {
     constexpr std::array<std::string_view, 4> kTexts{
         "Every mesh in full. It is slow where they are dense and small.",
         "Each object at the coarsest level whose error stays under half a pixel. The level is the same in "
@@ -30,7 +30,7 @@ std::string_view explain(visibility::DetailMode detail) {
     return kTexts[static_cast<std::size_t>(detail)];
 }
 
-std::string_view explain(render::Translucency translucency) {
+std::string_view explanationOf(render::Translucency translucency) {
     return translucency == render::Translucency::weighted
                ? "Blended surfaces of a cascade are averaged by weight, and cascades are composited. It is "
                  "fast, and approximate where surfaces overlap."
@@ -38,7 +38,7 @@ std::string_view explain(render::Translucency translucency) {
                  "takes memory.";
 }
 
-std::string_view explain(render::ShadowMethod shadows) {
+std::string_view explanationOf(render::ShadowMethod shadows) {
     constexpr std::array<std::string_view, 3> kTexts{
         "There are no shadows.",
         "The first four lights cast shadows, each by a map for every range of distances that is seen. They "
@@ -47,13 +47,13 @@ std::string_view explain(render::ShadowMethod shadows) {
     return kTexts[static_cast<std::size_t>(shadows)];
 }
 
-std::string_view explain(render::Antialias antialias) {
+std::string_view explanationOf(render::Antialias antialias) {
     return antialias == render::Antialias::none
                ? "Pixels as they were sampled, as measurements use them."
                : "Steps along edges of brightness are smoothed after shading.";
 }
 
-std::string_view explain(render::ToneMap toneMap) {
+std::string_view explanationOf(render::ToneMap toneMap) {
     constexpr std::array<std::string_view, 3> kTexts{
         "Highlights are compressed under a sky, which models have, or through air. Otherwise they are cut "
         "off.",
@@ -62,7 +62,7 @@ std::string_view explain(render::ToneMap toneMap) {
     return kTexts[static_cast<std::size_t>(toneMap)];
 }
 
-std::string_view explain(const render::Occlusion& occlusion) {
+std::string_view explanationOf(const render::Occlusion& occlusion) {
     if (occlusion.radius <= 0.0) {
         return "Corners get as much ambient light as open ground.";
     }
@@ -73,11 +73,11 @@ std::string_view explain(const render::Occlusion& occlusion) {
                  "visible.";
 }
 
-std::string_view explain(const render::Fog& fog) {
+std::string_view explanationOf(const render::Fog& fog) {
     return fog.visibility <= 0.0 ? "Clear air." : "At this distance 2 % of a colour is left.";
 }
 
-std::string_view explain(const render::Focus& focus) {
+std::string_view explanationOf(const render::Focus& focus) {
     if (!focus.isOn()) {
         return "Everything is sharp. With the targets layers a lens can be focused on a distance.";
     }

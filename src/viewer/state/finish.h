@@ -22,13 +22,13 @@ struct Finish {
 /// none. There are no shadows with a focus, nor where levels of detail cast none.
 void apply(const Finish& finish, render::RenderOptions& options);
 
-std::string_view explain(visibility::DetailMode detail);
-std::string_view explain(render::Translucency translucency);
-std::string_view explain(render::ShadowMethod shadows);
-std::string_view explain(render::Antialias antialias);
-std::string_view explain(render::ToneMap toneMap);
-std::string_view explain(const render::Occlusion& occlusion);
-std::string_view explain(const render::Fog& fog);
-std::string_view explain(const render::Focus& focus);
+std::string_view explanationOf(visibility::DetailMode detail);
+std::string_view explanationOf(render::Translucency translucency);
+std::string_view explanationOf(render::ShadowMethod shadows);
+std::string_view explanationOf(render::Antialias antialias);
+std::string_view explanationOf(render::ToneMap toneMap);
+std::string_view explanationOf(const render::Occlusion& occlusion);
+std::string_view explanationOf(const render::Fog& fog);
+std::string_view explanationOf(const render::Focus& focus);
 
 } // namespace cdr::viewer

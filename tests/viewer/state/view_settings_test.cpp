@@ -63,28 +63,28 @@ TEST(Explanations, EachChoiceHasASentenceOfItsOwn) {
         EXPECT_TRUE(seen.insert(std::string(text)).second) << text;
     };
     for (const depth::Mapping mapping : depth::kMappings) {
-        expectSentence(explain(mapping));
+        expectSentence(explanationOf(mapping));
     }
     for (const char* split : {"none", "ratio:10", "count:3", "at:1,2", "fitted", "minimax:2"}) {
-        expectSentence(explain(depth::parseSplit(split)));
+        expectSentence(explanationOf(depth::parseSplit(split)));
     }
     for (const depth::DepthFormat format : depth::kDepthFormats) {
-        expectSentence(explain(format));
+        expectSentence(explanationOf(format));
     }
     for (const render::TargetsKind targets : render::kTargetsKinds) {
-        expectSentence(explain(targets));
+        expectSentence(explanationOf(targets));
     }
     for (const render::Submission submission : render::kSubmissions) {
-        expectSentence(explain(submission));
+        expectSentence(explanationOf(submission));
     }
     for (const render::Batching batching : render::kBatchings) {
-        expectSentence(explain(batching));
+        expectSentence(explanationOf(batching));
     }
     for (const render::Snapping snapping : render::kSnappings) {
-        expectSentence(explain(snapping));
+        expectSentence(explanationOf(snapping));
     }
     for (const ViewKind view : kViewKinds) {
-        expectSentence(explain(view));
+        expectSentence(explanationOf(view));
     }
     expectSentence(explainThreads());
 }

@@ -68,7 +68,7 @@ std::uint32_t columnsShown(const ViewSettings& settings, const render::Frame& fr
                : frame.width();
 }
 
-std::string_view explain(std::optional<options::StereoPicture> picture) {
+std::string_view explanationOf(std::optional<options::StereoPicture> picture) {
     if (!picture) {
         return "One eye.";
     }

@@ -29,6 +29,6 @@ glm::dvec2 middleOf(const render::Frame& frame);
 std::uint32_t columnsShown(const ViewSettings& settings, const render::Frame& frame);
 
 /// What a way to show two eyes, or one, means, in a sentence.
-std::string_view explain(std::optional<options::StereoPicture> picture);
+std::string_view explanationOf(std::optional<options::StereoPicture> picture);
 
 } // namespace cdr::viewer
