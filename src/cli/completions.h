@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>

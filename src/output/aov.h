@@ -5,7 +5,6 @@
 #include <cdr/render/frame.h>
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

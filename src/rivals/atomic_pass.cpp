@@ -15,8 +15,6 @@
 #include <fmt/format.h>
 #include <rivals/atomic_pass.h>
 
-#include <array>
-
 namespace cdr::rivals {
 
 namespace {

@@ -5,8 +5,6 @@
 #include <fmt/ranges.h>
 #include <rivals/rival.h>
 
-#include <algorithm>
-
 namespace cdr::rivals {
 
 namespace {

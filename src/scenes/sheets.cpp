@@ -3,7 +3,6 @@
 #include <cdr/scene/frustum.h>
 #include <scenes/sheets.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>

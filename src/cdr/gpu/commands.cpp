@@ -1,4 +1,3 @@
-#include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
 
 #include <limits>

@@ -7,7 +7,6 @@
 #include <program/sha256.h>
 
 #include <limits>
-#include <map>
 #include <utility>
 
 namespace cdr::cli {

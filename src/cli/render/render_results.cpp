@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <output/frame_notes.h>
-#include <program/sha256.h>
 #include <runs/units.h>
 
 #include <utility>

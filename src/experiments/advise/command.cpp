@@ -1,4 +1,3 @@
-#include <cdr/base/error.h>
 #include <cdr/depth/advice.h>
 #include <cdr/scene/frustum.h>
 #include <cli/command.h>

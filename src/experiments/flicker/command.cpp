@@ -1,5 +1,3 @@
-#include <cdr/base/error.h>
-#include <cdr/platform/file.h>
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <experiments/flicker/flicker.h>

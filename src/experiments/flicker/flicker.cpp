@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 namespace cdr::experiments {

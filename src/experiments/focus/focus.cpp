@@ -11,7 +11,6 @@
 
 #include <runs/interleaved_frames.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -1,6 +1,5 @@
 #include "precision.h"
 
-#include <cdr/base/error.h>
 #include <cdr/depth/make_cascades.h>
 #include <cdr/depth/separation.h>
 #include <cdr/depth/step_bound.h>

@@ -1,4 +1,3 @@
-#include <cdr/base/error.h>
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <experiments/probe/probe.h>

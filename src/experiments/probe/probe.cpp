@@ -16,7 +16,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <string_view>
 
 namespace cdr::experiments {
 

@@ -1,4 +1,3 @@
-#include <cdr/base/error.h>
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <experiments/rivals/rivals.h>
@@ -8,8 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <output/readable.h>
 #include <output/wrong_pixels_columns.h>
-
-#include <filesystem>
 
 namespace cdr::cli {
 

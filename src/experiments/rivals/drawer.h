@@ -3,7 +3,6 @@
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
 #include <cdr/render/drawn_scene.h>
-#include <cdr/render/render_options.h>
 #include <cdr/render/renderer.h>
 
 #include <rivals/contender.h>

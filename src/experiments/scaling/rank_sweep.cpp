@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 #include <program/sha256.h>
 #include <runs/part_frames.h>
-#include <runs/units.h>
 
 #include <algorithm>
 #include <memory>

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <output/gnuplot.h>
 
 namespace cdr::cli {
 

@@ -5,7 +5,6 @@
 #include <cdr/measure/statistics/statistics.h>
 #include <cdr/platform/trace.h>
 #include <cdr/render/render_options.h>
-#include <cdr/render/submit/draw_path.h>
 #include <cdr/render/surface_path.h>
 #include <cdr/render/targets/targets.h>
 #include <experiments/progress.h>

@@ -7,7 +7,6 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
-#include <vector>
 
 namespace cdr::scenes {
 

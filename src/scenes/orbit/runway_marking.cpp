@@ -2,7 +2,6 @@
 #include <scenes/orbit/runway_marking.h>
 
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace cdr::scenes {

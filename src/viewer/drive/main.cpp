@@ -6,7 +6,6 @@
 #include <cdr/platform/standard_streams.h>
 #include <scenes/open_scene.h>
 #include <viewer/session/program.h>
-#include <viewer/session/startup.h>
 
 #include <fmt/format.h>
 #include <options/number_checks.h>

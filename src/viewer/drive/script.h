@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cdr/base/error.h>
 #include <viewer/window/input_event.h>
 
 #include <cstdint>

@@ -4,7 +4,6 @@
 #include <viewer/window/window.h>
 
 #include <cstdint>
-#include <string>
 
 namespace cdr::viewer {
 

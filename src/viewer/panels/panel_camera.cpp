@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>

@@ -1,6 +1,5 @@
 #include "panels.h"
 
-#include <cdr/render/targets/gbuffer.h>
 #include <viewer/panels/resident_memory.h>
 #include <viewer/state/plain_words.h>
 #include <viewer/state/technique_label.h>
@@ -8,9 +7,6 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
-
-#include <algorithm>
-#include <vector>
 
 namespace cdr::viewer {
 

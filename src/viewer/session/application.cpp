@@ -9,7 +9,6 @@
 #include <viewer/panels/overlay.h>
 #include <viewer/panels/panels.h>
 #include <viewer/panels/shortcuts.h>
-#include <viewer/state/shown_picture.h>
 
 #include <fmt/format.h>
 

@@ -3,7 +3,6 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/memory.h>
 #include <cdr/image/beside.h>
-#include <cdr/scene/gltf/import_progress.h>
 #include <viewer/state/view_picture.h>
 
 #include <options/deform_choice.h>

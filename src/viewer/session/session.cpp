@@ -1,6 +1,5 @@
 #include "session.h"
 
-#include <cdr/base/error.h>
 #include <viewer/state/camera/fly_controller.h>
 #include <viewer/state/camera/stereo_view.h>
 #include <viewer/state/requests/next_request.h>

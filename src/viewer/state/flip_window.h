@@ -4,7 +4,6 @@
 #include <cdr/render/frame.h>
 
 #include <cstdint>
-#include <vector>
 
 namespace cdr::viewer {
 

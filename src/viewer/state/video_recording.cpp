@@ -1,7 +1,5 @@
 #include "video_recording.h"
 
-#include <cdr/image/compose.h>
-
 #include <algorithm>
 
 namespace cdr::viewer {

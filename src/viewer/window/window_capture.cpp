@@ -3,7 +3,6 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
 
-#include <algorithm>
 #include <cstring>
 
 namespace cdr::viewer {

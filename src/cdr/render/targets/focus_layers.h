@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cdr/render/effects.h>
-#include <cdr/render/focus.h>
 #include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/render/targets/targets.h>

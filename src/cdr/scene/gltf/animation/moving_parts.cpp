@@ -1,6 +1,5 @@
 #include "moving_parts.h"
 
-#include "../json.h"
 #include "animations.h"
 #include "skins.h"
 
