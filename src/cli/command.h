@@ -32,6 +32,8 @@ class Command {
     Command(const CLI::App& app, const GlobalOptions& global, OutputOptions output);
 
     const GlobalOptions& global() const { return m_global; }
+    /// Of lengths in tables and sentences.
+    base::LengthUnit unit() const { return m_global.unit.value_or(base::LengthUnit::none); }
     const OutputOptions& output() const { return m_output; }
     const Console& console() const { return m_console; }
     CommandFiles& files() { return m_files; }

@@ -39,8 +39,8 @@ std::string viewerProgram() {
     if (global.validate) {
         arguments.insert(arguments.begin(), "--validate");
     }
-    if (global.unit != base::LengthUnit::none) {
-        arguments.insert(arguments.begin(), fmt::format("--unit={}", nameOf(global.unit)));
+    if (global.unit) {
+        arguments.insert(arguments.begin(), fmt::format("--unit={}", nameOf(*global.unit)));
     }
     if (global.textureMiB) {
         arguments.insert(arguments.begin(), fmt::format("--texture-memory={}", *global.textureMiB));

@@ -40,10 +40,10 @@ struct GlobalOptions {
     bool bind = false;         ///< keep this rank's threads on its part of the machine's processors
     std::size_t hostCpus =
         0; ///< what JSON says of the machine where this process, as a rank, may be bound to fewer; else 0
-    std::optional<std::uint64_t> textureMiB;        ///< as scene::GltfChoice has it
-    std::optional<double> pointRadius;              ///< as scene::GltfChoice has it
-    base::LengthUnit unit = base::LengthUnit::none; ///< of lengths in tables and sentences
-    ranks::Ranks* ranks = nullptr;                  ///< of the run; main() fills it in
+    std::optional<std::uint64_t> textureMiB; ///< as scene::GltfChoice has it
+    std::optional<double> pointRadius;       ///< as scene::GltfChoice has it
+    std::optional<base::LengthUnit> unit;    ///< of lengths in tables and sentences; none by default
+    ranks::Ranks* ranks = nullptr;           ///< of the run; main() fills it in
     std::string section; ///< of a report that the command runs for: only its progress shows, under this name
 };
 

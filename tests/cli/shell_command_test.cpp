@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <vector>
@@ -54,6 +55,20 @@ TEST(ShellCommands, BashCompletesCommandsAndTheirOptions) {
     if (runProgram("view --version", folder.path(), "PATH=/nowhere").status == 0) {
         EXPECT_EQ(completed("cdr view --vsy", 2), "--vsync\n") << "the viewer's";
     }
+}
+
+TEST(ShellCommands, TheViewerGetsTheOptionsOfAllCommandsAsTheyWereGiven) {
+    namespace fs = std::filesystem;
+    const TemporaryFolder folder;
+    fs::copy_file(CDR_PROGRAM, folder.path() / "cdr");
+    std::ofstream(folder.path() / "cdr-viewer") << "#!/bin/sh\necho \"$@\"\n";
+    fs::permissions(folder.path() / "cdr-viewer", fs::perms::owner_all);
+    const auto given = [&](const std::string& options) {
+        return runProgram("--version > /dev/null; ./cdr " + options + " view cubes", folder.path()).out;
+    };
+    EXPECT_EQ(given(""), "cubes\n");
+    EXPECT_EQ(given("--unit none"), "--unit=none cubes\n") << "the viewer's own is auto";
+    EXPECT_EQ(given("--unit km --points 2"), "--points=2 --unit=km cubes\n");
 }
 
 TEST(ShellCommands, ZshTakesItsScriptSourcedToo) {

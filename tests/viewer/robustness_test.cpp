@@ -91,6 +91,12 @@ TEST_F(ViewerTest, RecordsAnewWhileItPlays) {
     EXPECT_LE(static_cast<double>(cameras.size()), 3.0 + 30.0 * cameras.back().seconds) << "one a frame";
 }
 
+TEST_F(ViewerTest, SavesARecordingThatTheEndOfTheWindowEnds) {
+    play("--size 560x300 --technique standard cubes", "wait-frame\nkey R\nhold D\nwait-ui 30\nlet D\nquit\n");
+    ASSERT_TRUE(fs::exists(folder() / "camera-path-0001.json"));
+    EXPECT_GE(scene::readRecording(folder() / "camera-path-0001.json").cameras.size(), 2u);
+}
+
 TEST_F(ViewerTest, SaysThatAFolderCannotBeWritten) {
     std::ofstream(folder() / "script")
         << "wait-frame\nkey F12\nwait-ui 2\nstate\nkey F12 shift\nwait-ui 3\nstate\nkey R\nwait-ui 2\nkey R\n"

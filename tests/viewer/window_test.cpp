@@ -293,7 +293,8 @@ TEST_F(ViewerTest, SaysWhatIsWrongInOneLine) {
     expectError("--layer poster coplanar", 2, "MATERIAL=LAYER");
     expectError("--layer poster=1e39 coplanar", 2, "a layer must be");
     expectError("--layer nosuch=1 coplanar", 2, "unknown material 'nosuch'");
-    for (const std::string second : {"--technique anchored", "--compare standard,cdr"}) {
+    for (const std::string second :
+         {"--technique anchored", "--compare standard,cdr", "--compare standard,anchored"}) {
         expectError("--frames 1 --depth standard " + second + " afc", 2,
                     "give either --technique or --compare, or --depth and --split");
     }

@@ -109,7 +109,7 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
         command, "--ranks", arguments.ranks, parseFrameDivision,
         "What the ranks of an MPI run divide: frames, or the cascades of each frame, which are drawn apart "
         "and laid over each other, the nearest on top. Cascades go without smoothed edges, whole-picture "
-        "occlusion, a focus, blended materials and gpu-driven draws")
+        "occlusion, shadows, a focus, blended materials and gpu-driven draws")
         ->default_str("frames");
     command.option_defaults()->group("Output");
     addSize(command, arguments.drawing.width, arguments.drawing.height);

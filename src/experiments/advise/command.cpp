@@ -184,8 +184,8 @@ void run(Command& command, AdviseArguments& arguments) {
     const depth::AdviceQuestion asked = questionOf(arguments);
     const auto [question, advice, measuredOn] =
         arguments.measured ? measure(command, arguments, asked) : predict(asked);
-    const auto lines = depth::explain(question, advice, lengthTextIn(command.global().unit));
-    const auto columns = adviceColumns(arguments.measured, command.global().unit);
+    const auto lines = depth::explain(question, advice, lengthTextIn(command.unit()));
+    const auto columns = adviceColumns(arguments.measured, command.unit());
     console.table(output::tableOf(columns, advice.rows));
     console.line("");
     for (const std::string& line : lines) {

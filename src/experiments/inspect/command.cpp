@@ -116,7 +116,7 @@ void print(const Command& command, const InspectArguments& arguments, const Insp
     const Console& console = command.console();
     std::vector<experiments::ObjectPair> shown = inspection.pairs;
     shown.resize(std::min(shown.size(), kPairsShown));
-    const base::LengthUnit unit = command.global().unit;
+    const base::LengthUnit unit = command.unit();
     if (!shown.empty()) {
         console.line(fmt::format("{} of {} pairs of objects, nearest to each other first:", shown.size(),
                                  inspection.pairs.size()));

@@ -59,7 +59,7 @@ void run(Command& command, PrecisionArguments& arguments) {
     command.files().mayWrite("--curve", arguments.curveFile);
     const experiments::PrecisionResult result = experiments::runPrecision(arguments.options);
     const Console& console = command.console();
-    const auto columns = precisionColumns(command.global().unit);
+    const auto columns = precisionColumns(command.unit());
     console.line("Table 4.1 of the thesis, by its own formulas, 24 bits:");
     console.table(output::tableOf(columns, result.table));
     console.line("\nEvery technique and depth format, by the exact step of the buffer alone:");

@@ -103,7 +103,7 @@ void run(Command& command, ProbeArguments& arguments) {
     if (!command.ranks().isFirst()) {
         return;
     }
-    const auto columns = probeColumns(command.global().unit);
+    const auto columns = probeColumns(command.unit());
     command.console().table(output::tableOf(columns, results));
     if (!missing.empty()) {
         command.console().line(

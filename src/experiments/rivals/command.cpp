@@ -127,7 +127,7 @@ void run(Command& command, RivalsArguments& arguments) {
 
     const Console& console = command.console();
     const auto sceneColumns = rivalSceneColumns();
-    const auto resolvedColumns = rivalResolvedColumns(command.global().unit);
+    const auto resolvedColumns = rivalResolvedColumns(command.unit());
     const auto needsColumns = experiments::rivalNeedsColumns();
     if (!report.scenes.empty()) {
         console.table(output::tableOf(sceneColumns, report.scenes));

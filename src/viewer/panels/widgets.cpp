@@ -84,6 +84,7 @@ std::size_t Widgets::combo(std::string_view name, std::string_view shown, std::s
         for (std::size_t i = 0; i < count; ++i) {
             const std::string entry(nameOf(i));
             const float side = pictureOf ? kPictureWidth * ImGui::GetFontSize() : 0.0f;
+            ImGui::PushID(static_cast<int>(i)); // entries of files may have equal names
             ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});
             if (pictureOf) {
                 pictureOf(i, side);
@@ -94,6 +95,7 @@ std::size_t Widgets::combo(std::string_view name, std::string_view shown, std::s
                 chosen = i;
             }
             ImGui::PopStyleVar();
+            ImGui::PopID();
             m_places.note(fmt::format("{}={}", name, entry));
         }
         ImGui::EndCombo();

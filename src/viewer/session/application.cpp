@@ -276,6 +276,9 @@ void Application::finish() {
     if (m_model.video != nullptr) {
         perform(Action::video);
     }
+    if (m_model.camera.recorder.isRecording()) {
+        perform(Action::record);
+    }
     if (!m_arguments.screenshot.empty()) {
         m_capture = m_arguments.screenshot;
         constexpr int kTries = 3; // the window may just have changed its size

@@ -33,7 +33,7 @@ void addViewOptions(CLI::App& program, Arguments& arguments) {
         "One picture: a preset (standard, cdr, log, logcdr, reversed, anchored) or mapping/split");
     options::addParsed(program, "--compare", arguments.compare, parsePair,
                        "Two techniques, LEFT,RIGHT, with a divider between them")
-        ->default_str("standard,anchored")
+        ->default_str(kCompared)
         ->excludes(technique);
     options::addTargets(program, arguments.drawing.targets);
     options::addDepthFormat(program, arguments.format);

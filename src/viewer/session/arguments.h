@@ -27,6 +27,9 @@ std::array<depth::Technique, 2> parsePair(std::string_view text);
 PictureExtent parseWindowSize(std::string_view text);
 
 /// The command line of cdr-viewer.
+/// What is compared unless told otherwise, as of --compare.
+inline constexpr const char* kCompared = "standard,anchored";
+
 struct Arguments {
     std::string scene = "afc";
     bool isFirstUse = false; ///< nothing was asked for: the interface says what can be done
@@ -37,9 +40,8 @@ struct Arguments {
     std::optional<scenes::Deform> deform;      ///< who bends meshes, as told
     std::optional<scenes::Colours> colours;    ///< else bright, except for a line that renders a picture
     std::optional<depth::Technique> technique; ///< of one picture
-    std::array<depth::Technique, 2> compare =
-        parsePair("standard,anchored"); ///< left and right, unless there is one technique
-    options::TechniqueParts parts;      ///< instead of a technique
+    std::optional<std::array<depth::Technique, 2>> compare; ///< left and right; by default kCompared
+    options::TechniqueParts parts;                          ///< instead of a technique
     std::optional<depth::DepthFormat> format;
     render::RenderOptions drawing; ///< what both pictures are drawn with
     options::ViewsArguments views; ///< one eye, or two

@@ -13,15 +13,16 @@ namespace {
 
 void chooseTechniques(const Arguments& arguments, ViewSettings& settings) {
     if (arguments.parts.isGiven()) {
-        if (arguments.technique || arguments.compare != Arguments{}.compare) {
+        if (arguments.technique || arguments.compare) {
             throw base::InputError("give either --technique or --compare, or --depth and --split");
         }
         settings.technique = arguments.parts.technique();
     } else if (arguments.technique) {
         settings.technique = *arguments.technique;
     } else {
-        settings.technique = arguments.compare[0];
-        settings.second = arguments.compare[1];
+        const auto [left, right] = arguments.compare.value_or(parsePair(kCompared));
+        settings.technique = left;
+        settings.second = right;
     }
     if (arguments.format) {
         settings.technique.format = *arguments.format;
