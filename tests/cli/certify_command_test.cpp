@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <string>
 
 namespace cdr::cli_test {
@@ -96,6 +97,23 @@ TEST(CertifyCommand, EndsWithStatus3WhereADriverKeepsNotToItsLimits) {
     EXPECT_GT(frame.at("refused"), 0);
     EXPECT_EQ(frame.at("first_refused").size(), 2u);
     EXPECT_FALSE(frame.contains("hash"));
+}
+
+/// No ray is cast for a frame that is refused: what rays would have found is not known.
+TEST(CertifyCommand, CountsNoRaysOfARefusedFrame) {
+    const TemporaryFolder folder;
+    const test::Fault beside{.call = "vkCmdSetViewport", .times = test::kForever, .result = 2};
+    const ProgramResult result =
+        runProgram(std::string(kCertify) + "--json a.json -o p.png", folder.path(), beside.environment());
+    ASSERT_EQ(result.status, 3) << result.err;
+    EXPECT_TRUE(std::regex_search(result.out, std::regex(" +- +- +- +[0-9.]+ *\n"))) << result.out;
+    for (const char* name : {"a.json", "c.json"}) {
+        const json frame = json::parse(readText(folder.path() / name)).at("results")[0];
+        ASSERT_GT(frame.at("refused"), 0) << name;
+        for (const char* field : {"cast", "cast_masked", "wrong_before", "repaired"}) {
+            EXPECT_TRUE(frame.at(field).is_null()) << name << " " << field;
+        }
+    }
 }
 
 } // namespace

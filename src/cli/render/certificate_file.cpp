@@ -31,6 +31,10 @@ nlohmann::ordered_json jsonOf(const measure::FrameBound& bound) {
 
 } // namespace
 
+nlohmann::ordered_json castCount(const measure::Certificate& certificate, std::uint64_t count) {
+    return certificate.isRefused() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(count);
+}
+
 nlohmann::ordered_json certificateOf(std::uint32_t number, const scene::Camera& camera,
                                      const CertifiedOutput& certified, const std::string& hash) {
     const measure::Certificate& certificate = certified.certificate;
@@ -42,10 +46,10 @@ nlohmann::ordered_json certificateOf(std::uint32_t number, const scene::Camera& 
                                 {"certified", certificate.certified},
                                 {"proven", certificate.proven},
                                 {"certified_fraction", certificate.certifiedFraction()},
-                                {"cast", certificate.cast},
-                                {"cast_masked", certificate.castMasked},
-                                {"wrong_before", certificate.wrong},
-                                {"repaired", certificate.repairs.size()},
+                                {"cast", castCount(certificate, certificate.cast)},
+                                {"cast_masked", castCount(certificate, certificate.castMasked)},
+                                {"wrong_before", castCount(certificate, certificate.wrong)},
+                                {"repaired", castCount(certificate, certificate.repairs.size())},
                                 {"refused", certificate.refused}};
     if (certificate.firstRefused) {
         json["first_refused"] = {certificate.firstRefused->x, certificate.firstRefused->y};

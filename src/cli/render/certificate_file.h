@@ -20,6 +20,9 @@ struct CertifiedOutput {
     double milliseconds = 0.0;
 };
 
+/// A count of what rays found. Null where the frame was refused: none was cast.
+nlohmann::ordered_json castCount(const measure::Certificate& certificate, std::uint64_t count);
+
 /// A frame's part of a certificate file.
 /// @param hash of the picture's values, as `render --hash` prints it.
 nlohmann::ordered_json certificateOf(std::uint32_t number, const scene::Camera& camera,

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <output/wrong_pixels_columns.h>
 
+#include <functional>
 #include <utility>
 
 namespace cdr::cli {
@@ -19,6 +20,11 @@ output::Columns<RenderRow> certificateColumns(bool isShown) {
             return certified ? output::Json(valueOf(*certified)) : output::absent();
         };
     };
+    const auto ofRays = [of](auto countOf) {
+        return of([countOf](const CertifiedOutput& made) {
+            return castCount(made.certificate, std::invoke(countOf, made.certificate));
+        });
+    };
     return {
         {.key = "certified",
          .value = of([](const CertifiedOutput& made) { return made.certificate.certified; })},
@@ -28,16 +34,18 @@ output::Columns<RenderRow> certificateColumns(bool isShown) {
          .heading = isShown ? "certified" : "",
          .format = {.pattern = "{} %", .scale = 100.0}},
         {.key = "cast",
-         .value = of([](const CertifiedOutput& made) { return made.certificate.cast; }),
-         .heading = isShown ? "cast" : ""},
-        {.key = "cast_masked",
-         .value = of([](const CertifiedOutput& made) { return made.certificate.castMasked; })},
+         .value = ofRays(&measure::Certificate::cast),
+         .heading = isShown ? "cast" : "",
+         .format = {.missing = "-"}},
+        {.key = "cast_masked", .value = ofRays(&measure::Certificate::castMasked)},
         {.key = "wrong_before",
-         .value = of([](const CertifiedOutput& made) { return made.certificate.wrong; }),
-         .heading = isShown ? "wrong before" : ""},
+         .value = ofRays(&measure::Certificate::wrong),
+         .heading = isShown ? "wrong before" : "",
+         .format = {.missing = "-"}},
         {.key = "repaired",
-         .value = of([](const CertifiedOutput& made) { return made.certificate.repairs.size(); }),
-         .heading = isShown ? "repaired" : ""},
+         .value = ofRays([](const measure::Certificate& made) { return made.repairs.size(); }),
+         .heading = isShown ? "repaired" : "",
+         .format = {.missing = "-"}},
         {.key = "refused", .value = of([](const CertifiedOutput& made) { return made.certificate.refused; })},
         {.key = "certify_ms",
          .value = of([](const CertifiedOutput& made) { return made.milliseconds; }),

@@ -86,18 +86,21 @@ bool isCamera(const Json& camera) {
 /// Whether CertificateFile takes it.
 bool isCertificate(const Json& json, std::uint32_t number) {
     const auto isCount = [&](std::string_view key) { return isUnsigned(valueAt(json, key)); };
+    const bool isRefused = json.is_object() && json.contains("first_refused");
+    const auto isCastCount = [&](std::string_view key) {
+        return isRefused ? json.contains(key) && json[key].is_null() : isCount(key);
+    };
     if (!isCount("frame") || valueAt(json, "frame") != number || !isCamera(valueAt(json, "camera")) ||
         !isNumberOrNull(valueAt(json, "snap_pixels")) ||
         !isNumberOrNull(valueAt(json, "certified_fraction")) || !isCount("pixels") || !isCount("certified") ||
-        !isCount("proven") || !isCount("cast") || !isCount("wrong_before") || !isCount("repaired") ||
-        !isCount("refused")) {
+        !isCount("proven") || !isCastCount("cast") || !isCastCount("wrong_before") ||
+        !isCastCount("repaired") || !isCount("refused")) {
         return false;
     }
     const auto isPixel = [](const Json& side) {
         return isUnsigned(side, std::numeric_limits<std::uint32_t>::max());
     };
-    return json.contains("first_refused") ? isListOf(json["first_refused"], 2, isPixel)
-                                          : isDigest(valueAt(json, "hash"));
+    return isRefused ? isListOf(json["first_refused"], 2, isPixel) : isDigest(valueAt(json, "hash"));
 }
 
 } // namespace

@@ -4,15 +4,17 @@ import { median } from "./statistics.js";
 
 /** What came out of all frames of a document. Counts are sums, times medians. */
 export function certifiedRow({ options, results }) {
-    const sum = (field) => results.reduce((all, row) => all + row[field], 0);
+    // Null where a frame was refused: no rays were cast for it.
+    const sum = (field) => results.some((row) => row[field] === null) ? null : results.reduce((all, row) => all + row[field], 0);
     const pixels = options.width * options.height * results.length;
+    const share = (field) => sum(field) === null ? null : sum(field) / pixels;
     return {
         scene: options.scene,
         technique: results[0].technique,
-        certified: sum("certified") / pixels,
-        proven: sum("proven") / pixels,
-        cast: sum("cast") / pixels,
-        repaired: sum("repaired") / pixels,
+        certified: share("certified"),
+        proven: share("proven"),
+        cast: share("cast"),
+        repaired: share("repaired"),
         wrongBefore: sum("wrong_before"),
         wrongAfter: sum("wrong") + sum("edge_wrong"), // counted after repair, by a ray through every pixel
         refused: sum("refused"),

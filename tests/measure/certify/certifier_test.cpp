@@ -263,6 +263,17 @@ TEST(Certifier, RepairsWhatTheDepthFormatDoesNotResolveAndRefusesWhatItDoes) {
     EXPECT_EQ(wrongAfter(scene, frame, certificate), 0u);
 }
 
+TEST(Certifier, CastsNoRayForAFrameThatItRefuses) {
+    scene::Scene scene = makeEmptyScene();
+    DrawnFrame frame = wrongWall(scene, 1e-7);
+    ASSERT_GT(certified(scene, frame).cast, 0u);
+    frame.ids.at(frame.ids.width / 2, frame.ids.height / 2) = 0;
+    const Certificate certificate = certified(scene, frame);
+    EXPECT_EQ(certificate.refused, 1u);
+    EXPECT_EQ(certificate.cast, 0u);
+    EXPECT_EQ(certificate.wrong, 0u);
+}
+
 /// A face's edge this far beside a column of pixel centres, as a share of what vertices may be off.
 Certificate certifiedAtEdge(double share) {
     scene::Scene scene = makeEmptyScene();

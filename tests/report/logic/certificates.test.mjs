@@ -16,3 +16,8 @@ test("a certificate's shares are of all pixels of all frames, and its times medi
 test("what is wrong after repair counts on edges too", () => {
     assert.equal(certifiedRow(document([frame(1, 1, { wrong: 2, edge_wrong: 3 }), frame(1, 1)])).wrongAfter, 5);
 });
+
+test("where a frame was refused, what rays would have found is not known", () => {
+    const row = certifiedRow(document([frame(1, 1), frame(1, 1, { refused: 2, cast: null, wrong_before: null, repaired: null })]));
+    assert.deepEqual([row.cast, row.wrongBefore, row.repaired, row.refused], [null, null, null, 2]);
+});

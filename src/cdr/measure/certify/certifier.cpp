@@ -170,7 +170,10 @@ Certificate Certifier::certify(const DrawnFrame& frame, platform::WorkerPool& wo
             certificate.firstRefused = {i % findings.width, i / findings.width};
         }
     }
-    if (!certificate.isRefused() && certificate.cast > 0) {
+    if (certificate.isRefused()) {
+        certificate.cast = 0;
+        certificate.castMasked = 0;
+    } else if (certificate.cast > 0) {
         repair(frame, findings, workers, certificate);
     }
     return certificate;

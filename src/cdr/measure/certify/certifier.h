@@ -29,7 +29,7 @@ struct PixelRepair {
     image::Rgba8 color{};      ///< sRGB, lit
 };
 
-/// What is known of a drawn picture.
+/// What is known of a drawn picture. Where pixels are refused, no ray is cast for the others: they are in no count.
 struct Certificate {
     std::uint64_t pixels = 0;
     std::uint64_t certified = 0;  ///< right, without a ray
