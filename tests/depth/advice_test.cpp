@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -167,7 +169,7 @@ TEST(Advice, MeasurementsDoNotOverruleSnapping) {
     EXPECT_EQ(explain(asked, advise(asked, measured)).front().find("was measured"), std::string::npos);
 }
 
-/// A measurement overrules the formula in both directions.
+/// A measurement overrules the formula in both directions, down to a step of the buffer.
 TEST(Advice, MeasurementsDecideWhereThereAreAny) {
     const AdviceQuestion asked = question(1e6, 0.5);
     const Advice predicted = advise(asked);
@@ -182,11 +184,11 @@ TEST(Advice, MeasurementsDecideWhereThereAreAny) {
         return static_cast<std::size_t>(rowOf(predicted, name, DepthFormat::d32f) - predicted.rows.begin());
     };
     measurements[index("reversed")] = {.resolvedView = 0.7, .largestView = 1.0};
-    measurements[index("log")] = {.resolvedView = 0.4, .largestView = 1.0, .timeRatio = 1.25};
+    measurements[index("logcdr")] = {.resolvedView = 0.45, .largestView = 1.0, .timeRatio = 1.25};
     Advice advice = advise(asked, measurements);
     EXPECT_FALSE(rowOf(advice, "reversed", DepthFormat::d32f)->suffices);
-    EXPECT_EQ(nameOf(advice.rows[*advice.simplest].technique), "log");
-    EXPECT_NE(explain(asked, advice)[0].find("was measured to resolve 0.4"), std::string::npos);
+    EXPECT_EQ(nameOf(advice.rows[*advice.simplest].technique), "logcdr");
+    EXPECT_NE(explain(asked, advice)[0].find("was measured to resolve 0.45"), std::string::npos);
     EXPECT_NE(explain(asked, advice)[1].find("+25.0 %"), std::string::npos);
 
     // Nothing that was tried came out right: wider gaps stay unanswered, narrower ones are refused.
@@ -217,18 +219,93 @@ TEST(Advice, NamesTheCost) {
     EXPECT_EQ(cost("logcdr"), "logarithm per vertex, 3 more depth clears");
 }
 
-TEST(Advice, TheWidestContentIsResolvedAndTwiceThatIsNot) {
+TEST(Advice, TheWidestContentIsResolvedAndFourTimesThatIsNot) {
     AdviceQuestion asked = question(1e6, 1e-4);
     const Advice advice = advise(asked);
+    ASSERT_TRUE(advice.widest);
     ASSERT_GT(advice.widestSpanView, 100.0);
-    const auto suffices = [&] { // anchored with its target set to the separation, before the finest
-        const Advice made = advise(asked);
-        return made.rows[made.rows.size() - asked.formats.size() - 1].suffices;
-    };
     asked.scene.spanView = 0.99 * advice.widestSpanView;
-    EXPECT_TRUE(suffices());
+    EXPECT_TRUE(advise(asked).rows[*advice.widest].suffices);
     asked.scene.spanView = 4.0 * advice.widestSpanView;
-    EXPECT_FALSE(suffices());
+    EXPECT_FALSE(advise(asked).rows[*advice.widest].suffices);
+}
+
+/// The line on the depth of content; empty where there is none.
+std::string widestLine(const AdviceQuestion& asked, const Advice& advice) {
+    for (const std::string& line : explain(asked, advice)) {
+        if (line.find(" while what is visible there is at most ") != std::string::npos) {
+            return line;
+        }
+    }
+    return "";
+}
+
+TEST(Advice, TheWidestContentIsOfWhatWasAskedFor) {
+    AdviceQuestion asked{.scene = {.nearView = 1.0,
+                                   .farView = 1e6,
+                                   .footprintSlope = 1e-3,
+                                   .atView = 1000.0,
+                                   .spanView = 200.0},
+                         .separationView = 1e-4,
+                         .formats = {DepthFormat::d16}};
+    const Advice advice = advise(asked);
+    ASSERT_FALSE(advice.simplest);
+    EXPECT_LT(advice.widestSpanView, 200.0) << "not d32f";
+    asked.techniques = {parseTechnique("reversed")};
+    EXPECT_EQ(widestLine(asked, advise(asked)), "") << "no anchored one was asked for";
+    asked.techniques = {parseTechnique("anchored")};
+    asked.formats = {DepthFormat::d16, DepthFormat::d32f};
+    EXPECT_EQ(widestLine(asked, advise(asked)).substr(0, 45),
+              "anchored with d32f resolves it while what is ");
+}
+
+/// Whoever asks again with content a little less deep than the line says gets that technique as enough.
+TEST(Advice, TheWidestContentKeepsItsPromise) {
+    std::mt19937_64 random(7);
+    const auto between = [&](double low, double high) {
+        return low * std::pow(high / low, std::uniform_real_distribution<double>()(random));
+    };
+    int lines = 0;
+    for (int i = 0; i < 60; ++i) {
+        AdviceQuestion asked;
+        asked.scene.footprintSlope = between(1e-4, 1e-2);
+        asked.scene.nearView = between(1e-3, 10.0);
+        asked.scene.farView = asked.scene.nearView * between(1e2, 1e9);
+        asked.scene.atView = between(2.0 * asked.scene.nearView, 0.9 * asked.scene.farView);
+        asked.scene.spanView = asked.scene.atView * between(1e-4, 1.0);
+        asked.separationView = asked.scene.atView * between(1e-11, 1e-3);
+        asked.formats = {kDepthFormats[random() % kDepthFormats.size()]};
+        const Advice advice = advise(asked);
+        ASSERT_EQ(advice.widest.has_value(), advice.widestSpanView > 0.0);
+        if (!advice.widest) {
+            continue;
+        }
+        lines += widestLine(asked, advice).empty() ? 0 : 1;
+        const AdviceRow& widest = advice.rows[*advice.widest];
+        EXPECT_EQ(widest.suffices, advice.widestSpanView >= asked.scene.spanView) << i;
+        asked.scene.spanView = widest.suffices ? std::max(asked.scene.spanView, 0.97 * advice.widestSpanView)
+                                               : 0.97 * advice.widestSpanView;
+        EXPECT_TRUE(advise(asked).rows[*advice.widest].suffices) << i << " " << nameOf(widest.technique);
+    }
+    EXPECT_GT(lines, 10);
+}
+
+/// One picture may have gaps in order that the buffer stores as one number.
+TEST(Advice, NothingSufficesBelowAStepOfTheDepthBuffer) {
+    AdviceQuestion asked = question(1e6, 1e-3);
+    const std::size_t rows = advise(asked).rows.size();
+    const std::vector<std::optional<Measurement>> lucky(
+        rows, Measurement{.resolvedView = 1e-9, .largestView = 1.0});
+    for (const double separation : {1e-7, 1e-5, 1e-3, 0.1, 10.0}) {
+        asked.separationView = separation;
+        for (const AdviceRow& row : advise(asked, lucky).rows) {
+            EXPECT_TRUE(!row.suffices || separation >= row.forecast.bufferStepView)
+                << nameOf(row.technique) << " " << separation;
+        }
+    }
+    asked.separationView = 1e-9;
+    EXPECT_NE(explain(asked, advise(asked, lucky)).front().find("limited by the steps of the depth buffer"),
+              std::string::npos);
 }
 
 TEST(Advice, RefusesNonsense) {

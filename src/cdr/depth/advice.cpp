@@ -38,20 +38,28 @@ bool resolves(const Technique& technique, const ForecastScene& scene, double sep
     return made && made->resolvedView() <= separationView;
 }
 
-double widestSpan(const AdviceQuestion& question) {
-    const Technique technique = anchoredFor(question.separationView, DepthFormat::d32f);
-    const auto fits = [&](double span) {
-        ForecastScene scene = question.scene;
-        scene.spanView = span;
-        return resolves(technique, scene, question.separationView);
-    };
+bool fitsSpan(const Technique& technique, const AdviceQuestion& question, double spanView) {
+    ForecastScene scene = question.scene;
+    scene.spanView = spanView;
+    return resolves(technique, scene, question.separationView);
+}
+
+/// How deep the content may be so that a technique resolves the separation; 0 where it does at no depth.
+double widestSpan(const Technique& technique, const AdviceQuestion& question) {
+    const auto fits = [&](double span) { return fitsSpan(technique, question, span); };
     double low = 1e-9 * question.scene.atView;
     double high = 2.0 * question.scene.farView;
     if (!fits(low)) {
         return 0.0;
     }
+    const double asked = question.scene.spanView;
+    if (fits(asked)) {
+        low = std::max(low, asked);
+    } else {
+        high = std::min(high, asked);
+    }
     if (fits(high)) {
-        return high;
+        return std::max(low, high);
     }
     constexpr int kMaxBisections = 64; // more than float64's whole range takes
     for (int i = 0; i < kMaxBisections && high > 1.01 * low; ++i) {
@@ -59,6 +67,19 @@ double widestSpan(const AdviceQuestion& question) {
         (fits(middle) ? low : high) = middle;
     }
     return low;
+}
+
+/// The same where no less deep content, down to a third, takes larger steps: what is resolved falls unevenly with the depth,
+/// since cascades come and go. The question's own depth stays one that fits.
+double evenSpan(const Technique& technique, const AdviceQuestion& question, double widestView) {
+    constexpr double kRatio = 1.005; // of depths that are tried
+    const double asked = question.scene.spanView;
+    const double least = fitsSpan(technique, question, asked) ? asked : 0.0;
+    double even = widestView;
+    for (double span = widestView; span > std::max(even / 3.0, least); span /= kRatio) {
+        even = fitsSpan(technique, question, span) ? even : std::max(span / kRatio, least);
+    }
+    return even;
 }
 
 bool isSameInAnyFormat(const Technique& a, const Technique& b) {
@@ -78,6 +99,28 @@ std::optional<std::size_t> simplestOf(const std::vector<AdviceRow>& rows) {
     return simplest;
 }
 
+/// Of the anchored rows. One whose measurement contradicts its forecast is left out: that is of one depth alone.
+void findWidest(const AdviceQuestion& question, Advice& advice) {
+    advice.widest.reset();
+    advice.widestSpanView = 0.0;
+    for (std::size_t i = 0; i < advice.rows.size(); ++i) {
+        const AdviceRow& row = advice.rows[i];
+        const bool isForecast = row.suffices == (row.forecast.resolvedView() <= question.separationView);
+        if (!isAnchored(row.technique.mapping) || !isForecast) {
+            continue;
+        }
+        const double span = widestSpan(row.technique, question);
+        if (span > advice.widestSpanView) {
+            advice.widest = i;
+            advice.widestSpanView = span;
+        }
+    }
+    if (advice.widest) {
+        advice.widestSpanView =
+            evenSpan(advice.rows[*advice.widest].technique, question, advice.widestSpanView);
+    }
+}
+
 /// The verb of a row: predicted or measured.
 std::string saysOf(const AdviceRow& row) {
     const bool isMeasured = row.measured && row.measured->resolvedView == row.resolvedView();
@@ -91,7 +134,8 @@ std::string limitOf(const AdviceRow& row) {
             std::max(row.forecast.bufferStepView, row.forecast.rounding.distanceGapView)) {
         return "the snapping of vertices to sub-pixels";
     }
-    if (row.forecast.bufferStepView >= 4.0 * row.forecast.rounding.distanceGapView) {
+    const bool isStepMeasured = row.measured && row.forecast.bufferStepView == row.resolvedView();
+    if (isStepMeasured || row.forecast.bufferStepView >= 4.0 * row.forecast.rounding.distanceGapView) {
         return "the steps of the depth buffer";
     }
     return isAnchored(row.technique.mapping) ? "float32 distances to the anchor plane"
@@ -167,9 +211,10 @@ double AdviceRow::resolvedView() const {
         return forecast.resolvedView();
     }
     // Beyond the largest separation tried there is only the prediction, which is at least that separation. What was measured
-    // has outlines alike, which snap alike: that says nothing of surfaces whose outlines differ.
+    // has outlines alike, which snap alike: that says nothing of surfaces whose outlines differ. And one picture may have gaps
+    // below a step of the buffer in order by luck.
     return std::max(measured->resolvedView.value_or(std::max(forecast.resolvedView(), measured->largestView)),
-                    forecast.rounding.snapGapView);
+                    std::max(forecast.bufferStepView, forecast.rounding.snapGapView));
 }
 
 Advice advise(const AdviceQuestion& question) {
@@ -196,7 +241,7 @@ base::Result<Advice> tryAdvise(const AdviceQuestion& question) {
                                .suffices = made->resolvedView() <= question.separationView});
     }
     advice.simplest = simplestOf(advice.rows);
-    advice.widestSpanView = widestSpan(question);
+    findWidest(question, advice);
     return advice;
 }
 
@@ -223,6 +268,7 @@ base::Result<Advice> tryAdvise(const AdviceQuestion& question,
         row.suffices = !failed && row.resolvedView() <= question.separationView;
     }
     advice.simplest = simplestOf(advice.rows);
+    findWidest(question, advice);
     return advice;
 }
 
@@ -276,8 +322,10 @@ std::vector<std::string> explain(const AdviceQuestion& question, const Advice& a
     }
     const bool needsAnchored =
         !advice.simplest || isAnchored(advice.rows[*advice.simplest].technique.mapping);
-    if (needsAnchored && advice.widestSpanView > 0.0) {
-        lines.push_back(base::concat("anchored resolves it while what is visible there is at most ",
+    if (needsAnchored && advice.widest) {
+        const Technique& widest = advice.rows[*advice.widest].technique;
+        lines.push_back(base::concat(nameOf(widest), " with ", nameOf(widest.format),
+                                     " resolves it while what is visible there is at most ",
                                      lengthText(advice.widestSpanView), " deep."));
     }
     if (const std::string line = snappingLine(question, lengthText); !line.empty()) {

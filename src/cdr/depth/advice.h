@@ -46,8 +46,8 @@ struct CDR_EXPORT AdviceRow {
     std::optional<Measurement> measured; ///< on a device; empty: it was not tried
     bool suffices = false;               ///< as measured, else as predicted
 
-    /// The smallest separation it resolves: as measured where there is a measurement, else as predicted. Never below what
-    /// snapping moves, where the question asks for it: measurements do not show that.
+    /// The smallest separation it resolves: as measured where there is a measurement, else as predicted. Never below a
+    /// step of the depth buffer, nor below what snapping moves, where the question asks for it: measurements do not show that.
     double resolvedView() const;
 };
 
@@ -55,9 +55,10 @@ struct CDR_EXPORT AdviceRow {
 struct Advice {
     std::vector<AdviceRow> rows;         ///< simplest first, or in the order of AdviceQuestion::techniques
     std::optional<std::size_t> simplest; ///< the first technique that suffices, with the fewest cascades
-    /// How deep the content around the distance may be so that anchored resolves the separation in at most
-    /// eight cascades; 0 when it cannot.
+    /// How deep the content around the distance may be so that the row `widest` still suffices, as predicted; 0 where no
+    /// anchored technique of the rows does at any depth.
     double widestSpanView = 0.0;
+    std::optional<std::size_t> widest; ///< of the anchored ones, the one that takes the deepest content
 };
 
 /// Forecasts each of the question's techniques in each of its formats.
