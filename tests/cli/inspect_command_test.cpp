@@ -247,6 +247,22 @@ TEST(InspectCommand, AddsSharesOfOneTotal) {
     EXPECT_NE(run.out.find("reversed with d16: of the object pixels, "), std::string::npos) << run.out;
 }
 
+/// Of its inner pixels alone a quarter is wrong.
+TEST(InspectCommand, TheVerdictIsOfObjectPixelsAsTheStatusIs) {
+    const TemporaryFolder folder;
+    const std::string standard =
+        "afc --techniques standard --technique standard --frames 2 --size 320x180 --json a.json --fail-above ";
+    const InspectRun wide = inspect(standard + "0.2", folder);
+    EXPECT_GT(rowOf(wide.document, "standard", "d32f").at("wrong_fraction"), 0.2);
+    EXPECT_EQ(wide.status, 0);
+    EXPECT_TRUE(isSaid(wide.document, " is the simplest that suffices"));
+    const InspectRun narrow = inspect(standard + "0.1", folder);
+    EXPECT_EQ(narrow.status, 0);
+    EXPECT_TRUE(isSaid(narrow.document, "Nothing here suffices"));
+    EXPECT_TRUE(isSaid(narrow.document, " object pixels wrong"));
+    EXPECT_TRUE(isSaid(narrow.document, "but depth does not decide the order of ")) << narrow.out;
+}
+
 /// The order of drawing may hide that the depth buffer stores one number for both.
 TEST(InspectCommand, LuckDoesNotSuffice) {
     const TemporaryFolder folder;

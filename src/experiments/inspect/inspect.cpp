@@ -196,14 +196,15 @@ Inspection runInspect(const gpu::Device& device, const scene::Scene& scene,
             }
         }
     }
+    inspection.allowedShare = options.allowedShare;
     inspection.pairs = pairs.pairs();
     const auto isJudged = [](const InspectedTechnique& each) { return each.isJudged; };
     inspection.judged = static_cast<std::size_t>(
         std::find_if(techniques.begin(), techniques.end(), isJudged) - techniques.begin());
     const auto suffices =
         std::find_if(techniques.begin(), techniques.end(), [&](const InspectedTechnique& each) {
-            return each.wrong.pixels > 0 && each.wrong.fraction() <= options.allowedShare &&
-                   each.undecidedFraction() <= std::max(options.allowedShare, kNearlyNone);
+            return each.wrong.pixels > 0 && inspection.wrongFraction(each) <= options.allowedShare &&
+                   inspection.undecidedFraction(each) <= std::max(options.allowedShare, kNearlyNone);
         });
     if (suffices != techniques.end()) {
         inspection.simplest = static_cast<std::size_t>(suffices - techniques.begin());

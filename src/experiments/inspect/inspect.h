@@ -27,7 +27,7 @@ struct InspectOptions {
     render::Snapping snapping = render::Snapping::byDevice; ///< likewise
     std::vector<depth::NamedTechnique>
         techniques;               ///< all presets when empty, each in every format that the device has
-    double allowedShare = 0.0;    ///< of wrong pixels, from which on a technique no longer suffices
+    double allowedShare = 0.0;    ///< of object pixels that may be wrong, and that may be undecided
     depth::NamedTechnique judged; ///< whose wrong pixels the heat map shows; one of them, or one more
 };
 
@@ -54,19 +54,28 @@ struct Inspection {
     std::vector<InspectedTechnique> techniques; ///< simplest first
     std::size_t judged = 0;                     ///< index of it
     std::optional<std::size_t> simplest{}; ///< the first with no more wrong and undecided pixels than allowed
+    double allowedShare = 0.0;             ///< InspectOptions::allowedShare
     std::uint64_t objectPixels = 0;        ///< that show an object, edges too
     std::uint64_t coplanarPixels = 0;      ///< of them, whose two nearest surfaces lie in one plane
     image::ImageRgba8 heatMap{}; ///< of the worst view: red wrong, orange wrong on an edge, magenta coplanar
 
-    double coplanarFraction() const { return shareOf(coplanarPixels); }
+    double coplanarFraction() const { return shareOf(static_cast<double>(coplanarPixels)); }
     /// Whether a view shows surfaces off edges that some technique could order.
     bool couldJudge() const { return techniques[judged].wrong.pixels > 0; }
     /// Share of the object pixels that the judged technique gets wrong, off edges.
-    double wrongFraction() const { return shareOf(techniques[judged].wrong.wrong); }
+    double wrongFraction() const { return wrongFraction(techniques[judged]); }
+    /// The same of any technique: by it and by undecidedFraction() a technique suffices.
+    double wrongFraction(const InspectedTechnique& each) const {
+        return shareOf(static_cast<double>(each.wrong.wrong));
+    }
+    /// Share of the object pixels whose order depth does not tell.
+    double undecidedFraction(const InspectedTechnique& each) const { return shareOf(each.undecided); }
     /// Share of the object pixels that the judged technique gets wrong or that no technique gets right.
-    double badFraction() const { return shareOf(techniques[judged].wrong.wrong + coplanarPixels); }
-    double shareOf(std::uint64_t pixels) const {
-        return objectPixels ? static_cast<double>(pixels) / static_cast<double>(objectPixels) : 0.0;
+    double badFraction() const {
+        return shareOf(static_cast<double>(techniques[judged].wrong.wrong + coplanarPixels));
+    }
+    double shareOf(double pixels) const {
+        return objectPixels ? pixels / static_cast<double>(objectPixels) : 0.0;
     }
 };
 

@@ -28,8 +28,8 @@ std::string both(const scene::Scene& scene, const ObjectPair& pair, const char* 
 }
 
 std::string simplestLine(const Inspection& inspection) {
-    const auto pixels = [](const InspectedTechnique& each) {
-        return fmt::format("{} of {} pixels", each.wrong.wrong, each.wrong.pixels);
+    const auto pixels = [&](const InspectedTechnique& each) {
+        return fmt::format("{} of {} object pixels", each.wrong.wrong, inspection.objectPixels);
     };
     if (!inspection.couldJudge()) {
         return "No technique could be judged: no view shows a surface off edges that a technique can order.";
@@ -41,11 +41,15 @@ std::string simplestLine(const Inspection& inspection) {
                                                   : fmt::format("{} cascades", simplest.cascades),
                            simplest.wrong.wrong == 0 ? "no pixels" : pixels(simplest));
     }
-    const auto best = std::min_element(
-        inspection.techniques.begin(), inspection.techniques.end(),
-        [](const auto& a, const auto& b) { return a.wrong.fraction() < b.wrong.fraction(); });
-    return fmt::format("Nothing here suffices: {} comes nearest, with {} wrong, {}.", nameOf(*best),
-                       pixels(*best), shareText(best->wrong.fraction()));
+    const auto best =
+        std::min_element(inspection.techniques.begin(), inspection.techniques.end(),
+                         [](const auto& a, const auto& b) { return a.wrong.wrong < b.wrong.wrong; });
+    const bool isUndecided = inspection.wrongFraction(*best) <= inspection.allowedShare;
+    return fmt::format("Nothing here suffices: {} comes nearest, with {} wrong, {}{}.", nameOf(*best),
+                       pixels(*best), shareText(inspection.wrongFraction(*best)),
+                       isUndecided ? fmt::format(", but depth does not decide the order of {}",
+                                                 shareText(inspection.undecidedFraction(*best)))
+                                   : "");
 }
 
 /// What separates two coplanar faces, with the gaps that techniques resolve there, as far as they are known.
