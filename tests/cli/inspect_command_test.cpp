@@ -124,6 +124,21 @@ TEST(InspectCommand, FindsNothingWhereALayerSaysWhichIsSeen) {
     EXPECT_EQ(rowOf(run.document, "anchored", "d32f").at("wrong"), 0);
 }
 
+/// A pixel is 0.1 wide there.
+TEST(InspectCommand, NamesCoplanarFacesNarrowerThanThreePixels) {
+    const TemporaryFolder folder;
+    std::vector<PlantedSquare> squares{{"wall", {0.3, 0.0, -30.1}, 20.0}};
+    for (int i = 0; i < 8; ++i) {
+        squares.push_back({"dot" + std::to_string(i), {0.71 * i - 2.9, 0.3, -30.1}, 0.15});
+    }
+    writeSquares(folder.path() / "a.gltf", squares);
+    const InspectRun run = inspect("a.gltf" + std::string(kSmall), folder);
+    EXPECT_GT(run.document.at("coplanar_fraction"), 0.0);
+    ASSERT_FALSE(findings(run.document).empty());
+    EXPECT_EQ(findings(run.document).front().substr(0, 17), "coplanar wall dot");
+    EXPECT_TRUE(isSaid(run.document, " in one plane, ")) << run.out;
+}
+
 /// A masked material that keeps all, or nothing, of what it covers.
 json maskOf(double alpha) {
     return {{"alphaMode", "MASK"}, {"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.5, 0.5, alpha}}}}};

@@ -45,17 +45,19 @@ image::ImageU32 PairCollector::blendedInPlane(const scene::Camera& camera, const
 }
 
 void PairCollector::addBlended(const measure::TruthImage& truth, const image::ImageU32& blended) {
-    for (std::uint32_t y = 1; y + 1 < truth.height; ++y) {
-        for (std::uint32_t x = 1; x + 1 < truth.width; ++x) {
+    for (std::uint32_t y = 0; y < truth.height; ++y) {
+        for (std::uint32_t x = 0; x < truth.width; ++x) {
             const std::uint32_t id = truth.at(x, y).id;
             const std::uint32_t blendedId = blended.at(x, y);
-            if (blendedId == 0 || !isAmongAlike(x, y, [&](std::uint32_t i, std::uint32_t j) {
-                    return truth.at(i, j).id == id && blended.at(i, j) == blendedId;
-                })) {
+            if (blendedId == 0) {
                 continue;
             }
+            const bool isInner =
+                isInside(x, y, truth) && isAmongAlike(x, y, [&](std::uint32_t i, std::uint32_t j) {
+                    return truth.at(i, j).id == id && blended.at(i, j) == blendedId;
+                });
             const auto ids = std::minmax(id, blendedId);
-            ObjectPair& pair = m_pairs[{ids.first, ids.second}].pair;
+            ObjectPair& pair = (isInner ? m_pairs : m_narrow)[{ids.first, ids.second}].pair;
             pair.front = ids.first - 1;
             pair.back = ids.second - 1;
             pair.atView = pair.coplanar == 0 ? truth.at(x, y).distanceView : pair.atView;

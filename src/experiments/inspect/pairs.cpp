@@ -108,23 +108,24 @@ void PairCollector::add(const scene::Camera& camera, const measure::TruthImage& 
             m_isSeen[pixel.id - 1] = true;
         }
     }
-    for (std::uint32_t y = 1; y + 1 < truth.height; ++y) {
-        for (std::uint32_t x = 1; x + 1 < truth.width; ++x) {
+    for (std::uint32_t y = 0; y < truth.height; ++y) {
+        for (std::uint32_t x = 0; x < truth.width; ++x) {
             const measure::TruthPixel& pixel = truth.at(x, y);
             if (pixel.secondId == 0) {
                 continue;
             }
             const bool isCoplanar = coplanar.at(x, y) != 0;
             const Ids ids = isCoplanar ? sorted(pixel) : Ids{pixel.id, pixel.secondId};
-            const bool isInner = isAmongAlike(x, y, [&](std::uint32_t i, std::uint32_t j) {
-                const measure::TruthPixel& other = truth.at(i, j);
-                return other.secondId != 0 && (coplanar.at(i, j) != 0) == isCoplanar &&
-                       (isCoplanar ? sorted(other) : Ids{other.id, other.secondId}) == ids;
-            });
-            if (!isInner) {
+            const bool isInner =
+                isInside(x, y, truth) && isAmongAlike(x, y, [&](std::uint32_t i, std::uint32_t j) {
+                    const measure::TruthPixel& other = truth.at(i, j);
+                    return other.secondId != 0 && (coplanar.at(i, j) != 0) == isCoplanar &&
+                           (isCoplanar ? sorted(other) : Ids{other.id, other.secondId}) == ids;
+                });
+            if (!isInner && !isCoplanar) {
                 continue;
             }
-            Found& found = m_pairs[ids];
+            Found& found = (isInner ? m_pairs : m_narrow)[ids];
             ObjectPair& pair = found.pair;
             pair.front = ids.first - 1;
             pair.back = ids.second - 1;
@@ -143,7 +144,12 @@ void PairCollector::add(const scene::Camera& camera, const measure::TruthImage& 
 
 std::vector<ObjectPair> PairCollector::pairs() const {
     std::vector<ObjectPair> all;
-    for (const auto& [ids, found] : m_pairs) {
+    Pairs entered = m_pairs;
+    for (const auto& [ids, found] : m_narrow) {
+        Found& inner = entered[ids];
+        inner = inner.pair.isCoplanar() ? inner : found;
+    }
+    for (const auto& [ids, found] : entered) {
         all.push_back(found.pair);
         all.back().isSunk = !found.pair.isCoplanar() && !m_isSeen[found.pair.back] &&
                             2 * found.close >= found.pair.pixels && isThin(found.pair.back);

@@ -16,7 +16,8 @@
 namespace cdr::experiments {
 
 /// Two objects that pixels show in front of each other, over all views. Only pixels whose eight neighbours show the same
-/// two count: elsewhere outlines and lines where surfaces cross decide.
+/// two count: elsewhere outlines and lines where surfaces cross decide. If no pixel of a coplanar pair is such, all of its pixels
+/// count: stripes may be that narrow.
 struct ObjectPair {
     std::uint32_t front = 0; ///< object index of what is seen
     std::uint32_t back =
@@ -77,8 +78,9 @@ class PairCollector {
         ObjectPair pair;
         std::uint64_t close = 0; ///< pixels whose gap is small for the object behind
     };
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Found>
-        m_pairs; ///< by front and back; coplanar by lower index
+    using Pairs = std::map<std::pair<std::uint32_t, std::uint32_t>, Found>;
+    Pairs m_pairs;  ///< by front and back; coplanar by lower index
+    Pairs m_narrow; ///< the same of coplanar pixels whose neighbours show others
 };
 
 } // namespace cdr::experiments

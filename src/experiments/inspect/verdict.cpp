@@ -119,8 +119,10 @@ std::vector<std::string> explain(const Inspection& inspection, const scene::Scen
                                     both(scene, *nearest, "lies before"), lengthText(nearest->gapView),
                                     lengthText(nearest->atView)));
     }
-    if (coplanar > kNamed) {
-        lines.push_back(fmt::format("{} pairs lie in one plane, {} of all pixels.", coplanar,
+    if (inspection.coplanarPixels > 0) {
+        lines.push_back(fmt::format("{} lie in one plane, {} of the object pixels.",
+                                    coplanar == 1 ? "Surfaces of one pair"
+                                                  : fmt::format("Surfaces of {} pairs", coplanar),
                                     shareText(inspection.coplanarFraction())));
     }
     return lines;
