@@ -76,7 +76,7 @@ double evenSpan(const Technique& technique, const AdviceQuestion& question, doub
     const double asked = question.scene.spanView;
     const double least = fitsSpan(technique, question, asked) ? asked : 0.0;
     double even = widestView;
-    constexpr int kMaxTries = 200; // a third, and an end where no float64 is less
+    constexpr int kMaxTries = 1000; // several thirds, and an end where no float64 is less
     double span = widestView;
     for (int i = 0; i < kMaxTries && span > std::max(even / 3.0, least); ++i, span /= kRatio) {
         even = fitsSpan(technique, question, span) ? even : std::max(span / kRatio, least);
