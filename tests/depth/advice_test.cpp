@@ -259,14 +259,14 @@ TEST(Advice, TheWidestContentIsOfWhatWasAskedFor) {
               "anchored with d32f resolves it while what is ");
 }
 
-/// Whoever asks again with content a little less deep than the line says gets that technique as enough.
+/// Whoever asks again with content as deep as the line says gets that technique as enough.
 TEST(Advice, TheWidestContentKeepsItsPromise) {
     std::mt19937_64 random(7);
     const auto between = [&](double low, double high) {
         return low * std::pow(high / low, std::uniform_real_distribution<double>()(random));
     };
     int lines = 0;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 500; ++i) {
         AdviceQuestion asked;
         asked.scene.footprintSlope = between(1e-4, 1e-2);
         asked.scene.nearView = between(1e-3, 10.0);
@@ -283,8 +283,7 @@ TEST(Advice, TheWidestContentKeepsItsPromise) {
         lines += widestLine(asked, advice).empty() ? 0 : 1;
         const AdviceRow& widest = advice.rows[*advice.widest];
         EXPECT_EQ(widest.suffices, advice.widestSpanView >= asked.scene.spanView) << i;
-        asked.scene.spanView = widest.suffices ? std::max(asked.scene.spanView, 0.97 * advice.widestSpanView)
-                                               : 0.97 * advice.widestSpanView;
+        asked.scene.spanView = advice.widestSpanView;
         EXPECT_TRUE(advise(asked).rows[*advice.widest].suffices) << i << " " << nameOf(widest.technique);
     }
     EXPECT_GT(lines, 10);

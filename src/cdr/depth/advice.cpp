@@ -69,21 +69,6 @@ double widestSpan(const Technique& technique, const AdviceQuestion& question) {
     return low;
 }
 
-/// The same where no less deep content, down to a third, takes larger steps: what is resolved falls unevenly with the depth,
-/// since cascades come and go. The question's own depth stays one that fits.
-double evenSpan(const Technique& technique, const AdviceQuestion& question, double widestView) {
-    constexpr double kRatio = 1.005; // of depths that are tried
-    const double asked = question.scene.spanView;
-    const double least = fitsSpan(technique, question, asked) ? asked : 0.0;
-    double even = widestView;
-    constexpr int kMaxTries = 1000; // several thirds, and an end where no float64 is less
-    double span = widestView;
-    for (int i = 0; i < kMaxTries && span > std::max(even / 3.0, least); ++i, span /= kRatio) {
-        even = fitsSpan(technique, question, span) ? even : std::max(span / kRatio, least);
-    }
-    return even;
-}
-
 bool isSameInAnyFormat(const Technique& a, const Technique& b) {
     return a.mapping == b.mapping && a.split == b.split;
 }
@@ -101,25 +86,25 @@ std::optional<std::size_t> simplestOf(const std::vector<AdviceRow>& rows) {
     return simplest;
 }
 
-/// Of the anchored rows. One whose measurement contradicts its forecast is left out: that is of one depth alone.
+/// Of the anchored row that resolves most. A row whose measurement contradicts its forecast is left out: that is of one depth
+/// alone.
 void findWidest(const AdviceQuestion& question, Advice& advice) {
     advice.widest.reset();
     advice.widestSpanView = 0.0;
     for (std::size_t i = 0; i < advice.rows.size(); ++i) {
         const AdviceRow& row = advice.rows[i];
         const bool isForecast = row.suffices == (row.forecast.resolvedView() <= question.separationView);
-        if (!isAnchored(row.technique.mapping) || !isForecast) {
-            continue;
-        }
-        const double span = widestSpan(row.technique, question);
-        if (span > advice.widestSpanView) {
+        if (isAnchored(row.technique.mapping) && isForecast &&
+            (!advice.widest ||
+             row.forecast.resolvedView() < advice.rows[*advice.widest].forecast.resolvedView())) {
             advice.widest = i;
-            advice.widestSpanView = span;
         }
     }
     if (advice.widest) {
-        advice.widestSpanView =
-            evenSpan(advice.rows[*advice.widest].technique, question, advice.widestSpanView);
+        advice.widestSpanView = widestSpan(advice.rows[*advice.widest].technique, question);
+    }
+    if (!(advice.widestSpanView > 0.0)) {
+        advice.widest.reset();
     }
 }
 

@@ -56,9 +56,10 @@ struct Advice {
     std::vector<AdviceRow> rows;         ///< simplest first, or in the order of AdviceQuestion::techniques
     std::optional<std::size_t> simplest; ///< the first technique that suffices, with the fewest cascades
     /// How deep the content around the distance may be so that the row `widest` still suffices, as predicted; 0 where no
-    /// anchored technique of the rows does at any depth.
+    /// anchored technique of the rows does at any depth. Cascades come and go with the depth, so now and then content that is a
+    /// little less deep is resolved worse.
     double widestSpanView = 0.0;
-    std::optional<std::size_t> widest; ///< of the anchored ones, the one that takes the deepest content
+    std::optional<std::size_t> widest; ///< of the anchored ones, the one that resolves most
 };
 
 /// Forecasts each of the question's techniques in each of its formats.
