@@ -124,7 +124,6 @@ GpuScene::State::State(const gpu::Device& device, const scene::Scene& scene, std
       m_lastVertices(device),
       m_vertexUpdates(device),
       m_textures(device, threads) {
-    scene::requireUsable(scene);
     gpu::requireDeviceBytes(device, predictBytes(scene), "scene " + scene.name);
     m_meshes.upload(scene);
     m_textures.follow(scene, {}, m_retired);
@@ -134,10 +133,11 @@ GpuScene::State::State(const gpu::Device& device, const scene::Scene& scene, std
 }
 
 GpuScene::GpuScene(const gpu::Device& device, const scene::Scene& scene, std::size_t threads)
-    : m_state(std::make_unique<State>(device, scene, threads)) {}
+    : m_state((scene::requireUsable(scene), std::make_unique<State>(device, scene, threads))) {}
 
+// A world checks each edit. Bounds of a pose that the device makes need not hold the vertices of the scene.
 GpuScene::GpuScene(const gpu::Device& device, const scene::World& world, std::size_t threads)
-    : GpuScene(device, world.scene(), threads) {
+    : m_state(std::make_unique<State>(device, world.scene(), threads)) {
     m_state->m_world = &world;
     m_state->m_followed = State::Followed::allOf(world.changes());
     if (m_state->followPoses()) {
@@ -290,6 +290,7 @@ void GpuScene::State::replaceTables() {
     const vk::Buffer detailsBefore = m_meshes.details().handle();
     if (areMeshesOthers) {
         m_meshes.follow(*m_scene, meshes, m_retired);
+        m_vertexUpdates.forget(meshes);
     }
     if (!meshes && !changes.vertices.since(m_followed.vertices)) { // all is there, and nothing deformed
         m_followed.vertices = changes.vertices.end();

@@ -374,6 +374,44 @@ TEST_F(MotionTest, PartsOfAnObjectMoveAsOneOrAreRefused) {
     EXPECT_EQ(renderer.render(camera).motion.at(180, 140), glm::vec2(0.0f));
 }
 
+/// As engines hide things, draw cards, and scale above a part's own rotation.
+TEST_F(MotionTest, FlatHiddenAndStretchedPartsMoveAsOneToo) {
+    const glm::mat3 stretch(glm::vec3(1.0f, 0.0f, 0.0f), glm::vec3(0.0f, 1000.0f, 0.0f),
+                            glm::vec3(0.0f, 0.0f, 1.0f));
+    const glm::mat3 flat(glm::vec3(1.0f, 0.0f, 0.0f), glm::vec3(0.0f), glm::vec3(0.0f, 0.0f, 1.0f));
+    const glm::mat3 turn = turned(0.3, {0.0, 0.6, 0.8}, 1.0);
+    const std::vector<std::pair<glm::mat3, glm::mat3>> moves{{glm::mat3(1.0f), glm::mat3(0.0f)}, // hidden
+                                                             {glm::mat3(1.0f), flat},
+                                                             {flat, flat}, // a card
+                                                             {stretch, turn * stretch}};
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        scene::World world(boxScene());
+        const auto place = [&](const glm::mat3& parent, int part, double right) {
+            const glm::vec3 at(part == 0 ? -0.6f : 0.6f, 0.01f, 0.0f);
+            const glm::mat3 own = turned(0.7 * part + 0.1, {0.6, 0.0, 0.8}, 0.3);
+            return scene::Transform{glm::dvec3(parent * at) + glm::dvec3(right, 0.0, -6.0), parent * own};
+        };
+        std::vector<scene::InstanceHandle> parts;
+        for (int part = 0; part < 2; ++part) {
+            parts.push_back(world.addInstance({.mesh = world.mesh(0),
+                                               .material = world.material(0),
+                                               .object = 7,
+                                               .transform = place(moves[i].first, part, 0.0)}));
+        }
+        render::GpuScene onDevice(device(), world);
+        render::Renderer renderer(device(), onDevice, options());
+        const scene::Camera camera{.fovY = 0.5};
+        renderer.render(camera);
+        const auto moved = [&](int part, double right) { return place(moves[i].second, part, right); };
+        world.setTransforms(parts, std::vector{moved(0, 0.2), moved(1, 0.2)});
+        EXPECT_NO_THROW(renderer.render(camera)) << i;
+        world.setTransforms(parts, std::vector{moved(0, 0.3), moved(1, 0.3)});
+        EXPECT_NO_THROW(renderer.render(camera)) << i;
+        world.setTransforms(parts, std::vector{moved(0, 0.4), moved(1, 0.7)});
+        EXPECT_THROW(renderer.render(camera), base::InputError) << i;
+    }
+}
+
 TEST_F(MotionTest, GoesIntoAHostsImage) {
     std::mt19937 random(8);
     FarWorld far(1e6, 2.0);

@@ -190,6 +190,73 @@ TEST_F(DeviceVerticesTest, OutlastEditsOfOtherMeshes) {
     EXPECT_EQ(messageCount(), 0u);
 }
 
+/// A pose of one joint, which scales and turns.
+scene::MeshPose jointPose(const scene::Mesh& mesh, const glm::dmat4& joint) {
+    auto deformer = std::make_shared<scene::Deformer>();
+    deformer->vertices = mesh.vertices;
+    for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
+        deformer->firstInfluence.push_back(i);
+        deformer->influences.push_back({0, 1.0f});
+    }
+    deformer->firstInfluence.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+    finish(*deformer);
+    scene::MeshPose pose{.deformer = deformer, .weights = {}, .joints = {joint}, .place = {}};
+    pose.place = placeOf(*deformer, pose.joints);
+    return pose;
+}
+
+/// The bounds of a pose need not hold the vertices at rest.
+TEST_F(DeviceVerticesTest, OfAPosedWorldAreThereInAnotherGpuScene) {
+    scene::Scene scene = boxScene();
+    addBox(scene, {0.0, 0.0, -7.0});
+    const scene::MeshPose pose = jointPose(scene.meshes[0], glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)));
+    scene::World world(std::move(scene));
+    const render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
+    render::GpuScene first(device(), world);
+    render::Renderer live(device(), first, options);
+    world.setPose(world.mesh(0), pose);
+    const std::string wanted = hashOf(live.render({}));
+    render::GpuScene second(device(), world);
+    EXPECT_EQ(hashOf(render::Renderer(device(), second, options).render({})), wanted);
+    const scene::World copy = world;
+    render::GpuScene third(device(), copy);
+    EXPECT_EQ(hashOf(render::Renderer(device(), third, options).render({})), wanted);
+}
+
+/// Whether a mesh has facets is asked of its own triangles, not of those at its place before.
+TEST_F(DeviceVerticesTest, OfAMeshInThePlaceOfAnotherAreShadedByItsOwnTriangles) {
+    const scene::Mesh box = scene::makeBox(glm::vec3(1.0f));
+    scene::Mesh joined = box; // triangles that join corners of different faces
+    joined.boxHalfSides.reset();
+    joined.indices.clear();
+    for (std::uint32_t i = 0; i < 24; ++i) {
+        joined.indices.insert(joined.indices.end(), {i, (i + 5) % 24, (i + 10) % 24});
+    }
+    const scene::MeshPose pose = jointPose(box, glm::rotate(glm::dmat4(1.0), 0.5, glm::dvec3(1.0, 1.0, 0.0)));
+    const render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
+    const auto add = [](scene::World& world, const scene::Mesh& mesh) {
+        const scene::MeshHandle handle = world.addMesh(mesh);
+        const scene::InstanceHandle instance = world.addInstance(
+            {.mesh = handle, .material = world.material(0), .object = 3, .transform = {{0.0, 0.0, -5.0}}});
+        return std::pair(handle, instance);
+    };
+    scene::World world(boxScene());
+    render::GpuScene onDevice(device(), world);
+    render::Renderer live(device(), onDevice, options);
+    const auto [before, instance] = add(world, box);
+    world.setPose(before, pose);
+    live.render({});
+    world.removeInstance(instance);
+    world.removeMesh(before);
+    const auto [after, other] = add(world, joined);
+    ASSERT_EQ(after.index, before.index);
+    world.setPose(after, pose);
+    scene::World anew(boxScene());
+    anew.setPose(add(anew, joined).first, pose);
+    render::GpuScene anewScene(device(), anew);
+    EXPECT_EQ(hashOf(live.render({})), hashOf(render::Renderer(device(), anewScene, options).render({})));
+}
+
 /// Facets are made by the CPU, which needs the vertices for them.
 TEST_F(DeviceVerticesTest, AreNoFacetsUnlessTheCpuHasThemToo) {
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.5, .farView = 1000.0};

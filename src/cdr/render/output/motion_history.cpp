@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -27,14 +28,50 @@ double largest(const glm::dmat3& matrix) {
     return most;
 }
 
-/// Whether one move of all that belongs together brings both where they were.
-bool moveAsOne(const MovedObject& a, const MovedObject& b) {
-    const glm::dmat3 turn = glm::dmat3(a.before.basis) * glm::inverse(glm::dmat3(a.now.basis));
-    const glm::dmat3 basis = turn * glm::dmat3(b.now.basis);
-    const glm::dvec3 apart = b.now.position - a.now.position;
-    const glm::dvec3 off = (b.before.position - a.before.position) - turn * apart;
-    const double most = kApart * glm::length(apart) + 1e-15 * glm::length(a.before.position);
-    return largest(glm::dmat3(b.before.basis) - basis) <= kApart * largest(basis) && glm::length(off) <= most;
+bool isTurned(const MovedObject& moved) {
+    return moved.before.basis != moved.now.basis;
+}
+
+/// How many times less exact a turn is that is found by this basis than the basis. Infinite where it is flat.
+double conditionOf(const glm::mat3& basis) {
+    const glm::dmat3 exact(basis);
+    return glm::determinant(exact) == 0.0 ? std::numeric_limits<double>::infinity()
+                                          : largest(exact) * largest(glm::inverse(exact));
+}
+
+/// How parts of an object moved, told by one of them.
+struct CommonMove {
+    const MovedObject& part;
+    double condition = 1.0;
+    glm::dmat3 turn{1.0};
+};
+
+/// By the part that tells it best. No turn where no part turned.
+CommonMove commonMove(std::span<const MovedObject> parts) {
+    if (std::none_of(parts.begin(), parts.end(), isTurned)) {
+        return {.part = parts.front()};
+    }
+    const auto best =
+        std::min_element(parts.begin(), parts.end(), [](const MovedObject& a, const MovedObject& b) {
+            return conditionOf(a.now.basis) < conditionOf(b.now.basis);
+        });
+    return {.part = *best,
+            .condition = conditionOf(best->now.basis),
+            .turn = glm::dmat3(best->before.basis) * glm::inverse(glm::dmat3(best->now.basis))};
+}
+
+/// Whether that move brings a part where it was. Where all parts are flat and turned, none tells how the others moved.
+bool isOfMove(const CommonMove& move, const MovedObject& part) {
+    if (!std::isfinite(move.condition)) {
+        return true;
+    }
+    const double allowed = kApart * move.condition;
+    const glm::dmat3 basis = move.turn * glm::dmat3(part.now.basis);
+    const glm::dvec3 apart = part.now.position - move.part.now.position;
+    const glm::dvec3 off = (part.before.position - move.part.before.position) - move.turn * apart;
+    const double most = allowed * glm::length(apart) + 1e-15 * glm::length(move.part.before.position);
+    return largest(glm::dmat3(part.before.basis) - basis) <= allowed * largest(basis) &&
+           glm::length(off) <= most;
 }
 
 /// Brings the instances of each object together, all of which must have moved alike.
@@ -50,14 +87,15 @@ std::vector<MovedObject> oncePerObject(std::vector<MovedObject> moved,
         const auto end = std::find_if(
             first, moved.end(), [&](const MovedObject& other) { return other.object != first->object; });
         const bool areAll = static_cast<std::uint32_t>(end - first) == instances[first->object];
-        if (!areAll || !std::all_of(first, end, [&](const MovedObject& other) {
-                return &other == &*first || moveAsOne(*first, other);
+        const CommonMove move = commonMove({first, end});
+        if (!areAll || !std::all_of(first, end, [&](const MovedObject& part) {
+                return &part == &move.part || isOfMove(move, part);
             })) {
             throw base::InputError(fmt::format("motion needs each object to move as one, and instances of "
                                                "object {} moved apart",
                                                first->object));
         }
-        objects.push_back(*first);
+        objects.push_back(move.part);
         first = end;
     }
     return objects;

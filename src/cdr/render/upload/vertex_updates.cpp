@@ -15,6 +15,16 @@ bool VertexUpdates::isFaceted(const scene::World& world, const DeformJob& job) {
     return looked.isFaceted;
 }
 
+void VertexUpdates::forget(const std::optional<std::span<const std::uint32_t>>& meshes) {
+    if (!meshes) {
+        m_looked.clear();
+        return;
+    }
+    for (const std::uint32_t mesh : *meshes) {
+        m_looked.erase(mesh);
+    }
+}
+
 bool VertexUpdates::follow(const scene::World& world, std::span<const std::uint32_t> changed,
                            const Into& into) {
     std::vector<std::uint32_t> uploaded;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace cdr::render {
@@ -27,9 +28,11 @@ class VertexUpdates {
     /// @return whether a mesh became faceted or ceased to be, which takes another pipeline.
     /// base::InputError and base::RunError where the device cannot deform a mesh that has a pose.
     bool follow(const scene::World& world, std::span<const std::uint32_t> changed, const Into& into);
+    /// Meshes that were added, replaced or removed; nothing: any may have been.
+    void forget(const std::optional<std::span<const std::uint32_t>>& meshes);
 
   private:
-    /// What is asked of a deformer once.
+    /// What is asked once of a deformer and the triangles of its mesh.
     struct Looked {
         std::shared_ptr<const scene::Deformer> deformer;
         bool isFaceted = false;
