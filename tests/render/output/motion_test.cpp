@@ -384,7 +384,7 @@ TEST_F(MotionTest, FlatHiddenAndStretchedPartsMoveAsOneToo) {
                                                              {glm::mat3(1.0f), flat},
                                                              {flat, flat}, // a card
                                                              {stretch, turn * stretch}};
-    for (std::size_t i = 0; i < moves.size(); ++i) {
+    for (const auto& [before, after] : moves) {
         scene::World world(boxScene());
         const auto place = [&](const glm::mat3& parent, int part, double right) {
             const glm::vec3 at(part == 0 ? -0.6f : 0.6f, 0.01f, 0.0f);
@@ -396,19 +396,18 @@ TEST_F(MotionTest, FlatHiddenAndStretchedPartsMoveAsOneToo) {
             parts.push_back(world.addInstance({.mesh = world.mesh(0),
                                                .material = world.material(0),
                                                .object = 7,
-                                               .transform = place(moves[i].first, part, 0.0)}));
+                                               .transform = place(before, part, 0.0)}));
         }
         render::GpuScene onDevice(device(), world);
         render::Renderer renderer(device(), onDevice, options());
         const scene::Camera camera{.fovY = 0.5};
         renderer.render(camera);
-        const auto moved = [&](int part, double right) { return place(moves[i].second, part, right); };
-        world.setTransforms(parts, std::vector{moved(0, 0.2), moved(1, 0.2)});
-        EXPECT_NO_THROW(renderer.render(camera)) << i;
-        world.setTransforms(parts, std::vector{moved(0, 0.3), moved(1, 0.3)});
-        EXPECT_NO_THROW(renderer.render(camera)) << i;
-        world.setTransforms(parts, std::vector{moved(0, 0.4), moved(1, 0.7)});
-        EXPECT_THROW(renderer.render(camera), base::InputError) << i;
+        for (const double right : {0.2, 0.3}) {
+            world.setTransforms(parts, std::vector{place(after, 0, right), place(after, 1, right)});
+            EXPECT_NO_THROW(renderer.render(camera)) << after[1][1];
+        }
+        world.setTransforms(parts, std::vector{place(after, 0, 0.4), place(after, 1, 0.7)});
+        EXPECT_THROW(renderer.render(camera), base::InputError) << after[1][1];
     }
 }
 
