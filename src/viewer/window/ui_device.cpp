@@ -3,25 +3,16 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/device_query.h>
 
-#include <algorithm>
-#include <cstring>
 #include <optional>
 
 namespace cdr::viewer {
 
 namespace {
 
-bool hasSwapchain(vk::PhysicalDevice physical) {
-    const auto extensions = physical.enumerateDeviceExtensionProperties();
-    return std::any_of(extensions.begin(), extensions.end(), [](const auto& extension) {
-        return std::strcmp(extension.extensionName, VK_KHR_SWAPCHAIN_EXTENSION_NAME) == 0;
-    });
-}
-
 /// The queue family that draws and presents, if the device has such a one.
 std::optional<std::uint32_t> presentingFamily(vk::PhysicalDevice physical, vk::SurfaceKHR surface) {
     const auto family = gpu::findQueueFamily(physical);
-    const bool presents = family && hasSwapchain(physical) &&
+    const bool presents = family && gpu::hasExtension(physical, VK_KHR_SWAPCHAIN_EXTENSION_NAME) &&
                           physical.getSurfaceSupportKHR(*family, surface) &&
                           !physical.getSurfaceFormatsKHR(surface).empty();
     return presents ? family : std::nullopt;
