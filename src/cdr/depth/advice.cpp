@@ -108,10 +108,11 @@ void findWidest(const AdviceQuestion& question, Advice& advice) {
     }
 }
 
-/// The verb of a row: predicted or measured.
-std::string saysOf(const AdviceRow& row) {
-    const bool isMeasured = row.measured && row.measured->resolvedView == row.resolvedView();
-    return isMeasured ? "was measured to resolve" : "resolves";
+/// What a row resolves: as measured, unless snapping moves more, which no measurement shows. Else as predicted.
+std::string resolvesText(const AdviceRow& row, const LengthText& lengthText) {
+    const bool isMeasured = row.measured && row.measured->resolvedView >= row.forecast.rounding.snapGapView;
+    return isMeasured ? base::concat("was measured to resolve ", lengthText(*row.measured->resolvedView))
+                      : base::concat("resolves ", lengthText(row.resolvedView()));
 }
 
 std::string limitOf(const AdviceRow& row) {
@@ -284,9 +285,9 @@ std::vector<std::string> explain(const AdviceQuestion& question, const Advice& a
     const double at = question.scene.atView;
     if (advice.simplest) {
         const AdviceRow& row = advice.rows[*advice.simplest];
-        lines.push_back(base::concat(describe(row), " is enough: it ", saysOf(row), " ",
-                                     lengthText(row.resolvedView()), " at ", lengthText(at), ", and ",
-                                     lengthText(question.separationView), " is asked for."));
+        lines.push_back(base::concat(describe(row), " is enough: it ", resolvesText(row, lengthText), " at ",
+                                     lengthText(at), ", and ", lengthText(question.separationView),
+                                     " is asked for."));
         lines.push_back(costLine(row));
         if (row.forecast.cascades > 1) {
             lines.emplace_back("What straddles a boundary between cascades is drawn once more.");

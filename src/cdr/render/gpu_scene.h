@@ -46,7 +46,7 @@ class CDR_EXPORT GpuScene {
     GpuScene(const gpu::Device& device, const scene::Scene& scene, std::size_t threads = 0);
     /// For a scene that changes. The device and the world must outlive this.
     /// @param threads as above.
-    /// @errors base::InputError, base::RunError and std::system_error as above.
+    /// @errors As above, without those of scene::requireUsable(): the world checked its edits.
     GpuScene(const gpu::Device& device, const scene::World& world, std::size_t threads = 0);
     ~GpuScene();
     GpuScene(const GpuScene&) = delete;

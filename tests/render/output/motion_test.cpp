@@ -381,7 +381,7 @@ TEST_F(MotionTest, FlatHiddenAndStretchedPartsMoveAsOneToo) {
     const glm::mat3 flat(glm::vec3(1.0f, 0.0f, 0.0f), glm::vec3(0.0f), glm::vec3(0.0f, 0.0f, 1.0f));
     const glm::mat3 turn = turned(0.3, {0.0, 0.6, 0.8}, 1.0);
     const std::vector<std::pair<glm::mat3, glm::mat3>> moves{{glm::mat3(1.0f), glm::mat3(0.0f)}, // hidden
-                                                             {glm::mat3(1.0f), flat},
+                                                             {glm::mat3(1.0f), glm::mat3(0.001f)},
                                                              {flat, flat}, // a card
                                                              {stretch, turn * stretch}};
     for (const auto& [before, after] : moves) {

@@ -68,8 +68,10 @@ bool isOfMove(const CommonMove& move, const MovedObject& part) {
     const double allowed = kApart * move.condition;
     const glm::dmat3 basis = move.turn * glm::dmat3(part.now.basis);
     const glm::dvec3 apart = part.now.position - move.part.now.position;
-    const glm::dvec3 off = (part.before.position - move.part.before.position) - move.turn * apart;
-    const double most = allowed * glm::length(apart) + 1e-15 * glm::length(move.part.before.position);
+    const glm::dvec3 apartBefore = move.turn * apart;
+    const glm::dvec3 off = (part.before.position - move.part.before.position) - apartBefore;
+    const double most = allowed * std::max(glm::length(apart), glm::length(apartBefore)) +
+                        1e-15 * glm::length(move.part.before.position);
     return largest(glm::dmat3(part.before.basis) - basis) <= allowed * largest(basis) &&
            glm::length(off) <= most;
 }
