@@ -135,6 +135,36 @@ TEST(MeshPose, AWorldRefusesADeformerThatNamesWhatIsNotThere) {
     EXPECT_EQ(refusalOf(world, pose), "none");
 }
 
+/// The device draws what the mesh has, and deform() makes what the deformer has.
+TEST(MeshPose, AWorldRefusesADeformerOfOtherColoursOrTextureCoordinatesThanItsMesh) {
+    const DeformerKind kind = test::deformerKinds()[0];
+    const auto sound = test::makeDeformer(kind, 8);
+    World world(oneMesh(*sound));
+    MeshPose pose = test::poseOf(kind, sound, 1);
+    const auto expectRefusal = [&](void (*spoil)(Deformer&), const std::string& part) {
+        auto spoilt = std::make_shared<Deformer>(*sound);
+        spoil(*spoilt);
+        pose.deformer = spoilt;
+        EXPECT_EQ(refusalOf(world, pose), "mesh 0: its deformer has other " + part +
+                                              " than the mesh, and a pose changes positions, normals and "
+                                              "tangents alone");
+        EXPECT_THROW(world.setPose(world.mesh(0), pose, test::deformedByCpu(pose)), base::InputError);
+    };
+    for (const bool hasPose : {false, true}) {
+        expectRefusal([](Deformer& d) { d.vertices[5].color.g = 0; }, "colours");
+        expectRefusal([](Deformer& d) { d.vertices[332].uv.x = 0.75f; }, "texture coordinates");
+        expectRefusal([](Deformer& d) { d.details.clear(); }, "details");
+        expectRefusal([](Deformer& d) { d.details[0].uv.y = 0.5f; }, "second texture coordinates");
+        EXPECT_EQ(world.pose(0) != nullptr, hasPose);
+        pose.deformer = sound;
+        EXPECT_EQ(refusalOf(world, pose), "none");
+    }
+    std::vector<Vertex> red = sound->vertices;
+    red[0].color = {255, 0, 0, 255};
+    world.setVertices(world.mesh(0), red);
+    EXPECT_NE(refusalOf(world, pose).find("other colours"), std::string::npos) << "the mesh has others now";
+}
+
 } // namespace
 
 } // namespace cdr::scene

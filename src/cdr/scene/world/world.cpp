@@ -15,6 +15,25 @@ std::string nameOf(const char* kind, Handle<Kind> handle) {
     return fmt::format("{} {}", kind, handle.index);
 }
 
+/// deform() takes from the deformer what the device leaves as the mesh has it, so both must have the same.
+void requireAlike(const Deformer& deformer, const Mesh& mesh, const std::string& what) {
+    const auto areAlike = [](const auto& ones, const auto& others, const auto& member) {
+        return std::equal(ones.begin(), ones.end(), others.begin(), others.end(),
+                          [&](const auto& a, const auto& b) { return a.*member == b.*member; });
+    };
+    const auto require = [&](bool isAlike, const char* part) {
+        if (!isAlike) {
+            throw base::InputError(fmt::format("{}: its deformer has other {} than the mesh, and a pose "
+                                               "changes positions, normals and tangents alone",
+                                               what, part));
+        }
+    };
+    require(areAlike(deformer.vertices, mesh.vertices, &Vertex::color), "colours");
+    require(areAlike(deformer.vertices, mesh.vertices, &Vertex::uv), "texture coordinates");
+    require(deformer.details.size() == mesh.details.size(), "details");
+    require(areAlike(deformer.details, mesh.details, &VertexDetail::uv), "second texture coordinates");
+}
+
 } // namespace
 
 World::World(Scene scene)
@@ -237,10 +256,20 @@ void World::setVertices(MeshHandle handle, MeshVertices deformed, float bounding
     noteVertices(handle);
 }
 
-void World::setPose(MeshHandle handle, MeshPose pose) {
+Mesh& World::requirePosable(MeshHandle handle, const MeshPose& pose) {
     m_meshes.places().require(handle);
-    requireUsable(pose, nameOf("mesh", handle));
+    const std::string what = nameOf("mesh", handle);
+    requireUsable(pose, what);
     Mesh& mesh = requireDeformable(handle, pose.deformer->vertices.size());
+    const MeshPose* before = this->pose(handle.index);
+    if (before == nullptr || before->deformer != pose.deformer) {
+        requireAlike(*pose.deformer, mesh, what);
+    }
+    return mesh;
+}
+
+void World::setPose(MeshHandle handle, MeshPose pose) {
+    Mesh& mesh = requirePosable(handle, pose);
     const float radius = boundingRadiusOf(pose);
     requireUsable(std::span<const Vertex>(), radius, nameOf("mesh", handle));
     mesh.boundingRadius = radius;
@@ -250,9 +279,7 @@ void World::setPose(MeshHandle handle, MeshPose pose) {
 }
 
 void World::setPose(MeshHandle handle, MeshPose pose, MeshVertices deformed) {
-    m_meshes.places().require(handle);
-    requireUsable(pose, nameOf("mesh", handle));
-    requireDeformable(handle, pose.deformer->vertices.size());
+    requirePosable(handle, pose);
     setVertices(handle, std::move(deformed), boundingRadiusOf(pose));
     m_posed[handle.index] = {.pose = std::make_shared<const MeshPose>(std::move(pose)),
                              .areVerticesPosed = true};

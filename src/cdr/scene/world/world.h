@@ -95,11 +95,15 @@ class CDR_EXPORT World {
     /// Gives a mesh the vertices that deform() makes of a pose, which the device makes for itself. Those of scene() stay as
     /// they are, and only drawing sees the new ones: not truth, certificates and SurfacePath other than `gbuffer`. The bounds
     /// are boundingRadiusOf(). They need not hold the vertices of scene(), so that another World of scene() may be refused; a
-    /// copy of this one is not. Takes time by the number of joints and morph targets. setVertices() ends it.
-    /// @param pose of as many vertices as the mesh has
+    /// copy of this one is not. Takes time by the number of joints and morph targets. The first pose of a mesh by a deformer
+    /// also takes time by the number of vertices. setVertices() ends it.
+    /// @param pose of as many vertices as the mesh has, with its colours, texture coordinates and number of details
+    /// @errors base::InputError also where the deformer has others of these: the device writes positions, normals and tangents
+    ///         alone.
     void setPose(MeshHandle handle, MeshPose pose);
     /// The same where the CPU reads the vertices too.
     /// @param deformed what deform() makes of the pose; scene() gets these
+    /// @errors As without them, and as setVertices().
     void setPose(MeshHandle handle, MeshPose pose, MeshVertices deformed);
     /// The pose that gives a mesh its vertices, by place; null where it has those of scene().
     /// @errors None.
@@ -145,6 +149,8 @@ class CDR_EXPORT World {
     void releaseTexture(const Material& material);
     /// The mesh, if it may get so many other vertices.
     Mesh& requireDeformable(MeshHandle handle, std::size_t vertices);
+    /// The mesh, if it may have such a pose.
+    Mesh& requirePosable(MeshHandle handle, const MeshPose& pose);
     void noteVertices(MeshHandle handle);
 
     /// How a mesh gets its vertices.
