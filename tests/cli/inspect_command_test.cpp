@@ -110,6 +110,30 @@ TEST(InspectCommand, NamesACoplanarPairAndItsRemedy) {
     EXPECT_GT(std::count(picture.begin(), picture.end(), image::Rgba8{255, 0, 255, 255}), 100);
 }
 
+/// Vertices of a wide wall are rounded by more than depths.
+TEST(InspectCommand, FindsNothingWhereAFaceMovedByMoreThanItNames) {
+    const TemporaryFolder folder;
+    const auto write = [&](const char* file, double posterZ) {
+        writeSquares(folder.path() / file, {{"wall", {0.3, 0.0, -30.1}, 3000.0},
+                                            {"poster", {1.7, 1.1, posterZ}, 8.0},
+                                            {"board", {-3.0, 0.0, -20.0}, 3.0}});
+    };
+    write("a.gltf", -30.1);
+    const json advice = inspect("a.gltf" + std::string(kSmall), folder).document.at("advice");
+    const std::string line = advice.at(1);
+    std::smatch named;
+    ASSERT_TRUE(std::regex_search(line, named,
+                                  std::regex("more than ([0-9.e-]+) under reversed or ([0-9.e-]+) under")))
+        << line;
+    for (const std::string& apart : {named[1].str(), named[2].str()}) {
+        write("b.gltf", -30.1 + 1.001 * std::stod(apart));
+        const InspectRun run = inspect("b.gltf" + std::string(kSmall), folder);
+        EXPECT_EQ(findings(run.document), std::vector<std::string>()) << apart;
+        EXPECT_EQ(rowOf(run.document, "anchored", "d32f").at("wrong"), 0) << apart;
+        EXPECT_EQ(rowOf(run.document, "reversed", "d32f").at("wrong"), 0) << apart;
+    }
+}
+
 /// The remedy that it names.
 TEST(InspectCommand, FindsNothingWhereALayerSaysWhichIsSeen) {
     const TemporaryFolder folder;

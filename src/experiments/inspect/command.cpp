@@ -112,7 +112,7 @@ output::Columns<experiments::ObjectPair> pairColumns(const scene::Scene& scene, 
 }
 
 void print(const Command& command, const InspectArguments& arguments, const Inspection& inspection,
-           const scene::Scene& scene, const experiments::VerdictView& view) {
+           const scene::Scene& scene) {
     const Console& console = command.console();
     std::vector<experiments::ObjectPair> shown = inspection.pairs;
     shown.resize(std::min(shown.size(), kPairsShown));
@@ -125,7 +125,7 @@ void print(const Command& command, const InspectArguments& arguments, const Insp
     }
     console.table(output::tableOf(techniqueColumns(), inspection.techniques));
     console.line("");
-    for (const std::string& line : experiments::explain(inspection, scene, view, [unit](double view) {
+    for (const std::string& line : experiments::explain(inspection, scene, [unit](double view) {
              return base::quantityText(view, unit, base::NumberStyle::plain);
          })) {
         console.line(line);
@@ -138,8 +138,7 @@ void print(const Command& command, const InspectArguments& arguments, const Insp
     }
 }
 
-void addResults(nlohmann::ordered_json& document, const Inspection& inspection, const scene::Scene& scene,
-                const experiments::VerdictView& view) {
+void addResults(nlohmann::ordered_json& document, const Inspection& inspection, const scene::Scene& scene) {
     document["results"] = output::jsonOf(techniqueColumns(), inspection.techniques);
     std::vector<experiments::ObjectPair> written = inspection.pairs;
     written.resize(std::min(written.size(), kPairsWritten));
@@ -149,9 +148,9 @@ void addResults(nlohmann::ordered_json& document, const Inspection& inspection, 
     document["simplest"] =
         inspection.simplest ? output::jsonOf(techniqueColumns(), inspection.techniques[*inspection.simplest])
                             : nlohmann::ordered_json(nullptr);
-    document["advice"] = experiments::explain(inspection, scene, view);
+    document["advice"] = experiments::explain(inspection, scene);
     document["advice_parts"] =
-        output::sentenceParts(experiments::explain(inspection, scene, view, output::markedLength));
+        output::sentenceParts(experiments::explain(inspection, scene, output::markedLength));
 }
 
 void run(Command& command, InspectArguments& arguments) {
@@ -175,8 +174,7 @@ void run(Command& command, InspectArguments& arguments) {
         experiments::runInspect(command.device(), setup.scene, cameras, options, command.progress());
     command.endProgress();
 
-    const experiments::VerdictView view{.camera = cameras.front(), .height = options.height};
-    print(command, arguments, inspection, setup.scene, view);
+    print(command, arguments, inspection, setup.scene);
     command.console().line(fmt::format("\n{}; {} views of {}x{}", command.opened().text(), cameras.size(),
                                        options.width, options.height));
     if (!arguments.heatMap.empty()) {
@@ -194,7 +192,7 @@ void run(Command& command, InspectArguments& arguments) {
                                           {"technique", options.judged.name},
                                           {"format", nameOf(options.judged.technique.format)}});
     options::addChoiceJson(document["options"], arguments.choice);
-    addResults(document, inspection, setup.scene, view);
+    addResults(document, inspection, setup.scene);
     document["fail_above"] = arguments.failAbove ? nlohmann::ordered_json(*arguments.failAbove) : nullptr;
     document["fails"] = fails;
     command.writeDocument(document);

@@ -1,6 +1,7 @@
 #include "inspect.h"
 
 #include <cdr/depth/forecast.h>
+#include <cdr/measure/truth/object_ray.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/platform/worker_pool.h>
 #include <cdr/render/gpu_scene.h>
@@ -101,6 +102,41 @@ void predict(const InspectedView& view, const depth::Cascades& cascades, Inspect
     }
 }
 
+bool isRemedy(const InspectedTechnique& technique) {
+    return technique.isJudged || technique.technique == depth::parseTechnique("reversed") ||
+           technique.technique == depth::parseTechnique("anchored");
+}
+
+void separate(const InspectedView& view, const PairCollector& pairs, const depth::Cascades& cascades,
+              InspectedTechnique& technique) {
+    const measure::PixelSlopes slopes =
+        measure::pixelSlopes(view.camera, view.truth.width, view.truth.height);
+    for (std::size_t i = 0; i < view.truth.pixels.size(); ++i) {
+        const measure::TruthPixel& pixel = view.truth.pixels[i];
+        const auto forecast = view.isInPlane(i)
+                                  ? depth::forecastIn(technique.technique, cascades, pixel.distanceView)
+                                  : std::nullopt;
+        if (!forecast) {
+            continue;
+        }
+        const glm::dvec3 ray = view.camera.right * slopes.x[i % view.truth.width] +
+                               view.camera.up * slopes.y[i / view.truth.width] - view.camera.back;
+        const auto add = [&](std::uint32_t other) {
+            const auto [first, second] = std::minmax({pixel.id - 1, other - 1});
+            const double rounding = pairs.roundingViewAt(first, second, pixel.distanceView, ray, view.camera);
+            double& apart = technique.apart[{first, second}];
+            // A face that faces the ray moves along it: less along the view, whose length the ray exceeds.
+            apart = std::max(apart, (forecast->guaranteedView() + rounding) * glm::length(ray));
+        };
+        if (view.coplanar.pixels[i] != 0) {
+            add(pixel.secondId);
+        }
+        if (view.blended.pixels[i] != 0) {
+            add(view.blended.pixels[i]);
+        }
+    }
+}
+
 image::ImageRgba8 heatMapOf(const InspectedView& view, const render::Frame& frame) {
     image::ImageRgba8 picture = measure::heatMap(frame.ids(), view.truth, frame.color);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
@@ -123,12 +159,16 @@ class TechniqueRun {
                       .snapping = options.snapping}),
           m_result(result) {}
 
-    void add(const InspectedView& view, std::uint64_t& worst, image::ImageRgba8& heatMap) {
+    void add(const InspectedView& view, const PairCollector& pairs, std::uint64_t& worst,
+             image::ImageRgba8& heatMap) {
         m_renderer.forgetFrames();
         const render::Frame frame = m_renderer.render(view.camera);
         const measure::WrongPixels wrong = measure::countWrong(frame.ids(), view.truth, view.judgedPixels);
         m_result.wrong += wrong;
         predict(view, frame.cascades, m_result);
+        if (isRemedy(m_result)) {
+            separate(view, pairs, frame.cascades, m_result);
+        }
         m_result.cascades = std::max(m_result.cascades, frame.cascades.size());
         const std::uint64_t bad = wrong.wrong + view.inPlane();
         if (m_result.isJudged && (bad > worst || heatMap.pixels.empty())) {
@@ -192,7 +232,7 @@ Inspection runInspect(const gpu::Device& device, const scene::Scene& scene,
             TechniqueRun run(device, scene, onDevice, options, technique);
             for (const InspectedView& view : views) {
                 progress(done++, all, technique.name);
-                run.add(view, worst, inspection.heatMap);
+                run.add(view, pairs, worst, inspection.heatMap);
             }
         }
     }

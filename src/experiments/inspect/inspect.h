@@ -12,8 +12,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cdr::experiments {
@@ -40,6 +42,9 @@ struct InspectedTechnique {
     // Of the inner pixels, as cdr::depth expects in the cascades that were cut:
     double undecided = 0.0;      ///< whose order depth does not tell
     double predictedWrong = 0.0; ///< that show the farther surface
+    /// How far two coplanar objects must be apart at each of their pixels, so that no rounding decides; by object index, the
+    /// lower first. For judged, `reversed` and `anchored` in `d32f`.
+    std::map<std::pair<std::uint32_t, std::uint32_t>, double> apart{};
     bool isJudged = false;
 
     double predictedFraction() const { return shareOf(predictedWrong); }

@@ -70,13 +70,18 @@ double PairCollector::roundingView(double extents, double distanceView) {
     return kVertexRounding * extents + kTruthRounding * distanceView;
 }
 
+double PairCollector::roundingViewAt(std::uint32_t first, std::uint32_t second, double distanceView,
+                                     const glm::dvec3& ray, const scene::Camera& camera) const {
+    const glm::dvec3 place = camera.position + distanceView * ray;
+    return roundingView(extentAt(first, place) + extentAt(second, place), distanceView);
+}
+
 bool PairCollector::areInPlane(std::uint32_t first, std::uint32_t second, double gapView, double distanceView,
                                const glm::dvec3& ray, const scene::Camera& camera) const {
     if (!(gapView <= roundingView(m_extents[first] + m_extents[second], distanceView))) {
         return false; // nearly all
     }
-    const glm::dvec3 place = camera.position + distanceView * ray;
-    return gapView <= roundingView(extentAt(first, place) + extentAt(second, place), distanceView);
+    return gapView <= roundingViewAt(first, second, distanceView, ray, camera);
 }
 
 image::Raster<std::uint8_t> PairCollector::coplanarMask(const scene::Camera& camera,

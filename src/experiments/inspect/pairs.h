@@ -60,8 +60,12 @@ class PairCollector {
                                    std::span<const measure::Shape> shapes,
                                    platform::WorkerPool& workers) const;
 
+    /// By how much surfaces of two objects may differ at a pixel that lie in one plane.
+    /// @param ray of the pixel, one unit along the view
+    double roundingViewAt(std::uint32_t first, std::uint32_t second, double distanceView,
+                          const glm::dvec3& ray, const scene::Camera& camera) const;
+
   private:
-    /// By how much surfaces of two objects may differ that lie in one plane.
     /// @param extents the sum of both. @param distanceView of the nearer surface.
     static double roundingView(double extents, double distanceView);
     bool areInPlane(std::uint32_t first, std::uint32_t second, double gapView, double distanceView,

@@ -1,7 +1,5 @@
 #include "verdict.h"
 
-#include <cdr/depth/forecast.h>
-#include <cdr/scene/frustum.h>
 #include <cdr/scene/gltf/checks.h>
 
 #include <fmt/format.h>
@@ -9,6 +7,7 @@
 #include <output/readable.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace cdr::experiments {
@@ -52,20 +51,16 @@ std::string simplestLine(const Inspection& inspection) {
                                    : "");
 }
 
-/// What separates two coplanar faces, with the gaps that techniques resolve there, as far as they are known.
-std::string remedyText(const ObjectPair& pair, const VerdictView& view, const depth::LengthText& lengthText) {
-    const double at = std::clamp(pair.atView, view.camera.nearView, view.camera.farView);
+/// What separates two coplanar faces, with how far apart techniques need them.
+std::string remedyText(const ObjectPair& pair, const Inspection& inspection,
+                       const depth::LengthText& lengthText) {
     std::vector<std::string> gaps;
-    for (const char* technique : {"reversed", "anchored"}) {
-        const auto forecast = depth::tryForecast(
-            depth::parseTechnique(technique),
-            {.nearView = view.camera.nearView,
-             .farView = view.camera.farView,
-             .footprintSlope = scene::frustumOf(view.camera, 1.0, view.height).footprintSlope,
-             .atView = at,
-             .spanView = at}); // little is known of what else is seen
-        if (forecast) {
-            gaps.push_back(fmt::format("{} under {}", lengthText(forecast->guaranteedView()), technique));
+    for (const InspectedTechnique& technique : inspection.techniques) {
+        const auto found = technique.apart.find({pair.front, pair.back});
+        if (found != technique.apart.end() && std::isfinite(found->second)) {
+            const bool isUsual = technique.technique.format == depth::DepthFormat::d32f;
+            gaps.push_back(fmt::format("{} under {}", lengthText(found->second),
+                                       isUsual ? technique.name : nameOf(technique)));
         }
     }
     return gaps.empty() ? "move it, or give it a layer"
@@ -73,12 +68,12 @@ std::string remedyText(const ObjectPair& pair, const VerdictView& view, const de
                                       fmt::join(gaps, " or "));
 }
 
-std::string coplanarLine(const ObjectPair& pair, const scene::Scene& scene, const VerdictView& view,
+std::string coplanarLine(const ObjectPair& pair, const Inspection& inspection, const scene::Scene& scene,
                          const depth::LengthText& lengthText) {
     return fmt::format(
         "{} lie in one plane at {}: no technique separates them. Take one away, {} (cdr_layer in "
         "its extras).",
-        both(scene, pair, "and"), lengthText(pair.atView), remedyText(pair, view, lengthText));
+        both(scene, pair, "and"), lengthText(pair.atView), remedyText(pair, inspection, lengthText));
 }
 
 } // namespace
@@ -93,7 +88,7 @@ std::string nameOf(const InspectedTechnique& technique) {
 }
 
 std::vector<std::string> explain(const Inspection& inspection, const scene::Scene& scene,
-                                 const VerdictView& view, const depth::LengthText& lengthText) {
+                                 const depth::LengthText& lengthText) {
     std::vector<std::string> lines{simplestLine(inspection)};
     std::size_t coplanar = 0;
     std::size_t sunk = 0;
@@ -101,7 +96,7 @@ std::vector<std::string> explain(const Inspection& inspection, const scene::Scen
     for (const ObjectPair& pair : inspection.pairs) {
         if (pair.isCoplanar()) {
             if (coplanar++ < kNamed) {
-                lines.push_back(coplanarLine(pair, scene, view, lengthText));
+                lines.push_back(coplanarLine(pair, inspection, scene, lengthText));
             }
         } else if (pair.isSunk) {
             if (sunk++ < kNamed) {

@@ -16,16 +16,9 @@ std::string nameOfObject(const scene::Scene& scene, std::uint32_t object);
 /// "anchored with d32f".
 std::string nameOf(const InspectedTechnique& technique);
 
-/// A view whose range and pixels say what techniques resolve.
-struct VerdictView {
-    const scene::Camera& camera;
-    std::uint32_t height = 0; ///< pixels
-};
-
 /// What was found, one sentence per line. It names the simplest technique that suffices and the surfaces that are nearest to
 /// each other. It names what no technique can separate, with the remedy.
 std::vector<std::string> explain(const Inspection& inspection, const scene::Scene& scene,
-                                 const VerdictView& view,
                                  const depth::LengthText& lengthText = depth::plainLength);
 
 } // namespace cdr::experiments
