@@ -136,6 +136,23 @@ TEST_F(CertifiedFrameTest, IsRightOnBothSurfacePathsAndWithSnappedVertices) {
     }
 }
 
+/// A visibility buffer has the distance of a facet's plane, which is far off beyond the edge of a facet that is seen flat.
+TEST_F(CertifiedFrameTest, IsRightWhereFacetsAreSeenFlatAndSnapped) {
+    const scene::SceneSetup setup = scenes::makeRotation(2013);
+    ReadyScene scene(device(), setup);
+    render::RenderOptions options = smallPicture("reversed");
+    options.surface = render::SurfacePath::visibility;
+    options.snapBits = 3;
+    EXPECT_GT(expectRightOnceRepaired(scene, 0, options), 0u);
+}
+
+/// What is near has its w as the sum of a far plane and a distance to it, which float32 rounds by more than w.
+TEST_F(CertifiedFrameTest, IsRightWhereTheAnchorIsFarBehind) {
+    const scene::SceneSetup setup = scenes::makeMixed();
+    ReadyScene scene(device(), setup);
+    EXPECT_GT(expectRightOnceRepaired(scene, 0, smallPicture("anchored-reversed/none")), 1000u);
+}
+
 TEST_F(CertifiedFrameTest, HasTheSameBitsForAnyNumberOfThreads) {
     const scene::SceneSetup setup = scenes::makeAfc(2013);
     std::vector<render::Frame> frames;

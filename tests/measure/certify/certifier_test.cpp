@@ -204,17 +204,21 @@ TEST(Certifier, RefusesAnObjectWhereThereIsNone) {
 }
 
 TEST(Certifier, RepairsADistanceThatIsNotTheSurfaces) {
-    Drawn drawn;
+    const Drawn drawn;
     const glm::uvec2 at = innerPixel(drawn.frame);
     const double right = drawn.frame.distancesView.at(at.x, at.y);
-    drawn.frame.distancesView.at(at.x, at.y) = right * (1.0 - 1e-4);
-    const Certificate certificate = certified(drawn.made.scene, drawn.frame);
-    EXPECT_EQ(certificate.certified, drawn.certificate.certified - 1);
-    EXPECT_EQ(certificate.wrong, 0u);
-    ASSERT_EQ(certificate.repairs.size(), 1u);
-    EXPECT_EQ(glm::uvec2(certificate.repairs[0].x, certificate.repairs[0].y), at);
-    EXPECT_EQ(certificate.repairs[0].id, drawn.frame.ids.at(at.x, at.y));
-    EXPECT_EQ(certificate.repairs[0].distanceView, right);
+    for (const double share : {1.0 - 1e-4, 0.5}) { // at the half, the surface is far behind what was drawn
+        DrawnFrame changed = drawn.frame;
+        changed.distancesView.at(at.x, at.y) = right * share;
+        const Certificate certificate = certified(drawn.made.scene, changed);
+        EXPECT_EQ(certificate.refused, 0u);
+        EXPECT_EQ(certificate.certified, drawn.certificate.certified - 1);
+        EXPECT_EQ(certificate.wrong, 0u);
+        ASSERT_EQ(certificate.repairs.size(), 1u);
+        EXPECT_EQ(glm::uvec2(certificate.repairs[0].x, certificate.repairs[0].y), at);
+        EXPECT_EQ(certificate.repairs[0].id, changed.ids.at(at.x, at.y));
+        EXPECT_EQ(certificate.repairs[0].distanceView, right);
+    }
 }
 
 TEST(Certifier, RefusesAMovedInstance) {

@@ -98,6 +98,9 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, platform::WorkerPoo
         const PixelRect rows{0, top, width, std::min(top + kBandRows, height)};
         OrderStrip strip(frame, device, rows);
         bounds[band] = enterAll(strip, device);
+        if (strip.lookFarther()) {
+            bounds[band].add(enterAll(strip, device));
+        }
         std::vector<glm::uvec2> open;
         for (std::uint32_t y = rows.top; y < rows.bottom; ++y) {
             for (std::uint32_t x = 0; x < width; ++x) {

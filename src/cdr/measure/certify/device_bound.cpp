@@ -102,6 +102,12 @@ const DeviceBound::Cell& DeviceBound::cellAt(double distanceView) const {
     return m_cells[std::min<std::uint64_t>(index, m_cells.size() - 1)];
 }
 
+double DeviceBound::anchorPixels(const TriangleReach& reach, double beforeAnchor) const {
+    const double share = 6.0 * m_rounding * beforeAnchor / reach.leastView;
+    const double across = reach.acrossView * m_pixelsPerSlope / reach.leastView;
+    return share < 0.5 ? across * share / (1.0 - share) : 16.0 * (across + m_picturePixels + m_shiftPixels);
+}
+
 TriangleBound DeviceBound::of(const TriangleReach& reach) const {
     TriangleBound bound;
     // Roundings of x, of w (by which x is divided), and of the viewport, a lens shift and a plane over the picture.
@@ -110,16 +116,19 @@ TriangleBound DeviceBound::of(const TriangleReach& reach) const {
                                                 4.0 * (m_picturePixels + m_shiftPixels));
     double depth = 0.0;
     double beyondAnchor = m_ranges.empty() ? reach.mostView : 0.0;
+    double beforeAnchor = 0.0;
     for (const Range& range : m_ranges) {
         if (reach.mostView < range.clip.nearView || reach.leastView > range.clip.farView) {
             continue;
         }
+        beforeAnchor = std::max(beforeAnchor, range.anchorView - reach.leastView);
         for (const double w : {reach.leastView, reach.mostView}) {
             const double clipped = std::clamp(w, range.clip.nearView, range.clip.farView);
             depth = std::max(depth, std::abs(depth::zNdcAt(range.range, clipped)));
             beyondAnchor = std::max(beyondAnchor, std::abs(w - range.anchorView));
         }
     }
+    bound.pixels += anchorPixels(reach, beforeAnchor);
     bound.depth = 8.0 * m_rounding * std::min(depth, 1.0);
     bound.distanceView = 8.0 * m_rounding * (beyondAnchor + reach.alongView);
     if (m_bends) {

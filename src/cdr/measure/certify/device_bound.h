@@ -45,6 +45,7 @@ struct FrameBound {
 ///
 /// - A corner's x has at most 4 roundings of a sum of products, 2 of a projection and 2 of w, itself a sum. A division adds
 ///   one, and a viewport 2. A lens shift has 2, of its product and of the difference. Half a sub-pixel is added to these.
+///   Before the anchor plane, w has what the distance to that plane rounds, which may be more than w.
 /// - A distance has 2 roundings of its own and at most 4 of its sum of products. That is 8 u of the largest
 ///   number in it.
 /// - A depth has 3 roundings as depth::DepthRounding counts them. Drivers form it from a plane over the picture, by a
@@ -98,6 +99,9 @@ class DeviceBound {
 
     DeviceBound(const DrawnFrame& frame, double rounding, double snapPixels);
 
+    /// What the anchor adds, which a corner's w is counted from: 4 roundings of the distance to it, its own, and their sum. Where
+    /// that is half of w and more, a corner may be anywhere.
+    double anchorPixels(const TriangleReach& reach, double beforeAnchor) const;
     const Cell& cellAt(double distanceView) const;
     Cell makeCell(double leastView, double mostView, depth::DepthFormat format) const;
 

@@ -242,6 +242,19 @@ void OrderStrip::enterPixel(const ScreenTriangle& triangle, const StripSurface& 
     }
 }
 
+bool OrderStrip::lookFarther() {
+    bool looks = false;
+    for (std::uint32_t y = m_pixels.top; y < m_pixels.bottom; ++y) {
+        for (std::uint32_t x = 0; x < m_frame.ids.width; ++x) {
+            if (m_reach[indexOf(x, y)] < kNever && findingAt(x, y).verdict == PixelVerdict::refused) {
+                keepReach(x, y, kNever);
+                looks = true;
+            }
+        }
+    }
+    return looks;
+}
+
 PixelFinding OrderStrip::findingAt(std::uint32_t x, std::uint32_t y) const {
     const Order& order = m_orders[indexOf(x, y)];
     const double reach = m_reach[indexOf(x, y)];

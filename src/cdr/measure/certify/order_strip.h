@@ -53,6 +53,9 @@ class OrderStrip {
     /// Whether all that is `leastView` away or farther is behind what was drawn in a rectangle of the picture.
     bool hides(const PixelRect& pixels, double leastView) const;
     void enter(const ScreenTriangle& triangle, const StripSurface& surface);
+    /// Has refused pixels examine all that is farther too, since what was drawn may be farther than its distance says.
+    /// @return whether any was refused, so that all triangles have to go in once more
+    bool lookFarther();
     PixelFinding findingAt(std::uint32_t x, std::uint32_t y) const;
 
   private:
