@@ -24,12 +24,29 @@ TEST_F(GltfJson, Base64IsReadToItsLastCharacter) {
     expectSays(tryUri(header + zeros + "AAA"), "its data has 35");
     expectSays(tryUri(header + zeros + "AA=="), "its data has 34");
     for (const std::string end : {"A", "AAA!", "A===", "AA\nA", "-_AA", "AA=A"}) {
-        expectSays(tryUri(header + zeros + end), "cannot be decoded");
+        expectSays(tryUri(header + zeros + end), "cannot be decoded: what follows the comma is not base64");
     }
-    for (const std::string& start :
-         std::vector<std::string>{"data:,", "data:application/octet-stream,", "data:;base64,", header}) {
-        expectSays(tryUri(start), "cannot be decoded");
+    expectSays(tryUri(header), "nothing follows the comma");
+}
+
+/// Schemes, media types and `base64` have letters of either case (RFC 3986, 2045 and 2397).
+TEST_F(GltfJson, DataUrisHaveLettersOfEitherCase) {
+    const auto tryUri = [&](const std::string& uri) { return refusal(write("a.gltf", withDataUri(uri))); };
+    const std::string zeros(48, 'A');
+    EXPECT_EQ(tryUri("DATA:application/octet-stream;base64," + zeros), "loaded");
+    EXPECT_EQ(tryUri("Data:Application/Octet-Stream;BASE64," + zeros), "loaded");
+    EXPECT_TRUE(gltfReferences(write("a.gltf", withDataUri("DATA:text/plain;base64," + zeros))).empty());
+}
+
+TEST_F(GltfJson, DataUrisThatAreRefusedSayWhy) {
+    const auto tryUri = [&](const std::string& uri) { return refusal(write("a.gltf", withDataUri(uri))); };
+    for (const char* uri : {"data:", "data:,", "data:application/octet-stream,AAAA", "data:base64,AAAA",
+                            "data:text/plain,a;base64,AAAA"}) {
+        expectSays(tryUri(uri), "cannot be decoded: it is not base64");
     }
+    expectSays(tryUri("data:;base64,AAAA"), "'' is no media type of a buffer or a picture");
+    expectSays(tryUri("DATA:audio/wav;base64,AAAA"), "'audio/wav' is no media type of a buffer or a picture");
+    expectSays(tryUri("data:text/plain;charset=utf-8;base64,AAAA"), "'text/plain;charset=utf-8' is no media");
 }
 
 TEST_F(GltfJson, Base64KeepsEveryBit) {

@@ -1,4 +1,5 @@
 #include "bytes/container.h"
+#include "bytes/data_uri.h"
 #include "bytes/files.h"
 #include "json.h"
 
@@ -29,7 +30,7 @@ std::vector<GltfReference> gltfReferences(const std::filesystem::path& path, con
             for (const nlohmann::json& item : gltf::arrayMember(root, key)) {
                 attempt([&] {
                     const std::string uri = gltf::stringMember(item, "uri").value_or("data:");
-                    if (!uri.starts_with("data:") && known.insert(uri).second) {
+                    if (!gltf::isDataUri(uri) && known.insert(uri).second) {
                         references.push_back({.uri = uri, .path = files.resolve(uri)});
                     }
                 });

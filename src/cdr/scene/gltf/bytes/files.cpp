@@ -23,8 +23,6 @@ namespace fs = std::filesystem;
 /// How many times the limit of one file the external files of one glTF may take together.
 constexpr std::uintmax_t kFilesInMemory = 4;
 
-constexpr const char* kDataScheme = "data:";
-
 /// Most bytes of a file that is not worth an open descriptor.
 constexpr std::size_t kSmallFile = 4 * BlockCache::kBlockBytes;
 
@@ -72,15 +70,11 @@ Files::Files(std::optional<fs::path> folder, const GltfLimits& limits)
       m_bytesLeft(std::max(limits.maxFileBytes, limits.maxFileBytes * kFilesInMemory)) {}
 
 ByteSource Files::openWithin(const std::string& uri, std::uintmax_t maxBytes) const {
-    if (!uri.starts_with(kDataScheme)) {
-        return ByteSource(std::make_shared<const OpenFile>(
-            resolve(uri), maxBytes, fmt::format("'{}'", oneLine(uri, kMaxNameLength))));
+    if (isDataUri(uri)) {
+        return ByteSource(decodeDataUri(uri));
     }
-    std::optional<platform::Bytes> bytes = decodeDataUri(uri);
-    if (!bytes) {
-        refuse("data URI '{}...' cannot be decoded", oneLine(uri.substr(0, 40)));
-    }
-    return ByteSource(*std::move(bytes));
+    return ByteSource(std::make_shared<const OpenFile>(resolve(uri), maxBytes,
+                                                       fmt::format("'{}'", oneLine(uri, kMaxNameLength))));
 }
 
 ByteSource Files::open(const std::string& uri) {
@@ -115,6 +109,9 @@ fs::path Files::resolve(const std::string& uri) const {
     if (folderError || pathError) {
         refuse("URI '{}' cannot be read: {}", oneLine(uri),
                (folderError ? folderError : pathError).message());
+    }
+    if (path == folder) {
+        refuse("URI '{}' names the file's folder, not a file in it", oneLine(uri));
     }
     if (!isInside(path, folder)) {
         refuse("URI '{}' leads out of the file's folder through a link", oneLine(uri));
