@@ -120,6 +120,15 @@ scene::Camera FrameCameras::at(const scene::CameraPath& own, std::uint32_t frame
     return overridden(m_recorded ? m_recorded->at(frame) : own.at(frame), m_options);
 }
 
+CameraOptions lensOf(const CameraOptions& options) {
+    CameraOptions lens;
+    lens.fovDegrees = options.fovDegrees;
+    lens.lensShift = options.lensShift;
+    lens.nearView = options.nearView;
+    lens.farView = options.farView;
+    return lens;
+}
+
 scene::Camera overridden(scene::Camera camera, const CameraOptions& options) {
     if (options.fovDegrees) {
         camera.fovY = scene::radiansOf(*options.fovDegrees);

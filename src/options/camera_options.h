@@ -33,6 +33,9 @@ void addFrameOptions(CLI::App& command, CameraOptions& options);
 /// Adds --path, --eye, --target, --direction, --up, --fov, --lens-shift, --near and --far.
 void addCameraOptions(CLI::App& command, CameraOptions& options);
 
+/// What options say of the lens: field of view, shift, near and far. Nothing of where the camera stands.
+CameraOptions lensOf(const CameraOptions& options);
+
 /// The camera with what the options override. base::InputError for an unusable one.
 scene::Camera overridden(scene::Camera camera, const CameraOptions& options);
 

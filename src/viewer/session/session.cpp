@@ -1,5 +1,6 @@
 #include "session.h"
 
+#include <cdr/base/error.h>
 #include <viewer/state/camera/fly_controller.h>
 #include <viewer/state/camera/stereo_view.h>
 #include <viewer/state/requests/next_request.h>
@@ -56,8 +57,7 @@ void Session::followPath(double seconds) {
             return;
         }
         // Frame by frame, however long each takes, so that neighbours can be compared.
-        m_model.camera.now =
-            scene::canonical(m_model.picture.shown->scene->setup.path.at(++m_model.camera.pathFrame));
+        goTo(++m_model.camera.pathFrame);
         return;
     }
     if (m_model.camera.motion == Motion::tour) {
@@ -82,8 +82,18 @@ void Session::followAnimation(double seconds) {
     m_model.camera.playback.advance(seconds, playableSeconds(m_model.settings.choice, scene));
     if (scene.setup.path.frames > 1 && m_model.settings.choice.framesPerSecond &&
         m_model.camera.motion == Motion::free) {
-        m_model.camera.now =
-            scene::canonical(scene.setup.path.at(m_model.camera.playback.frame(m_model.settings.choice)));
+        goTo(m_model.camera.playback.frame(m_model.settings.choice));
+    }
+}
+
+void Session::goTo(std::uint32_t frame) {
+    const scene::Camera own = m_model.picture.shown->scene->setup.path.at(frame);
+    try {
+        m_model.camera.now = scene::canonical(options::overridden(own, m_model.camera.lens));
+    } catch (const base::InputError& error) { // the lens told and the path's own do not fit each other there
+        m_model.interface.sayProblem(error.what());
+        m_model.camera.motion = Motion::free;
+        m_model.camera.playback.isPlaying = false;
     }
 }
 
@@ -324,6 +334,9 @@ void Session::pick(const Click& click, const RenderResult& result) {
 void Session::enterScene(const RenderResult& result) {
     if (m_model.interface.notice.kind == NoticeKind::opening) {
         m_model.interface.notice = {};
+    }
+    if (m_model.picture.shown != nullptr && m_model.picture.shown->sceneName != result.sceneName) {
+        m_model.camera.lens = {};
     }
     const scene::CameraPath& path = result.scene->setup.path;
     m_model.camera.ofScene = path.at(0);

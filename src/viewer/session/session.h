@@ -62,6 +62,8 @@ class Session {
     void followPath(double seconds);
     void followTour();
     void followAnimation(double seconds);
+    /// Puts the camera where the scene's own is at a frame. Where it cannot, says why and ends what moves it.
+    void goTo(std::uint32_t frame);
     /// At which a scene that moves is shown.
     std::uint32_t frameOfMotion() const;
     RenderRequest wantedRequest(const PictureArea& area) const;

@@ -69,6 +69,15 @@ ViewSettings settingsOf(const Arguments& arguments) {
     return settings;
 }
 
+/// A recording through the lens of the command line, as `cdr render` draws it.
+scene::CameraRecording recordingOf(const options::CameraOptions& camera) {
+    scene::CameraRecording recording = scene::readRecording(camera.path);
+    for (scene::RecordedCamera& recorded : recording.cameras) {
+        recorded.camera = options::overridden(recorded.camera, options::lensOf(camera));
+    }
+    return recording;
+}
+
 } // namespace
 
 ViewerModel initialModel(const Arguments& arguments) {
@@ -81,11 +90,12 @@ ViewerModel initialModel(const Arguments& arguments) {
     model.camera.playback.isPlaying = arguments.plays;
     model.camera.motion = arguments.plays ? Motion::scenePath : Motion::free;
     if (!arguments.camera.path.empty()) {
-        model.camera.recorder.load(scene::readRecording(arguments.camera.path));
+        model.camera.recorder.load(recordingOf(arguments.camera));
         model.camera.motion = Motion::recording;
     }
     model.interface.unit = arguments.unit;
     model.camera.first = arguments.camera;
+    model.camera.lens = options::lensOf(arguments.camera);
     if (arguments.isFirstUse) {
         model.interface.firstSteps.begin();
     }

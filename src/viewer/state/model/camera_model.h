@@ -21,6 +21,7 @@ struct CameraModel {
     scene::Camera ofScene;                       ///< the scene's own at frame 0
     bool isThere = false;                        ///< false until a scene is open
     std::optional<options::CameraOptions> first; ///< of the command line, for the first scene
+    options::CameraOptions lens;                 ///< of the command line, while its scene is open
     bool orbits = false;
     glm::dvec3 pivot{0.0};
     double surfaceView = 0.0; ///< view distance of what is looked at: speeds follow from it

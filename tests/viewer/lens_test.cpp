@@ -1,0 +1,72 @@
+#include "viewer_run.h"
+
+#include <cdr/base/error.h>
+#include <cdr/scene/camera_recording.h>
+#include <viewer/session/startup.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace cdr::viewer_test {
+
+namespace {
+
+const std::string kLens = "--fov 5 --near 0.25 --far 5e5 --lens-shift 0.125,0 ";
+
+void expectLens(const std::string& line) {
+    for (const char* option : {" --fov=5 ", " --near=0.25 ", " --far=500000 ", " --lens-shift=0.125,0 "}) {
+        EXPECT_NE(line.find(option), std::string::npos) << option << line;
+    }
+}
+
+/// As `cdr render` draws each frame.
+TEST_F(ViewerTest, PlaysTheScenesPathThroughTheLensOfTheCommandLine) {
+    const RunResult run = play("--size 560x300 --technique anchored --play " + kLens + "afc",
+                               "wait-frame 3\nkey space\nwait-frame\ncommand\nquit\n");
+    const auto lines = run.lines("cdr render");
+    ASSERT_EQ(lines.size(), 1u) << run.out;
+    EXPECT_NE(lines[0].find(" --direction="), std::string::npos) << "the path has not moved it: " << lines[0];
+    expectLens(lines[0]);
+}
+
+TEST_F(ViewerTest, PlaysAnAnimatedCameraThroughTheLensOfTheCommandLine) {
+    const RunResult run = play("--size 560x300 --technique anchored --camera 0 --time 0 " + kLens +
+                                   CDR_SOURCE_DIR "/tests/fuzz/seeds/gltf/moving_camera.gltf",
+                               "wait-frame\nkey K\nwait-ui 10\nkey K\nwait-frame\ncommand\nquit\n");
+    const auto lines = run.lines("cdr render");
+    ASSERT_EQ(lines.size(), 1u) << run.out;
+    EXPECT_NE(lines[0].find(" --direction="), std::string::npos) << "it has not moved: " << lines[0];
+    expectLens(lines[0]);
+}
+
+TEST(Startup, ARecordingIsPlayedThroughTheLensOfTheCommandLine) {
+    const test::TemporaryFolder folder;
+    scene::CameraRecording recording{.scene = "afc", .cameras = {}};
+    const scene::Camera first{.fovY = 1.0, .nearView = 0.1, .farView = 100.0};
+    scene::Camera last = first;
+    last.position.x = 2.0;
+    last.fovY = 0.5;
+    ASSERT_TRUE(scene::record(recording, 0.0, first));
+    ASSERT_TRUE(scene::record(recording, 1.0, last));
+    viewer::Arguments arguments;
+    arguments.camera.path = (folder.path() / "path.json").string();
+    scene::writeRecording(arguments.camera.path, recording);
+    EXPECT_EQ(viewer::initialModel(arguments).camera.recorder.recording().cameras.at(1).camera, last);
+    arguments.camera.fovDegrees = 5.0;
+    arguments.camera.nearView = 0.25;
+    const scene::CameraRecording played = viewer::initialModel(arguments).camera.recorder.recording();
+    ASSERT_EQ(played.cameras.size(), 2u);
+    for (const scene::RecordedCamera& recorded : played.cameras) {
+        EXPECT_EQ(recorded.camera.fovY, scene::radiansOf(5.0));
+        EXPECT_EQ(recorded.camera.nearView, 0.25);
+        EXPECT_EQ(recorded.camera.farView, 100.0);
+    }
+    EXPECT_EQ(played.cameras[1].camera.position, last.position);
+    arguments.camera.nearView = 200.0; // beyond far
+    EXPECT_THROW(viewer::initialModel(arguments), base::InputError);
+}
+
+} // namespace
+
+} // namespace cdr::viewer_test
