@@ -99,6 +99,27 @@ TEST_F(ViewerTest, OpensWhatIsDropped) {
     EXPECT_EQ(picture("still.png"), picture("shapes.png"));
 }
 
+/// A triangle whose texture is the file texture.png.
+constexpr const char* kTexturedTriangle =
+    R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0}]}],
+"materials":[{"doubleSided":true,"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicFactor":0}}],
+"textures":[{"source":0}],"images":[{"uri":"texture.png"}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+{"bufferView":1,"componentType":5126,"count":3,"type":"VEC2"}],
+"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":24}],
+"buffers":[{"byteLength":60,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAgD8AAIA/AACAPwAAAAAAAAAA"}]})";
+
+/// The viewer itself writes another picture over the texture.
+TEST_F(ViewerTest, ReadsAFileAgainThatIsDroppedAgain) {
+    std::ofstream(folder() / "textured.gltf") << kTexturedTriangle;
+    image::writeImage(folder() / "texture.png", image::ImageRgba8(2, 2, {255, 255, 255, 255}));
+    play("--size 560x300 --technique anchored textured.gltf",
+         "wait-frame\npicture white.png\npicture texture.png\ndrop textured.gltf\nwait-frame\n"
+         "picture dark.png\nquit\n");
+    EXPECT_GT(difference(picture("white.png"), picture("dark.png")), 0.02);
+}
+
 TEST_F(ViewerTest, WheelAndKeysMoveTheCamera) {
     const RunResult run = play(
         "--size 560x300 --technique standard cubes",

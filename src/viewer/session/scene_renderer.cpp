@@ -52,9 +52,9 @@ scene::OpenedScene SceneRenderer::openNamed(const ViewSettings& settings) const 
 }
 
 void SceneRenderer::open(const ViewSettings& settings) {
-    if (m_scene != nullptr && settings.scene == m_sceneName && settings.seed == m_seed &&
-        settings.colours == m_colours && settings.choice == m_choice && settings.deform == m_deform &&
-        suffices(m_detail, settings.finish.detail.mode)) {
+    if (m_scene != nullptr && settings.scene == m_sceneName && settings.openings == m_openings &&
+        settings.seed == m_seed && settings.colours == m_colours && settings.choice == m_choice &&
+        settings.deform == m_deform && suffices(m_detail, settings.finish.detail.mode)) {
         followLayers(settings);
         return;
     }
@@ -74,6 +74,7 @@ void SceneRenderer::open(const ViewSettings& settings) {
     dropRenderers();
     m_scene = std::move(next);
     m_sceneName = settings.scene;
+    m_openings = settings.openings;
     m_seed = settings.seed;
     m_colours = settings.colours;
     m_choice = settings.choice;

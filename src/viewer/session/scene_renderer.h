@@ -64,6 +64,7 @@ class SceneRenderer {
     const gpu::Device& m_device;
     TellOpening m_tell;
     std::string m_sceneName;
+    std::uint64_t m_openings = 0;
     std::uint64_t m_seed = 0;
     scenes::Colours m_colours = scenes::Colours::thesis;
     scene::GltfChoice m_choice;

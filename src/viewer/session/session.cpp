@@ -290,7 +290,10 @@ void Session::pickOrAsk() {
         m_click.reset();
         return;
     }
-    if (m_model.settings.scene != shown.sceneName || m_asked->settings.scene != shown.sceneName) {
+    const auto isOther = [&](const ViewSettings& settings) {
+        return settings.scene != shown.sceneName || settings.openings != shown.settings.openings;
+    };
+    if (isOther(m_model.settings) || isOther(m_asked->settings)) {
         m_click.reset(); // another scene is being opened
         return;
     }
@@ -337,6 +340,9 @@ void Session::enterScene(const RenderResult& result) {
     }
     if (m_model.picture.shown != nullptr && m_model.picture.shown->sceneName != result.sceneName) {
         m_model.camera.lens = {};
+    }
+    if (m_click && !m_click->serial) {
+        m_click.reset(); // on what is gone
     }
     const scene::CameraPath& path = result.scene->setup.path;
     m_model.camera.ofScene = path.at(0);

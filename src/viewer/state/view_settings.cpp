@@ -37,6 +37,7 @@ depth::Technique referenceTechnique() {
 }
 
 void chooseScene(ViewSettings& settings, std::string nameOrPath) {
+    settings.openings += scene::isGltfPath(nameOrPath) ? 1 : 0;
     settings.scene = std::move(nameOrPath);
     scene::GltfChoice kept;
     kept.textureMiB = settings.choice.textureMiB;

@@ -36,6 +36,7 @@ depth::Technique referenceTechnique();
 /// Everything that a person chooses but the camera.
 struct ViewSettings {
     std::string scene = "rotation"; ///< a name or file for scenes::openScene()
+    std::uint64_t openings = 0;     ///< how often a file was asked for: it may have changed since
     std::uint64_t seed = scenes::kDefaultSeed;
     scenes::Colours colours = scenes::Colours::thesis; ///< of a generated scene
     scene::GltfChoice choice{};                        ///< of a glTF file
@@ -58,7 +59,7 @@ struct ViewSettings {
 };
 
 /// Another scene, or the same as it is by itself: what was chosen of its contents goes. What bounds textures and
-/// points stays.
+/// points stays. A file is read again, even if it is the one that is open.
 void chooseScene(ViewSettings& settings, std::string nameOrPath);
 
 /// The layer that the settings give a material; empty where it has the scene's own.

@@ -54,6 +54,19 @@ TEST(ViewSettings, AnotherSceneKeepsWhatBoundsTexturesAndPoints) {
     EXPECT_EQ(settings.choice.pointRadius, 0.1);
 }
 
+/// A file may have changed since; a generated scene does not.
+TEST(ViewSettings, ChoosingTheSameFileAgainIsAnotherRequest) {
+    ViewSettings settings;
+    chooseScene(settings, "a.glb");
+    const ViewSettings first = settings;
+    chooseScene(settings, "a.glb");
+    EXPECT_NE(settings, first);
+    chooseScene(settings, "cubes");
+    const ViewSettings cubes = settings;
+    chooseScene(settings, "cubes");
+    EXPECT_EQ(settings, cubes);
+}
+
 TEST(Explanations, EachChoiceHasASentenceOfItsOwn) {
     std::set<std::string> seen;
     const auto expectSentence = [&](std::string_view text) {
