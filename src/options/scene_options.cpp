@@ -58,8 +58,9 @@ void addSceneChoice(CLI::App& command, scene::GltfChoice& choice) {
 }
 
 void addMoment(CLI::App& command, scene::GltfChoice& choice) {
-    command.add_option("--animation", choice.animation,
-                       "Animation of a glTF file, by name or from 0; with --time the first");
+    command.add_option(
+        "--animation", choice.animation,
+        "Animation of a glTF file, by name or from 0 (#N where another is named N); with --time the first");
     command.add_option("--time", choice.seconds, "Seconds of the animation; else 0");
 }
 
@@ -75,8 +76,10 @@ void addStillChoice(CLI::App& command, scene::GltfChoice& choice) {
 }
 
 void addAnimationChoice(CLI::App& command, scene::GltfChoice& choice) {
-    command.add_option("--animation", choice.animation,
-                       "Animation of a glTF file, by name or from 0; with --time or --fps the first");
+    command.add_option(
+        "--animation", choice.animation,
+        "Animation of a glTF file, by name or from 0 (#N where another is named N); with --time or --fps the "
+        "first");
     command.add_option("--time", choice.seconds, "Seconds of the animation at frame 0");
     command.add_option("--fps", choice.framesPerSecond,
                        "Frames of --frames to a second of the animation; else all show one moment");

@@ -29,7 +29,7 @@ void chooseAnimation(const Widgets& widgets, const scene::OpenedScene& scene, sc
             return title;
         });
     if (picked < count && static_cast<int>(picked) - 1 != chosen) {
-        choice = withAnimation(choice, static_cast<int>(picked) - 1);
+        choice = withAnimation(choice, scene, static_cast<int>(picked) - 1);
         playback.seconds = 0.0;
         playback.isPlaying = picked > 0;
     }

@@ -36,7 +36,7 @@ void toggleAnimation(ViewerModel& model, const Pressed&) {
                         model.picture.shown->sceneName == model.settings.scene &&
                         !model.picture.shown->scene->animations.empty();
     if (hasAny && !model.settings.choice.framesPerSecond) {
-        model.settings.choice = withAnimation(model.settings.choice, 0);
+        model.settings.choice = withAnimation(model.settings.choice, *model.picture.shown->scene, 0);
     }
 }
 

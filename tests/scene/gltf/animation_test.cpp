@@ -96,6 +96,10 @@ TEST_F(GltfAnimation, IsChosenByNameOrNumber) {
     EXPECT_EQ(xOf("slide"), 6.0);
     EXPECT_EQ(xOf("0"), 1.0);
     EXPECT_EQ(xOf("1"), 1.0);
+    EXPECT_EQ(xOf("#0"), 6.0);
+    GltfChoice first;
+    first.seconds = 1.0;
+    EXPECT_EQ(openGltf(path, first).setup.scene.instances.x[0], 6.0) << "the first, not '0'";
     try {
         xOf("walk");
         FAIL();

@@ -138,35 +138,29 @@ FrameClock clockOf(const GltfChoice& choice) {
     return {.start = choice.seconds.value_or(0.0), .framesPerSecond = choice.framesPerSecond.value_or(0.0)};
 }
 
-/// An animation by its name, else by its number.
-std::optional<std::size_t> chosenAnimation(const std::filesystem::path& path, const GltfImport& import,
+std::optional<std::size_t> chosenAnimation(const std::filesystem::path& path,
+                                           const std::vector<PlayableAnimation>& animations,
                                            const GltfChoice& choice) {
     if (!isPlayed(choice)) {
         return std::nullopt;
     }
-    if (import.animation == nullptr || import.animation->animations.empty()) {
+    if (animations.empty()) {
         throw base::InputError(fmt::format(
             "{}: it has no animations, which --animation, --time and --fps play", platform::oneLine(path)));
     }
-    const std::vector<Animation>& animations = import.animation->animations;
-    const std::string asked = choice.animation.value_or("0");
-    for (std::size_t i = 0; i < animations.size(); ++i) {
-        if (animations[i].name == asked) {
-            return i;
-        }
+    if (!choice.animation) {
+        return 0;
     }
-    for (std::size_t i = 0; i < animations.size(); ++i) {
-        if (std::to_string(i) == asked) {
-            return i;
-        }
+    if (const auto number = animationOf(animations, *choice.animation)) {
+        return number;
     }
     std::string names;
     for (std::size_t i = 0; i < std::min<std::size_t>(animations.size(), 10); ++i) {
         names += fmt::format("{} {} '{}'", i == 0 ? ":" : ",", i, animations[i].name);
     }
     throw base::InputError(fmt::format("{}: animation '{}' does not exist, the file has {}{}",
-                                       platform::oneLine(path), asked.substr(0, 60), animations.size(),
-                                       names));
+                                       platform::oneLine(path), choice.animation->substr(0, 60),
+                                       animations.size(), names));
 }
 
 std::string animationsNote(const std::vector<Animation>& animations) {
@@ -293,7 +287,7 @@ OpenedScene opened(const std::filesystem::path& path, GltfImport import, const G
             result.animations.push_back({animation.name, animation.seconds});
         }
     }
-    const auto chosen = chosenAnimation(path, import, choice);
+    const auto chosen = chosenAnimation(path, result.animations, choice);
     const Sphere atRest = boundingSphere(import.scene.instances);
     Played played = playedFrom(import, chosen, choice, result.lights);
     const Sphere bounds = requiredBounds(import.scene);
@@ -349,6 +343,20 @@ void requireUsable(const GltfChoice& choice) {
         throw base::InputError(fmt::format("--points must be from {} to {}, in scene units, not {}",
                                            kMinPointRadius, kMaxPointRadius, *choice.pointRadius));
     }
+}
+
+std::optional<std::size_t> animationOf(std::span<const PlayableAnimation> animations, std::string_view text) {
+    const auto first = [&](const auto& isMeant) -> std::optional<std::size_t> {
+        for (std::size_t i = 0; i < animations.size(); ++i) {
+            if (isMeant(i)) {
+                return i;
+            }
+        }
+        return std::nullopt;
+    };
+    const auto named = first([&](std::size_t i) { return animations[i].name == text; });
+    const std::string_view digits = text.starts_with('#') ? text.substr(1) : text;
+    return named ? named : first([&](std::size_t i) { return std::to_string(i) == digits; });
 }
 
 std::optional<double> secondsAt(const GltfChoice& choice, std::uint32_t frame) {

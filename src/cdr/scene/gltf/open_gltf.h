@@ -39,7 +39,7 @@ struct GltfChoice {
     std::optional<std::uint32_t>
         camera;                        ///< of the scene's perspective cameras; else one that frames all of it
     std::optional<ModelLight> light{}; ///< else lamps
-    /// A name or, from 0, a number; else the first, if `seconds` or `framesPerSecond` are given. Else nothing moves.
+    /// As animationOf() takes it; else the first, if `seconds` or `framesPerSecond` are given. Else nothing moves.
     std::optional<std::string> animation{};
     std::optional<double> seconds{};         ///< of the animation at frame 0, at least 0; else 0
     std::optional<double> framesPerSecond{}; ///< above 0; else every frame shows the same moment
@@ -62,6 +62,11 @@ inline constexpr double kMaxPointRadius = 1e30;
 
 /// base::InputError for a number out of its range, whatever the file.
 CDR_EXPORT void requireUsable(const GltfChoice& choice);
+
+/// The number of the animation that a text means: of the first that has it as its name, or else the number that it is, from 0.
+/// Where another has that number as its name, `#` before it means the number. Nothing where none is meant.
+CDR_EXPORT std::optional<std::size_t> animationOf(std::span<const PlayableAnimation> animations,
+                                                  std::string_view text);
 
 /// The moment that a frame shows, in seconds of the animation, where one is played.
 CDR_EXPORT std::optional<double> secondsAt(const GltfChoice& choice, std::uint32_t frame);

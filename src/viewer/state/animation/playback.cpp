@@ -25,12 +25,14 @@ std::uint32_t Playback::frame(const scene::GltfChoice& choice) const {
         std::clamp(frame, 0.0, static_cast<double>(std::numeric_limits<std::uint32_t>::max())));
 }
 
-scene::GltfChoice withAnimation(scene::GltfChoice choice, int number) {
+scene::GltfChoice withAnimation(scene::GltfChoice choice, const scene::OpenedScene& scene, int number) {
     choice.seconds.reset();
     choice.animation.reset();
     choice.framesPerSecond.reset();
     if (number >= 0) {
-        choice.animation = std::to_string(number);
+        const std::string text = std::to_string(number);
+        const bool isItsOwn = scene::animationOf(scene.animations, text) == static_cast<std::size_t>(number);
+        choice.animation = isItsOwn ? text : "#" + text; // else the name of another
         choice.framesPerSecond = kPlaybackRate;
     }
     return choice;
@@ -43,7 +45,6 @@ Playback playbackOf(scene::GltfChoice& choice, std::uint32_t frame) {
     } else if (choice.animation || choice.seconds) {
         playback.seconds = choice.seconds.value_or(0.0);
         choice.seconds.reset();
-        choice.animation = choice.animation.value_or("0");
         choice.framesPerSecond = kPlaybackRate;
     }
     return playback;
@@ -61,19 +62,9 @@ int chosenNumber(const scene::GltfChoice& choice, const scene::OpenedScene& scen
     if (!choice.framesPerSecond || scene.animations.empty()) {
         return -1;
     }
-    const std::string asked = choice.animation.value_or("0");
-    const auto count = static_cast<int>(scene.animations.size());
-    for (int i = 0; i < count; ++i) {
-        if (scene.animations[static_cast<std::size_t>(i)].name == asked) {
-            return i;
-        }
-    }
-    for (int i = 0; i < count; ++i) {
-        if (std::to_string(i) == asked) {
-            return i;
-        }
-    }
-    return -1;
+    const auto number = choice.animation ? scene::animationOf(scene.animations, *choice.animation)
+                                         : std::optional<std::size_t>(0);
+    return number ? static_cast<int>(*number) : -1;
 }
 
 } // namespace cdr::viewer

@@ -25,7 +25,7 @@ struct Playback {
 };
 
 /// What of a file is shown with an animation, or none. @param number of the animation; below 0 none
-scene::GltfChoice withAnimation(scene::GltfChoice choice, int number);
+scene::GltfChoice withAnimation(scene::GltfChoice choice, const scene::OpenedScene& scene, int number);
 
 /// The choice of a command line made ready for playing: a moment without a rate is where playing begins.
 /// @param frame of the command line

@@ -12,6 +12,26 @@ scene::OpenedScene twoAnimations() {
     return scene;
 }
 
+/// Names come first, as for `--animation`.
+TEST(Playback, ChoosesAnimationsWhoseNamesAreNumbers) {
+    scene::OpenedScene scene;
+    scene.animations = {{.name = "1", .seconds = 2.0}, {.name = "0", .seconds = 3.0}, {.name = "#2"}, {}};
+    for (int number = 0; number < 4; ++number) {
+        const scene::GltfChoice choice = withAnimation({}, scene, number);
+        EXPECT_EQ(chosenNumber(choice, scene), number) << *choice.animation;
+    }
+    EXPECT_EQ(withAnimation({}, scene, 1).animation, "#1");
+    EXPECT_EQ(withAnimation({}, scene, 3).animation, "3");
+    scene::GltfChoice choice;
+    choice.framesPerSecond = 24.0;
+    EXPECT_EQ(chosenNumber(choice, scene), 0) << "the first, not '0'";
+    choice.animation = "1";
+    EXPECT_EQ(chosenNumber(choice, scene), 0);
+    EXPECT_FALSE(scene::animationOf(scene.animations, "4"));
+    EXPECT_FALSE(scene::animationOf(scene.animations, "##1"));
+    EXPECT_FALSE(scene::animationOf(scene.animations, "01"));
+}
+
 TEST(Playback, PlaysOnlyWhilePlaying) {
     Playback playback{.isPlaying = false, .loops = true, .speed = 2.0, .seconds = 0.5};
     playback.advance(0.25, 2.0);
@@ -38,20 +58,22 @@ TEST(Playback, LoopsOrStopsAtTheEnd) {
 
 /// The frame number and the rate say the moment that the copied command line shows.
 TEST(Playback, FramesNameTheMoment) {
-    const scene::GltfChoice choice = withAnimation({}, 1);
+    const scene::GltfChoice choice = withAnimation({}, twoAnimations(), 1);
     const Playback playback{.isPlaying = false, .loops = true, .speed = 1.0, .seconds = 1.234};
     EXPECT_EQ(playback.frame(choice), 1234u);
     EXPECT_NEAR(*scene::secondsAt(choice, playback.frame(choice)), 1.234, 1e-12);
     EXPECT_EQ(chosenNumber(choice, twoAnimations()), 1);
     EXPECT_EQ(playableSeconds(choice, twoAnimations()), 3.0);
-    EXPECT_EQ(withAnimation(choice, -1), scene::GltfChoice{});
+    EXPECT_EQ(withAnimation(choice, twoAnimations(), -1), scene::GltfChoice{});
 }
 
 TEST(Playback, BeginsWhereTheCommandLineSays) {
     scene::GltfChoice choice;
     choice.seconds = 1.5;
     EXPECT_EQ(playbackOf(choice, 0).seconds, 1.5);
-    EXPECT_EQ(choice, withAnimation({}, 0));
+    EXPECT_FALSE(choice.animation || choice.seconds);
+    EXPECT_EQ(choice.framesPerSecond, kPlaybackRate);
+    EXPECT_EQ(chosenNumber(choice, twoAnimations()), 0);
     choice.animation = "run";
     choice.framesPerSecond = 10.0;
     choice.seconds = 1.0;
