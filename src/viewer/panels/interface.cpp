@@ -111,7 +111,8 @@ void Interface::loadFont() const {
     // Drawn at the display's pixels, laid out in screen coordinates.
     io.FontGlobalScale = 1.0f / m_pixelsPerUnit;
 #ifdef CDR_VIEWER_FONT
-    static constexpr ImWchar kGlyphs[] = {0x20,   0xff,   0x3b1,  0x3c9,  0x2013, 0x2026, 0x2070, 0x207b,
+    // Latin, Greek and Cyrillic letters, as names have them, and the signs of our own text.
+    static constexpr ImWchar kGlyphs[] = {0x20,   0x17f,  0x370,  0x52f,  0x2013, 0x2026, 0x2070, 0x207b,
                                           0x2190, 0x2193, 0x2212, 0x2212, 0x2264, 0x2265, 0};
     if (std::filesystem::is_regular_file(CDR_VIEWER_FONT) &&
         io.Fonts->AddFontFromFileTTF(CDR_VIEWER_FONT, pixels, nullptr, kGlyphs) != nullptr) {

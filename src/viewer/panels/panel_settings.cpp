@@ -83,10 +83,7 @@ void drawTechniquePanel(const Widgets& widgets, ViewSettings& settings) {
     widgets.heading("Technique");
     bool compares = settings.second.has_value();
     if (widgets.checkbox("compare two", compares)) {
-        settings.second.reset();
-        if (compares) {
-            settings.second = depth::parseTechnique("anchored");
-        }
+        compareTwo(settings, compares);
     }
     if (!settings.second) {
         chooseTechnique(widgets, "technique", settings.technique);

@@ -13,11 +13,7 @@ namespace cdr::viewer {
 namespace {
 
 void toggleComparison(ViewerModel& model, const Pressed&) {
-    if (model.settings.second) {
-        model.settings.second.reset();
-    } else {
-        model.settings.second = depth::parseTechnique("anchored");
-    }
+    compareTwo(model.settings, !model.settings.second.has_value());
 }
 
 void stepView(ViewerModel& model, const Pressed& pressed) {

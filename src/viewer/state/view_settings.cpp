@@ -42,6 +42,9 @@ void chooseScene(ViewSettings& settings, std::string nameOrPath) {
     scene::GltfChoice kept;
     kept.textureMiB = settings.choice.textureMiB;
     kept.pointRadius = settings.choice.pointRadius;
+    if (scene::isGltfPath(settings.scene) && settings.choice.light != scene::ModelLight::file) {
+        kept.light = settings.choice.light;
+    }
     settings.choice = kept;
     settings.layers.clear();
 }
@@ -89,6 +92,14 @@ render::RenderOptions renderOptions(const ViewSettings& settings, std::size_t si
                                   .snapping = settings.snapping};
     apply(settings.finish, options);
     return options;
+}
+
+void compareTwo(ViewSettings& settings, bool compares) {
+    settings.second.reset();
+    if (compares) {
+        settings.second = depth::parseTechnique("anchored");
+        settings.second->format = settings.technique.format;
+    }
 }
 
 depth::Technique presetOfKey(std::size_t key) {

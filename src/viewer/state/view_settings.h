@@ -59,7 +59,7 @@ struct ViewSettings {
 };
 
 /// Another scene, or the same as it is by itself: what was chosen of its contents goes. What bounds textures and
-/// points stays. A file is read again, even if it is the one that is open.
+/// points stays, and so do a lamp or a sky from file to file. A file is read again, even if it is the one that is open.
 void chooseScene(ViewSettings& settings, std::string nameOrPath);
 
 /// The layer that the settings give a material; empty where it has the scene's own.
@@ -69,6 +69,9 @@ std::optional<float> chosenLayer(const ViewSettings& settings, const scene::Scen
 void chooseLayer(ViewSettings& settings, const scene::Scene& scene, std::uint32_t material, float layer);
 /// Gives a material the scene's own layer again, and with it those of its name that were given one as one.
 void clearLayer(ViewSettings& settings, const scene::Scene& scene, std::uint32_t material);
+
+/// Splits the screen, with `anchored` in the format of the left side at the right, or joins it.
+void compareTwo(ViewSettings& settings, bool compares);
 
 /// Whether what is drawn depends on the frames before, as fitted splits do.
 bool remembersFrames(const ViewSettings& settings);

@@ -28,6 +28,30 @@ TEST(ViewSettings, PresetKeysKeepTheFormatAndTheOtherSide) {
     }
 }
 
+TEST(ViewSettings, TheRightSideBeginsInTheFormatOfTheLeft) {
+    ViewSettings settings;
+    settings.technique.format = depth::DepthFormat::d16;
+    compareTwo(settings, true);
+    ASSERT_TRUE(settings.second.has_value());
+    EXPECT_EQ(nameOf(*settings.second), "anchored");
+    EXPECT_EQ(settings.second->format, depth::DepthFormat::d16);
+    compareTwo(settings, false);
+    EXPECT_FALSE(settings.second.has_value());
+}
+
+/// A file's own lights may be missing in the next, and generated scenes have none to choose.
+TEST(ViewSettings, AnotherFileKeepsALampOrASky) {
+    ViewSettings settings;
+    settings.choice.light = scene::ModelLight::lamps;
+    chooseScene(settings, "a.glb");
+    EXPECT_EQ(settings.choice.light, scene::ModelLight::lamps);
+    chooseScene(settings, "cubes");
+    EXPECT_FALSE(settings.choice.light.has_value());
+    settings.choice.light = scene::ModelLight::file;
+    chooseScene(settings, "a.glb");
+    EXPECT_FALSE(settings.choice.light.has_value());
+}
+
 TEST(ViewSettings, SidesBecomeRenderOptions) {
     ViewSettings settings;
     settings.second = presetOfKey(3);
