@@ -76,7 +76,7 @@ TEST_F(ViewerTest, CopiesWhatItWasGiven) {
     const std::string finish =
         "--detail=object:4 --translucency=sorted --translucency-memory=1 --antialias=edges";
     const std::string shadows = "--shadows=anchored --shadow-texels=512";
-    for (const std::string& given : {finish, shadows}) {
+    for (const std::string& given : {finish, shadows, std::string("--device=0")}) {
         const RunResult run =
             play("alley --technique anchored --size 560x300 " + given, "wait-frame\ncommand\nquit\n");
         ASSERT_EQ(run.lines("cdr render").size(), 1u) << run.out;

@@ -12,6 +12,7 @@ namespace cdr::viewer_test {
 
 namespace {
 
+const std::string kMovingCamera = CDR_SOURCE_DIR "/tests/fuzz/seeds/gltf/moving_camera.gltf";
 const std::string kLens = "--fov 5 --near 0.25 --far 5e5 --lens-shift 0.125,0 ";
 
 void expectLens(const std::string& line) {
@@ -31,13 +32,36 @@ TEST_F(ViewerTest, PlaysTheScenesPathThroughTheLensOfTheCommandLine) {
 }
 
 TEST_F(ViewerTest, PlaysAnAnimatedCameraThroughTheLensOfTheCommandLine) {
-    const RunResult run = play("--size 560x300 --technique anchored --camera 0 --time 0 " + kLens +
-                                   CDR_SOURCE_DIR "/tests/fuzz/seeds/gltf/moving_camera.gltf",
-                               "wait-frame\nkey K\nwait-ui 10\nkey K\nwait-frame\ncommand\nquit\n");
+    const RunResult run =
+        play("--size 560x300 --technique anchored --camera 0 --time 0 " + kLens + kMovingCamera,
+             "wait-frame\nkey K\nwait-ui 10\nkey K\nwait-frame\ncommand\nquit\n");
     const auto lines = run.lines("cdr render");
     ASSERT_EQ(lines.size(), 1u) << run.out;
     EXPECT_NE(lines[0].find(" --direction="), std::string::npos) << "it has not moved: " << lines[0];
     expectLens(lines[0]);
+}
+
+/// Until the scene's own camera is asked for again.
+TEST_F(ViewerTest, AnAnimatedCameraIsSteeredAway) {
+    const RunResult run =
+        play("--size 560x300 --technique anchored --camera 0 --time 0 " + kMovingCamera,
+             "wait-frame\nstate\nkey K\nwait-ui 10\nhold W\nwait-ui 5\nlet W\nwait-ui 5\nstate\n"
+             "wait-ui 20\nstate\nkey K\nkey home\nwait-ui 5\nstate\nquit\n");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 4u) << run.out;
+    EXPECT_NE(valueOf(states[1], "eye"), valueOf(states[0], "eye"));
+    EXPECT_EQ(valueOf(states[2], "eye"), valueOf(states[1], "eye")) << "the animation has moved it";
+    EXPECT_NE(valueOf(states[3], "eye"), valueOf(states[2], "eye")) << "it does not follow again";
+}
+
+TEST_F(ViewerTest, ASliderMovesTheAnimatedCamera) {
+    const RunResult run =
+        play("--size 1000x700 --technique anchored --camera 0 --time 0 " + kMovingCamera,
+             "wait-frame\nclick Camera\nwait-ui 3\ncommand\nclick time\nwait-frame\ncommand\nquit\n");
+    const auto lines = run.lines("cdr render");
+    ASSERT_EQ(lines.size(), 2u) << run.out;
+    EXPECT_EQ(lines[0].find(" --direction="), std::string::npos) << lines[0];
+    EXPECT_NE(lines[1].find(" --direction="), std::string::npos) << lines[1];
 }
 
 TEST(Startup, ARecordingIsPlayedThroughTheLensOfTheCommandLine) {

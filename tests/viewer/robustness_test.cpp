@@ -97,6 +97,15 @@ TEST_F(ViewerTest, SavesARecordingThatTheEndOfTheWindowEnds) {
     EXPECT_GE(scene::readRecording(folder() / "camera-path-0001.json").cameras.size(), 2u);
 }
 
+TEST_F(ViewerTest, EndsARecordingWhereAnotherSceneIsShown) {
+    const std::string other = CDR_SOURCE_DIR "/tests/fuzz/seeds/gltf/moving_camera.gltf";
+    play("--size 560x300 --technique standard cubes",
+         "wait-frame\nkey R\nwait-ui 5\ndrop " + other + "\nwait-frame\nwait-ui 2\nkey R\nwait-ui 5\nquit\n");
+    ASSERT_TRUE(fs::exists(folder() / "camera-path-0002.json")) << "the first went on";
+    EXPECT_EQ(scene::readRecording(folder() / "camera-path-0001.json").scene, "cubes");
+    EXPECT_EQ(scene::readRecording(folder() / "camera-path-0002.json").scene, other);
+}
+
 TEST_F(ViewerTest, SaysThatAFolderCannotBeWritten) {
     std::ofstream(folder() / "script")
         << "wait-frame\nkey F12\nwait-ui 2\nstate\nkey F12 shift\nwait-ui 3\nstate\nkey R\nwait-ui 2\nkey R\n"

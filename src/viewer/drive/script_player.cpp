@@ -109,8 +109,7 @@ void ScriptPlayer::play(const ScriptStep& step, const PlayedViewer& viewer) {
                           },
                           [&](const PrintState&) { printLine(stateLine(viewer.model)); },
                           [&](const PrintCommand&) {
-                              printLine(commandLinesOf(viewer.model.picture.shown.get(),
-                                                       viewer.model.camera.ofScene));
+                              printLine(commandLinesOf(viewer.model.picture, viewer.model.camera.ofScene));
                           },
                           [&](const Minimise&) {
                               window.minimise();

@@ -1,7 +1,5 @@
 #include "panels.h"
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -35,24 +33,6 @@ void chooseAnimation(const Widgets& widgets, const scene::OpenedScene& scene, sc
     }
 }
 
-/// A slider over the whole width. @return whether it was moved
-bool slide(const char* name, double& value, double low, double high, const char* format,
-           ImGuiSliderFlags scale) {
-    auto shown = static_cast<float>(value);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", name);
-    ImGui::SameLine(ImGui::GetFontSize() * 4.0f);
-    ImGui::SetNextItemWidth(-1.0f);
-    const std::string id = std::string("##") + name;
-    const bool isMoved =
-        ImGui::SliderFloat(id.c_str(), &shown, static_cast<float>(low), static_cast<float>(high), format,
-                           ImGuiSliderFlags_AlwaysClamp | scale);
-    if (isMoved) {
-        value = std::clamp(static_cast<double>(shown), low, high);
-    }
-    return isMoved;
-}
-
 } // namespace
 
 void drawAnimationPanel(const Widgets& widgets, const RenderResult* result, ViewSettings& settings,
@@ -74,10 +54,11 @@ void drawAnimationPanel(const Widgets& widgets, const RenderResult* result, View
     }
     widgets.beside();
     widgets.checkbox("loop", playback.loops);
-    if (slide("time", playback.seconds, 0.0, length, "%.3f s", ImGuiSliderFlags_None)) {
+    if (widgets.slider("time", playback.seconds, {.high = length, .format = "%.3f s"})) {
         playback.isPlaying = false;
     }
-    slide("speed", playback.speed, kSlowest, kFastest, "%.2f times", ImGuiSliderFlags_Logarithmic);
+    widgets.slider("speed", playback.speed,
+                   {.low = kSlowest, .high = kFastest, .format = "%.2f times", .isLogarithmic = true});
 }
 
 } // namespace cdr::viewer

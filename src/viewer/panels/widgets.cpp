@@ -139,6 +139,23 @@ bool Widgets::count(std::string_view name, int& value, int low, int high) const 
     return isChanged;
 }
 
+bool Widgets::slider(std::string_view name, double& value, const SliderRange& range) const {
+    auto shown = static_cast<float>(value);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", std::string(name).c_str());
+    ImGui::SameLine(ImGui::GetFontSize() * 4.0f);
+    ImGui::SetNextItemWidth(-1.0f);
+    const ImGuiSliderFlags scale = range.isLogarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
+    const bool isMoved = ImGui::SliderFloat(fmt::format("##{}", name).c_str(), &shown,
+                                            static_cast<float>(range.low), static_cast<float>(range.high),
+                                            range.format, ImGuiSliderFlags_AlwaysClamp | scale);
+    m_places.note(name);
+    if (isMoved) {
+        value = std::clamp(static_cast<double>(shown), range.low, range.high);
+    }
+    return isMoved;
+}
+
 bool Widgets::number(std::string_view name, float& value) const {
     label(name);
     const bool isChanged = ImGui::InputFloat(fmt::format("##{}", name).c_str(), &value, 0.0f, 0.0f, "%.6g",

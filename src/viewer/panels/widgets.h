@@ -19,6 +19,14 @@ constexpr ToggleState onIf(bool isOn) {
     return isOn ? ToggleState::on : ToggleState::off;
 }
 
+/// What a slider chooses from, and how its number is printed.
+struct SliderRange {
+    double low = 0.0;
+    double high = 1.0;
+    const char* format = "%.3f"; ///< of a double, as printf() takes it
+    bool isLogarithmic = false;
+};
+
 /// The interface's building blocks: Dear ImGui's, in one look, and each known to scripts by its name.
 class Widgets {
   public:
@@ -46,6 +54,8 @@ class Widgets {
     bool toggle(std::string_view name, ToggleState state) const;
     bool checkbox(std::string_view name, bool& isOn) const;
     bool count(std::string_view name, int& value, int low, int high) const;
+    /// @return whether it was moved.
+    bool slider(std::string_view name, double& value, const SliderRange& range) const;
     /// A number that is typed. Each letter that makes another number changes it.
     bool number(std::string_view name, float& value) const;
     /// The next item goes beside the last.

@@ -51,7 +51,7 @@ void Application::toggleRecording() {
         if (m_model.camera.motion == Motion::recording) {
             m_model.camera.motion = Motion::free; // what it plays goes
         }
-        recorder.begin(m_model.settings.scene);
+        recorder.begin(m_model.picture.shown->sceneName);
         m_model.interface.say("recording the camera; R ends it");
     }
 }
@@ -105,7 +105,7 @@ void Application::captureWindow() {
 }
 
 void Application::copyCommandLines() {
-    const std::string lines = commandLinesOf(m_model.picture.shown.get(), m_model.camera.ofScene);
+    const std::string lines = commandLinesOf(m_model.picture, m_model.camera.ofScene);
     if (lines.empty()) {
         m_model.interface.sayProblem("nothing is shown yet");
         return;
@@ -124,6 +124,7 @@ void Application::frameSelected() {
     const double aspect = pictureArea().extent.aspect();
     const Ball ball = ballOf(m_model.picture.shown->obstacles->instances(), last->object);
     m_model.camera.motion = Motion::free;
+    m_model.camera.followsAnimation = false;
     m_model.camera.now = scene::canonical(framed(m_model.camera.now, ball, aspect));
     m_model.camera.pivot = ball.centre;
     m_model.camera.surfaceView = glm::distance(m_model.camera.now.position, ball.centre);
@@ -169,6 +170,8 @@ void Application::tryPerform(Action action) {
         if (m_model.camera.isThere) {
             m_model.camera.motion = Motion::free;
             m_model.camera.pathFrame = 0;
+            m_model.camera.followsAnimation = true;
+            m_model.camera.animatedFrame.reset();
             m_model.camera.now = scene::canonical(m_model.camera.ofScene);
             m_model.camera.pivot =
                 m_model.camera.now.position - m_model.camera.now.back * m_model.camera.surfaceView;
@@ -181,6 +184,7 @@ void Application::tryPerform(Action action) {
         if (!m_model.camera.recorder.recording().cameras.empty() && !m_model.camera.recorder.isRecording()) {
             m_model.camera.playedSeconds = 0.0;
             m_model.camera.motion = Motion::recording;
+            m_model.camera.followsAnimation = false;
         }
         break;
     case Action::frameSelected:

@@ -160,6 +160,7 @@ void CameraControl::apply(const PictureArea& area, double seconds, ViewerModel& 
     const bool drags = input.drag + input.look + input.turn + input.pan != glm::dvec2(0.0);
     if ((isActive() || drags || input.scroll != 0.0 || input.lens != 0.0) && model.camera.isThere) {
         model.camera.motion = Motion::free; // whoever steers takes over
+        model.camera.followsAnimation = false;
         steer(input, model.picture.shown.get(), model.camera);
     }
 }

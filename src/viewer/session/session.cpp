@@ -75,14 +75,18 @@ void Session::followAnimation(double seconds) {
     const bool isOpen = m_model.picture.shown != nullptr &&
                         m_model.picture.shown->sceneName == m_model.settings.scene &&
                         m_model.picture.shown->settings.choice == m_model.settings.choice;
-    if (!isOpen || !m_model.camera.playback.isPlaying) {
+    if (!isOpen) {
         return;
     }
     const scene::OpenedScene& scene = *m_model.picture.shown->scene;
-    m_model.camera.playback.advance(seconds, playableSeconds(m_model.settings.choice, scene));
-    if (scene.setup.path.frames > 1 && m_model.settings.choice.framesPerSecond &&
-        m_model.camera.motion == Motion::free) {
-        goTo(m_model.camera.playback.frame(m_model.settings.choice));
+    CameraModel& camera = m_model.camera;
+    camera.playback.advance(seconds, playableSeconds(m_model.settings.choice, scene));
+    const bool isAnimated = scene.setup.path.frames > 1 && m_model.settings.choice.framesPerSecond;
+    const std::uint32_t frame = camera.playback.frame(m_model.settings.choice);
+    if (isAnimated && camera.motion == Motion::free && camera.followsAnimation &&
+        camera.animatedFrame != frame) {
+        camera.animatedFrame = frame;
+        goTo(frame);
     }
 }
 
@@ -146,9 +150,10 @@ void Session::update(const SessionInput& input) {
     }
     followPath(input.seconds);
     followAnimation(input.seconds);
-    if (m_model.camera.recorder.isRecording() &&
-        !m_model.camera.recorder.add(input.seconds, m_model.camera.now)) {
-        m_model.actions.push_back(Action::record); // it is full
+    PathRecorder& recorder = m_model.camera.recorder;
+    if (recorder.isRecording() && (recorder.recording().scene != m_model.picture.shown->sceneName ||
+                                   !recorder.add(input.seconds, m_model.camera.now))) {
+        m_model.actions.push_back(Action::record); // another scene is shown, or it is full
     }
     readCursor(input.area, input.cursor);
     const auto now = Clock::now();
@@ -338,15 +343,18 @@ void Session::enterScene(const RenderResult& result) {
     if (m_model.interface.notice.kind == NoticeKind::opening) {
         m_model.interface.notice = {};
     }
-    if (m_model.picture.shown != nullptr && m_model.picture.shown->sceneName != result.sceneName) {
-        m_model.camera.lens = {};
-    }
     if (m_click && !m_click->serial) {
         m_click.reset(); // on what is gone
     }
     const scene::CameraPath& path = result.scene->setup.path;
     m_model.camera.ofScene = path.at(0);
     const auto first = std::exchange(m_model.camera.first, std::nullopt);
+    if (m_model.picture.shown == nullptr || m_model.picture.shown->sceneName != result.sceneName) {
+        const options::CameraOptions told = first.value_or(options::CameraOptions{});
+        m_model.camera.lens = options::lensOf(told);
+        m_model.camera.followsAnimation = !(told.eye || told.target || told.direction || told.up);
+    }
+    m_model.camera.animatedFrame.reset();
     m_model.camera.pathFrame = first ? first->frame : 0;
     m_model.camera.now =
         scene::canonical(first ? overridden(path.at(frameOfMotion()), *first) : result.camera);

@@ -95,7 +95,7 @@ ViewerModel initialModel(const Arguments& arguments) {
     }
     model.interface.unit = arguments.unit;
     model.camera.first = arguments.camera;
-    model.camera.lens = options::lensOf(arguments.camera);
+    model.picture.device = arguments.device;
     if (arguments.isFirstUse) {
         model.interface.firstSteps.begin();
     }

@@ -187,6 +187,7 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
     words.add("--size", fmt::format("{}x{}", view.extent.width, view.extent.height));
     const Aov aov = aovOf(settings.view);
     words.addUnless(aov == Aov::color, "--aov", nameOf(aov));
+    words.addUnless(view.device.empty(), "--device", view.device);
     words.add("--output", output);
     return words.line();
 }

@@ -18,6 +18,7 @@ struct ReproducedView {
     scene::Camera sceneCamera; ///< the scene's own at frame 0: what agrees with it is left out
     PictureExtent extent;
     std::uint32_t frame = 0; ///< at which a scene that moves is shown
+    std::string device{};    ///< as `--device` names it; empty: the first that can
 };
 
 /// The `cdr render` line that draws the same picture without a window, quoted for a POSIX shell, writing to

@@ -20,11 +20,11 @@ image::ImageRgba8 shownPicture(const RenderResult* shown, double divider) {
     return picture;
 }
 
-std::string commandLinesOf(const RenderResult* result, const scene::Camera& sceneCamera) {
-    if (result == nullptr || result->sides.empty()) {
+std::string commandLinesOf(const PictureModel& picture, const scene::Camera& sceneCamera) {
+    if (picture.shown == nullptr || picture.shown->sides.empty()) {
         return {};
     }
-    const RenderResult& shown = *result;
+    const RenderResult& shown = *picture.shown;
     const bool isSplit = shown.sides.size() > 1;
     std::string lines;
     for (std::size_t side = 0; side < shown.sides.size(); ++side) {
@@ -34,7 +34,8 @@ std::string commandLinesOf(const RenderResult* result, const scene::Camera& scen
             .camera = shown.camera,
             .sceneCamera = sceneCamera,
             .extent = {shown.sides[side].options.width, shown.sides[side].options.height},
-            .frame = shown.frame};
+            .frame = shown.frame,
+            .device = picture.device};
         const char* name = side == 0 ? "left.png" : "right.png";
         lines += fmt::format("{}{}", side == 0 ? "" : "\n", renderCommand(view, isSplit ? name : "view.png"));
     }

@@ -1,8 +1,10 @@
 #pragma once
 
-#include "requests/render_request.h"
+#include "model/picture_model.h"
 
 #include <cdr/image/image.h>
+
+#include <string>
 
 namespace cdr::viewer {
 
@@ -12,6 +14,6 @@ namespace cdr::viewer {
 image::ImageRgba8 shownPicture(const RenderResult* shown, double divider);
 
 /// The `cdr render` lines that draw what is shown, one for each picture, left first. Empty while nothing is.
-std::string commandLinesOf(const RenderResult* result, const scene::Camera& sceneCamera);
+std::string commandLinesOf(const PictureModel& picture, const scene::Camera& sceneCamera);
 
 } // namespace cdr::viewer

@@ -28,8 +28,10 @@ struct CameraModel {
     Motion motion = Motion::free;
     std::uint32_t pathFrame = 0;
     PathRecorder recorder;
-    double playedSeconds = 0.0; ///< of what was recorded, or of the tour
-    Playback playback;          ///< of a file's animation
+    double playedSeconds = 0.0;                 ///< of what was recorded, or of the tour
+    Playback playback;                          ///< of a file's animation
+    bool followsAnimation = true;               ///< false once somebody steers away from an animated camera
+    std::optional<std::uint32_t> animatedFrame; ///< at which the animation has put it
 };
 
 } // namespace cdr::viewer

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace cdr::viewer {
@@ -24,6 +25,7 @@ struct PictureModel {
     Measuring measuring;
     std::vector<std::uint32_t> pickedMaterials; ///< of the object that was clicked on last
     std::optional<scene::Camera> clickedCamera; ///< of the picture that was clicked on last
+    std::string device; ///< that draws, as `--device` names it; empty: the first that can
 };
 
 } // namespace cdr::viewer
