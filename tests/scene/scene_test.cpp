@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <initializer_list>
 #include <string>
 
 namespace cdr::scene {
@@ -35,6 +37,54 @@ TEST(AddInstance, RefusesAMeshThatIsNotThere) {
     }
     scene.instances.mesh[0] = 7;
     EXPECT_THROW(placeInstance(scene, 0, {0.0, 0.0, 0.0}, glm::mat3(1.0f)), base::InputError);
+}
+
+TEST(DirectionalLight, ShinesAlikeAllOverItsSphere) {
+    const glm::dvec3 centre(4e6, -2e6, 1e6);
+    const glm::vec3 color(0.5f, 2.0f, 1.0f);
+    for (const double radius : {1e-3, 1.0, 5e7}) {
+        for (const double length : {1e-300, 1.0, 1e300}) {
+            const PointLight light =
+                directionalLight(glm::dvec3(0.6, -0.8, 0.0) * length, color, centre, radius);
+            EXPECT_EQ(light.color, color);
+            EXPECT_FALSE(isShaped(light));
+            for (const glm::dvec3& beside : {glm::dvec3(0.0), glm::dvec3(0.8, 0.6, 0.0),
+                                             glm::dvec3(0.6, -0.8, 0.0), glm::dvec3(0.0, 0.0, -1.0)}) {
+                const glm::dvec3 way = (centre + beside * radius) - light.position;
+                const double distance = glm::length(way);
+                EXPECT_LT(glm::distance(way / distance, glm::dvec3(0.6, -0.8, 0.0)), 1.1e-6);
+                const double share = 1.0 / (1.0 + std::pow(distance / light.halfDistance, 2.0));
+                EXPECT_GT(share, 1.0 - 1.1e-6);
+            }
+        }
+    }
+}
+
+TEST(DirectionalLight, RefusesWhatHasNoLengthOrIsNotFinite) {
+    const glm::dvec3 down(0.0, -1.0, 0.0);
+    const auto refuses = [](const glm::dvec3& direction, const glm::vec3& color, const glm::dvec3& centre,
+                            double radius) {
+        try {
+            directionalLight(direction, color, centre, radius);
+        } catch (const base::InputError&) {
+            return true;
+        }
+        return false;
+    };
+    const glm::vec3 white(1.0f);
+    const glm::dvec3 origin(0.0);
+    EXPECT_FALSE(refuses(down, white, origin, 1.0));
+    for (const double bad : std::initializer_list<double>{NAN, INFINITY, -INFINITY}) {
+        EXPECT_TRUE(refuses({bad, -1.0, 0.0}, white, origin, 1.0));
+        EXPECT_TRUE(refuses({0.0, -1.0, bad}, white, origin, 1.0));
+        EXPECT_TRUE(refuses(down, {1.0f, 1.0f, static_cast<float>(bad)}, origin, 1.0));
+        EXPECT_TRUE(refuses(down, white, {0.0, bad, 0.0}, 1.0));
+        EXPECT_TRUE(refuses(down, white, origin, bad));
+    }
+    EXPECT_TRUE(refuses(origin, white, origin, 1.0));
+    for (const double radius : {0.0, -1.0, 1e303}) {
+        EXPECT_TRUE(refuses(down, white, origin, radius));
+    }
 }
 
 } // namespace

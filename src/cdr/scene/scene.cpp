@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/scene/scene.h>
+#include <cdr/scene/world/check.h>
 
 #include <fmt/format.h>
 
@@ -37,7 +38,30 @@ float placedRadius(const Scene& scene, std::uint32_t mesh, const glm::mat3& basi
     return scene.meshes[mesh].boundingRadius * largestStretch(basis);
 }
 
+/// Radii to a directional light, and how many times farther one would be that is half as strong.
+constexpr double kFarAway = 1e6;
+constexpr double kFadesAfter = 1e3;
+
 } // namespace
+
+PointLight directionalLight(const glm::dvec3& direction, const glm::vec3& color, const glm::dvec3& centre,
+                            double radius) {
+    const double distance = kFarAway * radius;
+    // A length of squares would be 0 or infinite for directions of extreme lengths.
+    const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+    if (!(largest > 0.0 && std::isfinite(glm::dot(direction / largest, direction / largest)))) {
+        throw base::InputError("a directional light needs a direction whose length is above 0 and finite");
+    }
+    if (!(radius > 0.0 && std::isfinite(kFadesAfter * distance))) {
+        throw base::InputError(
+            fmt::format("a directional light needs a radius that is above 0 and finite, not {}", radius));
+    }
+    const PointLight light{.position = centre - glm::normalize(direction / largest) * distance,
+                           .color = color,
+                           .halfDistance = kFadesAfter * distance};
+    requireUsable(light, "directional light");
+    return light;
+}
 
 std::uint32_t Scene::objectCount() const {
     const auto last = std::max_element(instances.object.begin(), instances.object.end());

@@ -62,6 +62,16 @@ struct PointLight {
     std::optional<double> range{};
 };
 
+/// A light that shines in one direction, as the sun does: a point a million radii away from a sphere. In the sphere its
+/// direction differs from `direction` by at most 1.1e-6 radians, and its light from `color` by at most a share of 1.1e-6.
+/// @param direction that the light shines in: world axes, of any length above 0
+/// @param color linear, on a surface that faces the light
+/// @param centre of a sphere around all that is lit, in world space
+/// @param radius of that sphere, in scene units, above 0; over 10^12 as PointLight::position says
+/// @throws base::InputError where one of these is not finite, or has no length.
+CDR_EXPORT PointLight directionalLight(const glm::dvec3& direction, const glm::vec3& color,
+                                       const glm::dvec3& centre, double radius);
+
 /// Whether a light has a cone or a range.
 inline bool isShaped(const PointLight& light) {
     return light.cone.has_value() || light.range.has_value();

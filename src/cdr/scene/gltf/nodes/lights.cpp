@@ -17,9 +17,6 @@ using nlohmann::json;
 
 /// Of the scene's radius: where a point light is half as strong as the square of the distance would have it.
 constexpr double kCore = 1e-3;
-/// Radii to a directional light, and from there to where it would be half as strong.
-constexpr double kFarAway = 1e6;
-constexpr double kFadesAfter = 1e3;
 /// Each costs time at every pixel.
 constexpr std::size_t kMaxLights = 256;
 /// Half pi, as programs round it that write few digits.
@@ -156,25 +153,21 @@ std::vector<GltfLight> placeLights(std::span<const LightNode> nodes, const json&
 PointLight pointLightOf(const GltfLight& light, const glm::dvec3& centre, double radius) {
     // Lambert's law has a 1 / pi that cdr's lights have in their colour.
     const double strength = light.intensity / std::numbers::pi;
-    PointLight made;
-    if (light.direction) {
-        const double distance = kFarAway * radius;
-        made = {.position = centre - *light.direction * distance,
-                .color = light.color * static_cast<float>(strength),
-                .halfDistance = kFadesAfter * distance};
-    } else {
-        const double core = kCore * radius;
-        made = {.position = light.position,
-                .color = light.color * static_cast<float>(strength / (core * core)),
-                .halfDistance = core,
-                .cone = light.cone,
-                .range = light.range};
-    }
-    if (!std::isfinite(made.color.r + made.color.g + made.color.b)) {
+    const double core = kCore * radius;
+    const glm::vec3 color =
+        light.color * static_cast<float>(light.direction ? strength : strength / (core * core));
+    if (!std::isfinite(color.r + color.g + color.b)) {
         throw base::InputError(
             fmt::format("light '{}' is too strong for a scene of radius {}", light.name, radius));
     }
-    return made;
+    if (light.direction) {
+        return directionalLight(*light.direction, color, centre, radius);
+    }
+    return {.position = light.position,
+            .color = color,
+            .halfDistance = core,
+            .cone = light.cone,
+            .range = light.range};
 }
 
 } // namespace cdr::scene::gltf

@@ -30,7 +30,7 @@ std::optional<GltfLight> carriedBy(const glm::dmat4& toWorld, GltfLight light);
 LightType typeOf(const GltfLight& light);
 
 /// A light for a scene within a sphere. What falls as the square of the distance does so to 1 % from a hundredth of the
-/// sphere's radius on; nearer it is weaker. A directional light stands a million radii away.
+/// sphere's radius on; nearer it is weaker. One that shines in a direction is a directionalLight() of the sphere.
 /// @param radius above 0. base::InputError for a light that is too strong for float32.
 PointLight pointLightOf(const GltfLight& light, const glm::dvec3& centre, double radius);
 
