@@ -91,7 +91,7 @@ struct CDR_EXPORT Frame {
     /// From each pixel to where its surface was in the last frame, in pixels, to the right and down: cdr_gbuffer.glsl.
     /// Empty without RenderOptions::motion, or where FrameCopy::color was asked for.
     image::Raster<glm::vec2> motion;
-    /// Of each of the first kMaxShadowLights lights 255 where it reaches the opaque surface, else 0. Where its cone or
+    /// Of each of scene::shadowLights() 255 where it reaches the opaque surface, else 0. Where its cone or
     /// range leaves no light, either. Empty without RenderOptions::shadows, or where FrameCopy::color was asked for.
     image::ImageRgba8 litMask;
     /// Translucent fragments at or in front of the opaque surface; empty unless they were counted.

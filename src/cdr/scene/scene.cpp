@@ -63,6 +63,16 @@ PointLight directionalLight(const glm::dvec3& direction, const glm::vec3& color,
     return light;
 }
 
+std::vector<std::uint32_t> shadowLights(const std::vector<PointLight>& lights) {
+    std::vector<std::uint32_t> casting;
+    for (std::uint32_t i = 0; i < lights.size() && casting.size() < kMaxShadowLights; ++i) {
+        if (lights[i].castsShadows) {
+            casting.push_back(i);
+        }
+    }
+    return casting;
+}
+
 std::uint32_t Scene::objectCount() const {
     const auto last = std::max_element(instances.object.begin(), instances.object.end());
     return last == instances.object.end() ? 0 : *last + 1;

@@ -60,7 +60,15 @@ struct PointLight {
     std::optional<LightCone> cone{}; ///< of a spot light; none: all directions
     /// Scene units, above 0: the light is also multiplied by 1 - (d / range)^4, and beyond is none. None: unlimited.
     std::optional<double> range{};
+    /// Whether it casts shadows where a renderer draws them, and is one of shadowLights().
+    bool castsShadows = true;
 };
+
+/// How many lights of a scene cast shadows.
+inline constexpr std::size_t kMaxShadowLights = 4;
+
+/// The first kMaxShadowLights lights that cast shadows, by index, ascending.
+CDR_EXPORT std::vector<std::uint32_t> shadowLights(const std::vector<PointLight>& lights);
 
 /// A light that shines in one direction, as the sun does: a point a million radii away from a sphere. In the sphere its
 /// direction differs from `direction` by at most 1.1e-6 radians, and its light from `color` by at most a share of 1.1e-6.

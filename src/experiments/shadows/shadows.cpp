@@ -37,9 +37,9 @@ std::vector<ShadowVariant> shadowVariants(const ShadowExperiment& experiment) {
 }
 
 /// Fills in a frame's counts.
-/// @param result names the technique, the method, the frame and the light.
+/// @param result names the technique, the method, the frame, the light and its channel.
 ShadowResult compared(const render::Frame& frame, const measure::ShadowImage& truth, ShadowResult result) {
-    const measure::RenderedLight light{frame.litMask, result.light};
+    const measure::RenderedLight light{frame.litMask, result.channel};
     result.wrong = measure::countWrongShadows(light, truth);
     result.maps = frame.stats.shadows.maps;
     result.casters = frame.stats.shadows.casters;
@@ -56,23 +56,24 @@ void runShadows(const gpu::Device& device, const scene::SceneSetup& setup,
                 const Progress& progress, const std::function<void(const ShadowResult&)>& take) {
     const std::vector<ShadowVariant> variants = shadowVariants(experiment);
     const scene::Scene& scene = setup.scene;
-    if (scene.lights.empty()) {
+    const std::vector<std::uint32_t> lights = scene::shadowLights(scene.lights);
+    if (lights.empty()) {
         throw base::InputError(fmt::format("{}: it has no light that could cast a shadow", scene.name));
     }
-    const std::size_t lights = std::min(scene.lights.size(), render::kMaxShadowLights);
     const std::uint64_t pixels = std::uint64_t{experiment.options.width} * experiment.options.height;
-    platform::requireHostBytes(pixels * lights * cameras.frames * sizeof(measure::ShadowPixel),
-                               fmt::format("the truth of {} frames under {} lights", cameras.frames, lights));
+    platform::requireHostBytes(
+        pixels * lights.size() * cameras.frames * sizeof(measure::ShadowPixel),
+        fmt::format("the truth of {} frames under {} lights", cameras.frames, lights.size()));
     platform::WorkerPool workers(experiment.options.threads);
     const measure::TruthCaster shapes(scene, workers);
     const measure::ShadowTruthCaster caster(scene, shapes.shapes());
     const render::GpuScene gpuScene(device, scene);
     std::vector<measure::ShadowImage> truths; // by frame and light
-    const std::size_t steps = cameras.frames * (lights + variants.size());
+    const std::size_t steps = cameras.frames * (lights.size() + variants.size());
     std::size_t done = 0;
     for (std::uint32_t i = 0; i < cameras.frames; ++i) {
         const scene::Camera camera = cameras.at(setup.path, cameras.first + i);
-        for (std::size_t light = 0; light < lights; ++light) {
+        for (const std::uint32_t light : lights) {
             progress(done++, steps);
             truths.push_back(
                 caster.cast(camera, experiment.options.width, experiment.options.height, light, workers));
@@ -84,18 +85,21 @@ void runShadows(const gpu::Device& device, const scene::SceneSetup& setup,
         for (std::uint32_t i = 0; i < cameras.frames; ++i) {
             progress(done++, steps);
             const render::Frame frame = renderer.render(cameras.at(setup.path, cameras.first + i));
-            for (std::size_t light = 0; light < lights; ++light) {
+            for (std::size_t channel = 0; channel < lights.size(); ++channel) {
+                const measure::ShadowImage& truth = truths[i * lights.size() + channel];
                 ShadowResult result;
                 result.technique = variant.technique;
                 result.method = nameOf(variant.options.shadows.method);
                 result.frame = cameras.first + i;
-                result.light = light;
+                result.light = lights[channel];
+                result.channel = channel;
                 if (i > 0) {
-                    result.flips = measure::countShadowFlips(
-                        {.light = {reachedBefore, light}, .truth = truths[(i - 1) * lights + light]},
-                        {.light = {frame.litMask, light}, .truth = truths[i * lights + light]});
+                    result.flips =
+                        measure::countShadowFlips({.light = {reachedBefore, channel},
+                                                   .truth = truths[(i - 1) * lights.size() + channel]},
+                                                  {.light = {frame.litMask, channel}, .truth = truth});
                 }
-                take(compared(frame, truths[i * lights + light], std::move(result)));
+                take(compared(frame, truth, std::move(result)));
             }
             reachedBefore = frame.litMask;
         }

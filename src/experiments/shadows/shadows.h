@@ -31,7 +31,8 @@ struct ShadowResult {
     std::string technique;
     std::string method;
     std::uint32_t frame = 0;
-    std::size_t light = 0;       ///< index
+    std::size_t light = 0;       ///< index into Scene::lights
+    std::size_t channel = 0;     ///< of that light in Frame::litMask
     measure::WrongShadows wrong; ///< of the frame
     /// Since the frame before; empty for the first.
     std::optional<measure::FlipCount> flips{};

@@ -6,6 +6,7 @@
 #include <scenes/open_scene.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -351,6 +352,42 @@ TEST_F(ShadowsTest, WhatCannotBeIsRefused) {
     EXPECT_NE(refusalOf(boxScene(), options).find("64 to 4096 texels, not 63"), std::string::npos)
         << refusalOf(boxScene(), options);
     EXPECT_EQ(refusalOf(boxScene(), shadowOptions("anchored")), "none");
+}
+
+/// Six lights around a box over a floor, of which two cast no shadows: channels go to the others, in their order.
+TEST_F(ShadowsTest, LightsMayBeChosenThatCastShadows) {
+    scene::Scene scene = boxScene();
+    scene::addInstance(scene, 0, 0, 0, {0.0, 2.0, -10.0}, glm::mat3(2.0f));
+    scene::addInstance(scene, 0, 0, 1, {0.0, -11.0, -10.0}, glm::mat3(20.0f));
+    scene.lights.clear();
+    for (int i = 0; i < 6; ++i) {
+        const double angle = 1.0 * i;
+        scene.lights.push_back({.position = {30.0 * std::cos(angle), 40.0, -10.0 + 30.0 * std::sin(angle)},
+                                .color = glm::vec3(0.2f),
+                                .halfDistance = 1000.0,
+                                .castsShadows = i != 0 && i != 3});
+    }
+    const std::vector<std::uint32_t> casting{1, 2, 4, 5};
+    ASSERT_EQ(scene::shadowLights(scene.lights), casting);
+    const scene::Camera camera = scene::lookAlong({.farView = 1000.0}, {0.0, 6.0, 0.0}, {0.0, -0.5, -1.0});
+    const RenderOptions options = shadowOptions("anchored");
+    const render::Frame drawn = draw(scene, camera, options);
+    const std::vector<measure::ShadowImage> truth = ShadowTruth(scene).cast(camera, options);
+    for (std::size_t channel = 0; channel < casting.size(); ++channel) {
+        const measure::WrongShadows wrong =
+            measure::countWrongShadows({drawn.litMask, channel}, truth[casting[channel]]);
+        EXPECT_GT(wrong.shadowed, 100u) << channel;
+        EXPECT_EQ(wrong.wrong, 0u) << channel;
+    }
+    // Light that casts no shadow is added where the box's shadow by that light would be.
+    std::rotate(scene.lights.begin(), scene.lights.begin() + 1, scene.lights.begin() + 4); // 1 2 3 0 4 5
+    EXPECT_EQ(draw(scene, camera, options).litMask, drawn.litMask);
+    for (scene::PointLight& light : scene.lights) {
+        light.castsShadows = false;
+    }
+    RenderOptions plain = options;
+    plain.shadows.method = ShadowMethod::none;
+    EXPECT_EQ(draw(scene, camera, options).color, draw(scene, camera, plain).color);
 }
 
 /// It has no shadow itself, and those of the mesh behind it in the buffers stay.

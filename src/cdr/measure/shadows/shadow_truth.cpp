@@ -150,12 +150,12 @@ bool ShadowTruthCaster::reaches(const glm::dvec3& camera, const glm::dvec3& from
 glm::dvec4 ShadowTruthCaster::sharesAt(const glm::dvec3& camera, const glm::dvec3& fromCamera,
                                        const glm::dvec3& normal) const {
     glm::dvec4 shares(1.0);
-    const std::size_t lights = std::min<std::size_t>(m_scene->lights.size(), 4);
-    for (std::size_t light = 0; light < lights; ++light) {
-        const glm::dvec3 way = (m_scene->lights[light].position - camera) - fromCamera;
+    const std::vector<std::uint32_t> lights = scene::shadowLights(m_scene->lights);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const glm::dvec3 way = (m_scene->lights[lights[i]].position - camera) - fromCamera;
         // A surface that faces away from the light gets none of it in any case.
-        if (glm::dot(normal, way) > 0.0 && !reaches(camera, fromCamera, light)) {
-            shares[static_cast<int>(light)] = 0.0;
+        if (glm::dot(normal, way) > 0.0 && !reaches(camera, fromCamera, lights[i])) {
+            shares[static_cast<int>(i)] = 0.0;
         }
     }
     return shares;

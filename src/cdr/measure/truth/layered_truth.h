@@ -30,7 +30,7 @@ using LayeredTruth = image::Raster<LayeredPixel>;
 LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
                         std::uint32_t height, platform::WorkerPool& workers);
 
-/// The same where the first four lights cast shadows: from each surface, translucent ones too, a float64 ray to each of
+/// The same where lights cast shadows (scene::shadowLights()): from each surface, translucent ones too, a float64 ray to each of
 /// them. Opaque surfaces alone stop it. A pixel on a shadow's edge is no inner one.
 LayeredTruth castShadowedLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
                                 std::uint32_t height, platform::WorkerPool& workers);

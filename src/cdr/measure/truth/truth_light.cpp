@@ -108,9 +108,9 @@ template <typename ShareOf>
 glm::dvec3 sumLights(const scene::Scene& scene, const scene::Camera& camera, const LitSurface& surface,
                      const ShareOf& shareOf) {
     glm::dvec3 light(0.0);
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        const scene::PointLight& lamp = scene.lights[i];
-        const double reached = i < 4 ? surface.reached[static_cast<int>(i)] : 1.0;
+    int shadows = 0;
+    for (const scene::PointLight& lamp : scene.lights) {
+        const double reached = lamp.castsShadows && shadows < 4 ? surface.reached[shadows++] : 1.0;
         const glm::dvec3 toLight = (lamp.position - camera.position) - surface.fromCamera;
         const double squared = glm::dot(toLight, toLight);
         const double half2 = lamp.halfDistance * lamp.halfDistance;

@@ -19,7 +19,7 @@ struct LitSurface {
     glm::dvec3 normal;        ///< unit, world axes
     double openness = 1.0;    ///< share of ambient light that arrives
     glm::dvec3 emission{0.0}; ///< linear, what the surface sends by itself
-    glm::dvec4 reached{1.0};  ///< the shares of the first four lights that no shadow takes
+    glm::dvec4 reached{1.0};  ///< the shares of scene::shadowLights() that no shadow takes
 };
 
 /// Light that a surface sends to the camera, linear, in float64. Ambient and point light are by the formulas of the shading

@@ -1,6 +1,6 @@
 #include <cdr/render/shading/seen_lights.h>
-#include <cdr/render/shadows/shadows.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cdr::render {
@@ -24,11 +24,13 @@ bool reachesView(const scene::PointLight& light, const scene::Camera& camera, co
 
 } // namespace
 
-std::vector<std::uint32_t> seenLights(std::span<const scene::PointLight> lights, const scene::Camera& camera,
-                                      const scene::Frustum& frustum) {
-    std::vector<std::uint32_t> seen;
+std::vector<std::uint32_t> seenLights(const std::vector<scene::PointLight>& lights,
+                                      const scene::Camera& camera, const scene::Frustum& frustum) {
+    std::vector<std::uint32_t> seen = scene::shadowLights(lights);
+    const std::vector<std::uint32_t> casting = seen;
     for (std::uint32_t i = 0; i < lights.size(); ++i) {
-        if (i < kMaxShadowLights || !lights[i].range || reachesView(lights[i], camera, frustum)) {
+        const bool isThere = std::find(casting.begin(), casting.end(), i) != casting.end();
+        if (!isThere && (!lights[i].range || reachesView(lights[i], camera, frustum))) {
             seen.push_back(i);
         }
     }

@@ -11,7 +11,7 @@ namespace cdr::render {
 
 /// Which light a map is of, and how surfaces are compared with it.
 struct ReceiverOptions {
-    std::size_t light = 0;          ///< below kMaxShadowLights
+    std::size_t channel = 0;        ///< of the mask: the light's place in scene::shadowLights()
     bool isPlain = false;           ///< ShadowMethod::plain: places are taken from the camera
     std::uint32_t subPixelBits = 0; ///< to which vertices snap
 };

@@ -104,13 +104,13 @@ void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::Vi
         slot.pixels.push_back({sliceDepth(slices, i, m_options.method),
                                areaOf(slices[i], view.frustum, m_gbuffer.options().extent)});
     }
-    const std::size_t lights = std::min(m_scene.scene.lights.size(), kMaxShadowLights);
-    for (std::size_t light = 0; light < lights; ++light) {
+    const std::vector<std::uint32_t> lights = scene::shadowLights(m_scene.scene.lights);
+    for (std::size_t channel = 0; channel < lights.size(); ++channel) {
         for (std::size_t i = 0; i < slices.size(); ++i) {
-            for (const LightView& seen : viewsOf(m_scene.scene.lights[light], slices[i], view)) {
+            for (const LightView& seen : viewsOf(m_scene.scene.lights[lights[channel]], slices[i], view)) {
                 slot.views.push_back(seen);
                 slot.views.back().slice = i;
-                slot.receivers.push_back({.light = light});
+                slot.receivers.push_back({.channel = channel});
             }
         }
     }
@@ -119,7 +119,7 @@ void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::Vi
         Receivers& receivers = slot.receivers[i];
         receivers.push =
             receiverPush(slot.views[i], view,
-                         {.light = receivers.light, .isPlain = isPlain, .subPixelBits = subPixelBits});
+                         {.channel = receivers.channel, .isPlain = isPlain, .subPixelBits = subPixelBits});
         receivers.push.mapLast = shaders::ivec2(static_cast<std::int32_t>(m_map.side()) - 1);
     }
 }

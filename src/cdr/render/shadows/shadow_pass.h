@@ -28,7 +28,7 @@ class ShadowPass {
                const Shadows& options, depth::Mapping mapping);
     /// The pixels that read one map.
     struct Receivers {
-        std::size_t light = 0;
+        std::size_t channel = 0;      ///< ReceiverOptions::channel
         shaders::ReceiverPush push{}; ///< known once casters are
     };
     /// One frame slot's.
@@ -50,7 +50,7 @@ class ShadowPass {
     /// Reads the G-buffer in the shader read layout, and leaves mask() in it.
     void record(vk::CommandBuffer primary, const Slot& slot) const;
 
-    /// A channel for each of the first kMaxShadowLights lights: 1 where it reaches a surface, else 0.
+    /// A channel for each of scene::shadowLights(): 1 where it reaches a surface, else 0.
     const gpu::Image& mask() const { return m_mask; }
     static std::uint64_t predictBytes(const gpu::Device& device, vk::Extent2D extent, const Shadows& options);
 

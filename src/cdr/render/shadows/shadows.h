@@ -5,6 +5,7 @@
 /// @lifetime Names live as long as the program.
 
 #include <cdr/base/export.h>
+#include <cdr/scene/scene.h>
 #include <cdr/visibility/level_choice.h>
 
 #include <array>
@@ -53,8 +54,8 @@ constexpr bool castsShadows(visibility::DetailMode mode) {
     return mode == visibility::DetailMode::none || mode == visibility::DetailMode::perObject;
 }
 
-/// How many lights cast shadows, the first of a scene.
-inline constexpr std::size_t kMaxShadowLights = 4;
+/// How many lights cast shadows: scene::shadowLights().
+inline constexpr std::size_t kMaxShadowLights = scene::kMaxShadowLights;
 
 /// Counts of a frame's shadows.
 struct ShadowStats {

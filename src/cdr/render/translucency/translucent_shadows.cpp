@@ -45,11 +45,11 @@ TranslucentShadows::TranslucentShadows(const gpu::Device& device, const DrawnSce
 
 std::uint32_t TranslucentShadows::maxTexels(std::span<const ReceiverSlice> slices,
                                             const FrameView& view) const {
-    const std::size_t lights = std::min(m_scene.scene.lights.size(), kMaxShadowLights);
+    const std::vector<std::uint32_t> lights = scene::shadowLights(m_scene.scene.lights);
     std::uint32_t along = 1;
     for (const ReceiverSlice& slice : slices) {
         std::size_t maps = 0;
-        for (std::size_t light = 0; light < lights; ++light) {
+        for (const std::uint32_t light : lights) {
             // Of all directions: what a light's cone spares does not change the texels of the rest.
             const scene::PointLight all{.position = m_scene.scene.lights[light].position};
             maps +=
@@ -68,9 +68,10 @@ void TranslucentShadows::prepare(const FrameView& view, const visibility::Visibl
     const std::vector<SeenSphere> spheres = spheresOf(m_scene.scene, view.camera, seen);
     const std::vector<ReceiverSlice> slices = isPlain ? practicalSlices(view.camera, view.frustum, spheres)
                                                       : receiverSlices(view.camera, view.frustum, spheres);
+    const std::vector<std::uint32_t> lights = scene::shadowLights(m_scene.scene.lights);
     const std::uint32_t most = maxTexels(slices, view);
     m_views.clear();
-    m_lights.clear();
+    m_channels.clear();
     // What lies between two slices, or before the first, is drawn with the farther one, and is in none of its maps.
     m_slices.assign(1, {.nearView = 0.0f, .farView = 0.0f, .firstMap = 0, .mapCount = 0});
     for (std::size_t i = 0; i < slices.size(); ++i) {
@@ -82,14 +83,14 @@ void TranslucentShadows::prepare(const FrameView& view, const visibility::Visibl
         shaders::TranslucentSlice& drawn = m_slices.back();
         drawn.farView = static_cast<float>(slice.farView);
         drawn.firstMap = static_cast<std::uint32_t>(m_views.size());
-        for (std::size_t light = 0; light < std::min(m_scene.scene.lights.size(), kMaxShadowLights);
-             ++light) {
-            for (const LightView& seenByLight : lightViews(m_scene.scene.lights[light], view.camera.position,
-                                                           slice, view.frustum.footprintSlope, most)) {
+        for (std::size_t channel = 0; channel < lights.size(); ++channel) {
+            for (const LightView& seenByLight :
+                 lightViews(m_scene.scene.lights[lights[channel]], view.camera.position, slice,
+                            view.frustum.footprintSlope, most)) {
                 m_views.push_back(seenByLight);
                 m_views.back().slice = i;
             }
-            m_lights.resize(m_views.size(), light);
+            m_channels.resize(m_views.size(), channel);
         }
         drawn.mapCount = static_cast<std::uint32_t>(m_views.size()) - drawn.firstMap;
     }
@@ -99,8 +100,8 @@ void TranslucentShadows::prepare(const FrameView& view, const visibility::Visibl
     growReceivers();
     const auto receivers = m_receivers.as<shaders::ReceiverPush>(m_views.size());
     for (std::size_t i = 0; i < m_views.size(); ++i) {
-        receivers[i] = receiverPush(m_views[i], view,
-                                    {.light = m_lights[i], .isPlain = isPlain, .subPixelBits = subPixelBits});
+        receivers[i] = receiverPush(
+            m_views[i], view, {.channel = m_channels[i], .isPlain = isPlain, .subPixelBits = subPixelBits});
         receivers[i].mapCorner = {m_corners[i].x, m_corners[i].y};
         receivers[i].mapLast = {static_cast<std::int32_t>(m_views[i].size.width) - 1,
                                 static_cast<std::int32_t>(m_views[i].size.height) - 1};
