@@ -181,12 +181,13 @@ struct AirRecord {
 struct ShadingHeader {
     vec3 ambient;
     uint lightCount;
-    vec3 background; // linear colour; that of the fog where there is fog
+    vec3 background; // linear colour: that of the fog, or else the one shown
     float occlusionRadius;
     vec2 rayScale; // view-space x and y per unit of view distance at the right and top edges of the picture
     vec2 pictureSize; // in pixels
     vec2 rayCentre;   // view-space x and y per unit of view distance at the middle of the picture
     vec2 unused;
+    vec4 shownBackground; // linear colour that is written where no surface is; with air before that
     vec4 fog;       // linear colour, and what it takes per unit of distance
     vec4 skyUp;     // view space, unit; of the sky the rest
     vec4 skyZenith; // linear radiance
@@ -206,7 +207,7 @@ static_assert(sizeof(FacetRecord) == 32);
 static_assert(sizeof(LightRecord) == 64);
 static_assert(kManyLights == kFlatLights + 1 && kShapedLights == kFlatLights + 2);
 static_assert(sizeof(LayerPush) == 24);
-static_assert(sizeof(ShadingHeader) == 240 + 8 * kCascadeSlots);
+static_assert(sizeof(ShadingHeader) == 256 + 8 * kCascadeSlots);
 static_assert(sizeof(DetailRecord) == 48 + 32 * kDetailTextures);
 
 CDR_SHARED_END

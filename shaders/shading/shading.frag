@@ -59,7 +59,7 @@ vec4 covering(vec3 color, float ahead) {
     return vec4(opacity * color, 1.0 - opacity);
 }
 #else
-vec4 background() { return vec4(backgroundColor(), 1.0); }
+vec4 background() { return kFoggy != 0u ? header.shownBackground : vec4(backgroundColor(), 1.0); }
 vec4 covering(vec3 color, float ahead) { return vec4(color, 1.0); }
 #endif
 
@@ -170,14 +170,17 @@ vec4 shade(ivec2 pixel, uvec4 texel, out float distanceView) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     uvec4 texel = texelFetch(gbuffer, pixel, 0);
+    bool isSurface = kMarked != 0u || !isBackground(texel);
     outColor = background();
     float distanceView = -1.0;
-    if (kMarked != 0u || !isBackground(texel)) {
+    if (isSurface) {
         outColor = shade(pixel, texel, distanceView);
     }
     // Once for surfaces and background: some software devices run both sides of a branch.
     if (kAiry != 0u) {
         outColor.rgb = throughAir(outColor.rgb, rayHere(), distanceView);
     }
-    outColor.rgb = finished(outColor.rgb, kFinish, kExposure);
+    if (isSurface || kAiry != 0u) { // a background without air is finished already
+        outColor.rgb = finished(outColor.rgb, kFinish, kExposure);
+    }
 }

@@ -33,8 +33,8 @@ void FrameRecorder::beginTargets(VkCommandBuffer primary, HostReads reads) const
 
 void FrameRecorder::recordDraws(FrameSlot& slot) const {
     if (m_passes.litTargets != nullptr) {
-        slot.view.clearColor =
-            glm::vec4(finished(m_drawn.scene.background, m_options.effects.finish, Daylight::absent), 1.0f);
+        slot.view.clearColor = glm::vec4(
+            shownBackground(m_drawn.scene.background, m_options.effects.finish, Daylight::absent), 1.0f);
     }
     m_passes.drawnTargets().record(*slot.path, slot.view);
 }

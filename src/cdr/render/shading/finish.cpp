@@ -1,3 +1,4 @@
+#include <cdr/image/srgb.h>
 #include <cdr/render/shading/finish.h>
 #include <cdr/shaders/shared.h>
 
@@ -45,6 +46,14 @@ std::array<std::uint32_t, 2> finishConstants(const Finish& finish, Daylight dayl
 glm::vec3 finished(glm::vec3 color, const Finish& finish, Daylight daylight) {
     color *= gainOf(finish);
     return isNeutral(finish, daylight) ? neutralOf(color) : color;
+}
+
+glm::vec3 shownBackground(const glm::vec3& background, const Finish& finish, Daylight daylight) {
+    glm::vec3 color = finished(background, finish, daylight);
+    for (int i = 0; i < 3; ++i) {
+        color[i] = static_cast<float>(image::linearOfSrgb()[image::srgbOfLinear(color[i])]);
+    }
+    return color;
 }
 
 } // namespace cdr::render

@@ -22,4 +22,8 @@ std::array<std::uint32_t, 2> finishConstants(const Finish& finish, Daylight dayl
 /// A linear colour as those shaders finish it.
 glm::vec3 finished(glm::vec3 color, const Finish& finish, Daylight daylight);
 
+/// What an 8-bit sRGB picture has where no surface is: the background as finished(), moved to the middle of the nearest step.
+/// Devices may round a colour that is cleared to otherwise than one that a shader writes. From there both give this step.
+glm::vec3 shownBackground(const glm::vec3& background, const Finish& finish, Daylight daylight);
+
 } // namespace cdr::render

@@ -183,11 +183,13 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
     shaders::ShadingHeader& header = m_lights.as<shaders::ShadingHeader>(1).front();
     header.ambient = scene.ambient;
     const Fog& fog = m_effects.fog;
-    m_background = fog.visibility > 0.0 ? fog.color : scene.background;
-    header.background = m_background;
-    if (m_finishes) {
-        m_background = finished(m_background, m_effects.finish, daylightIf(scene.sky || scene.air));
+    const bool isFoggy = fog.visibility > 0.0;
+    m_background = isFoggy ? fog.color : scene.background;
+    if (m_finishes && !scene.air) { // air is between the camera and the background, and comes before the finish
+        m_background = shownBackground(m_background, m_effects.finish, daylightIf(scene.sky.has_value()));
     }
+    header.shownBackground = glm::vec4(m_background, 1.0f);
+    header.background = isFoggy ? fog.color : m_background;
     header.occlusionRadius = static_cast<float>(m_effects.occlusion.radius);
     header.rayScale = glm::vec2(frustum.tanX, frustum.tanY);
     header.rayCentre = glm::vec2(frustum.centre);
