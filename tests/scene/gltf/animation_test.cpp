@@ -68,6 +68,27 @@ TEST_F(GltfAnimation, MovesItsNodes) {
     EXPECT_EQ(still.animations[0].seconds, 2.0);
 }
 
+/// So that pictures of a moment do not depend on the one that a run begins with.
+TEST_F(GltfAnimation, LampsAreThoseOfTheModelAtRest) {
+    Document document = moving();
+    document.root["nodes"].push_back({{"mesh", 0}}); // one stays, so that the bounds change
+    document.root["scenes"][0]["nodes"].push_back(document.root["nodes"].size() - 1);
+    const std::filesystem::path path = write("a.glb", document.glb());
+    for (const ModelLight by : {ModelLight::lamps, ModelLight::sky}) {
+        GltfChoice choice;
+        choice.light = by;
+        const Scene atRest = openGltf(path, choice).setup.scene;
+        choice.seconds = 2.0;
+        const Scene later = openGltf(path, choice).setup.scene;
+        ASSERT_EQ(later.lights.size(), atRest.lights.size());
+        ASSERT_NE(later.instances.x[0], atRest.instances.x[0]);
+        for (std::size_t i = 0; i < later.lights.size(); ++i) {
+            EXPECT_EQ(later.lights[i].position, atRest.lights[i].position);
+            EXPECT_EQ(later.lights[i].halfDistance, atRest.lights[i].halfDistance);
+        }
+    }
+}
+
 TEST_F(GltfAnimation, FramesGoByTheirRate) {
     GltfChoice choice;
     choice.seconds = 0.5;

@@ -63,18 +63,20 @@ bool isSolid(const Sphere& sphere) {
     return sphere.radius > 0.0 && std::isfinite(sphere.radius);
 }
 
-/// A file's own lights, and the sphere that they are made for. It is that of the scene at rest, so that the moment at which a
-/// file is opened does not matter.
-struct OwnLights {
-    std::span<const GltfLight> lights;
-    Sphere atRest;
+/// How a model is lit.
+struct Lighting {
+    ModelLight by = ModelLight::lamps;
+    std::span<const GltfLight> own; ///< the file's
+    /// Around the scene at rest. So lights do not depend on the moment at which a file is opened.
+    Sphere bounds;
 };
 
 /// Lights a model from the front left above, and from behind, or as its file says.
-void addLights(Scene& scene, const Sphere& bounds, ModelLight light, const OwnLights& own) {
-    if (light == ModelLight::file) {
-        for (const GltfLight& each : own.lights) {
-            scene.lights.push_back(gltf::pointLightOf(each, own.atRest.centre, own.atRest.radius));
+void addLights(Scene& scene, const Lighting& lighting) {
+    const Sphere& bounds = lighting.bounds;
+    if (lighting.by == ModelLight::file) {
+        for (const GltfLight& each : lighting.own) {
+            scene.lights.push_back(gltf::pointLightOf(each, bounds.centre, bounds.radius));
         }
         scene.ambient = glm::vec3(kAmbientBesideOwn);
         scene.background = kModelBackground;
@@ -86,7 +88,7 @@ void addLights(Scene& scene, const Sphere& bounds, ModelLight light, const OwnLi
     const double reach = 6.0 * bounds.radius;
     scene.lights.push_back({.position = at(-2.0, 2.5, 3.0), .color = glm::vec3(1.3f), .halfDistance = reach});
     scene.background = kModelBackground;
-    if (light == ModelLight::sky) {
+    if (lighting.by == ModelLight::sky) {
         scene.sky = kModelSky;
         scene.background = glm::vec3(0.07f, 0.075f, 0.085f); // tone mapping darkens it to the other one
     } else {
@@ -96,9 +98,10 @@ void addLights(Scene& scene, const Sphere& bounds, ModelLight light, const OwnLi
 }
 
 /// Lights a model, and looks at it from the front, a little from above, or through a camera of its own.
-SceneSetup setUpModel(Scene scene, const Sphere& bounds, const std::optional<Camera>& own, ModelLight light,
-                      const OwnLights& ownLights) {
-    addLights(scene, bounds, light, ownLights);
+/// @param bounds around the scene as it is now
+SceneSetup setUpModel(Scene scene, const Sphere& bounds, const std::optional<Camera>& own,
+                      const Lighting& lighting) {
+    addLights(scene, lighting);
     if (own) {
         return {.scene = std::move(scene), .path = stillPath(*own)};
     }
@@ -294,8 +297,8 @@ OpenedScene opened(const std::filesystem::path& path, GltfImport import, const G
     boundByPoses(import.scene, played.motion, 0);
     const Sphere lightBounds = isSolid(atRest) ? atRest : bounds;
     const auto own = camera ? std::optional(drawnAs(*camera, camera->camera, lightBounds)) : std::nullopt;
-    result.setup = setUpModel(std::move(import.scene), bounds, own, choice.light.value_or(ModelLight::lamps),
-                              {import.lights, lightBounds});
+    result.setup = setUpModel(std::move(import.scene), bounds, own,
+                              {choice.light.value_or(ModelLight::lamps), import.lights, lightBounds});
     if (chosen && camera && import.rigNodeOf[static_cast<std::size_t>(camera->node)]) {
         result.setup.path = carriedPath(import, *camera, *chosen, choice, lightBounds);
     }
