@@ -6,6 +6,10 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace cdr::scene {
 
@@ -53,6 +57,58 @@ TEST(MeshPose, ANumberThatIsNoneBoundsNothing) {
         }
         EXPECT_FALSE(std::isfinite(boundingRadiusOf(pose))) << kind.name;
     }
+}
+
+/// Wherever it stands in a deformer: the next number is compared with it.
+TEST(MeshPose, ANumberThatIsNoneInADeformerBoundsNothing) {
+    constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+    for (const DeformerKind& kind : test::deformerKinds()) {
+        const auto sound = test::makeDeformer(kind, 6);
+        const auto radiusWith = [&](const auto& spoil) {
+            auto spoilt = std::make_shared<Deformer>(*sound);
+            spoil(*spoilt);
+            finish(*spoilt);
+            MeshPose pose = test::poseOf(kind, sound, 1);
+            pose.deformer = spoilt;
+            return boundingRadiusOf(pose);
+        };
+        EXPECT_TRUE(std::isfinite(radiusWith([](Deformer&) {}))) << kind.name;
+        for (const std::size_t vertex : {0u, 100u, 332u}) {
+            EXPECT_FALSE(std::isfinite(radiusWith([&](Deformer& d) {
+                d.vertices[vertex].position.y = kNone;
+            }))) << kind.name
+                 << " " << vertex;
+        }
+        for (const std::size_t delta : {0u, 10u}) {
+            EXPECT_EQ(std::isfinite(radiusWith([&](Deformer& d) {
+                          for (std::vector<MorphDelta>& target : d.targets) {
+                              target[delta].position.z = kNone;
+                          }
+                      })),
+                      kind.targets == 0)
+                << kind.name << " " << delta;
+        }
+        for (const std::size_t influence : {0u, 300u}) {
+            EXPECT_EQ(std::isfinite(radiusWith([&](Deformer& d) {
+                          if (kind.joints > 0) {
+                              d.influences[influence].weight = kNone;
+                          }
+                      })),
+                      kind.joints == 0)
+                << kind.name << " " << influence;
+        }
+    }
+}
+
+/// Such a joint is not forgotten where a pose must have it.
+TEST(MeshPose, AJointWhoseVerticesAreNoNumbersIsStillNeeded) {
+    const DeformerKind kind{.name = "skin", .joints = 3};
+    auto spoilt = std::make_shared<Deformer>(*test::makeDeformer(kind, 4));
+    for (Vertex& vertex : spoilt->vertices) {
+        vertex.position = glm::vec3(std::numeric_limits<float>::quiet_NaN());
+    }
+    finish(*spoilt);
+    EXPECT_EQ(spoilt->jointReaches.size(), 3u);
 }
 
 Scene oneMesh(const Deformer& deformer) {
@@ -133,6 +189,67 @@ TEST(MeshPose, AWorldRefusesADeformerThatNamesWhatIsNotThere) {
     pose.deformer = sound;
     pose.weights.clear(); // all 0
     EXPECT_EQ(refusalOf(world, pose), "none");
+}
+
+/// deform() looks for the vertices of a part of the mesh.
+TEST(MeshPose, AWorldRefusesMorphTargetsWhoseVerticesDoNotAscend) {
+    const DeformerKind kind = test::deformerKinds()[2];
+    const auto sound = test::makeDeformer(kind, 7);
+    World world(oneMesh(*sound));
+    MeshPose pose = test::poseOf(kind, sound, 1);
+    const std::string refusal = "mesh 0: the vertices of a morph target must ascend, each once";
+    auto spoilt = std::make_shared<Deformer>(*sound);
+    std::swap(spoilt->targets[1][3], spoilt->targets[1][4]);
+    finish(*spoilt);
+    pose.deformer = spoilt;
+    EXPECT_EQ(refusalOf(world, pose), refusal);
+    spoilt = std::make_shared<Deformer>(*sound);
+    spoilt->targets[2][5].vertex = 333; // not the last
+    finish(*spoilt);
+    pose.deformer = spoilt;
+    EXPECT_EQ(refusalOf(world, pose), refusal);
+    spoilt = std::make_shared<Deformer>(*sound);
+    spoilt->targets[0][1].vertex = spoilt->targets[0][0].vertex; // would move it farther than targetReach
+    finish(*spoilt);
+    pose.deformer = spoilt;
+    EXPECT_EQ(refusalOf(world, pose), refusal);
+    EXPECT_THROW(world.setPose(world.mesh(0), pose, test::deformedByCpu(test::poseOf(kind, sound, 1))),
+                 base::InputError);
+}
+
+TEST(MeshPose, AWorldRefusesADeformerThatIsNotFinite) {
+    constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+    constexpr float kEndless = std::numeric_limits<float>::infinity();
+    const DeformerKind kind = test::deformerKinds()[2];
+    const auto sound = test::makeDeformer(kind, 7);
+    World world(oneMesh(*sound));
+    MeshPose pose = test::poseOf(kind, sound, 1);
+    const auto refusalWith = [&](const auto& spoil) {
+        auto spoilt = std::make_shared<Deformer>(*sound);
+        spoil(*spoilt);
+        finish(*spoilt);
+        pose.deformer = spoilt;
+        return refusalOf(world, pose);
+    };
+    for (const bool hasPose : {false, true}) {
+        for (const float bad : {kNone, kEndless, -kEndless}) {
+            for (const std::size_t at : {0u, 30u}) {
+                const std::string vertices = "mesh 0: its vertices must be finite";
+                EXPECT_EQ(refusalWith([&](Deformer& d) { d.vertices[at].position.x = bad; }), vertices);
+                EXPECT_EQ(refusalWith([&](Deformer& d) { d.vertices[at].normal.y = bad; }), vertices);
+                EXPECT_EQ(refusalWith([&](Deformer& d) { d.details[at].tangent.w = bad; }), vertices);
+                const std::string targets = "mesh 0: its morph targets must be finite";
+                EXPECT_EQ(refusalWith([&](Deformer& d) { d.targets[1][at].position.x = bad; }), targets);
+                EXPECT_EQ(refusalWith([&](Deformer& d) { d.targets[4][at].normal.y = bad; }), targets);
+                EXPECT_EQ(refusalWith([&](Deformer& d) { d.targets[0][at].tangent.z = bad; }), targets);
+                EXPECT_EQ(refusalWith([&](Deformer& d) { d.influences[at].weight = bad; }),
+                          "mesh 0: the weights of its joints must be finite");
+            }
+        }
+        EXPECT_EQ(world.pose(0) != nullptr, hasPose);
+        pose.deformer = sound;
+        EXPECT_EQ(refusalOf(world, pose), "none");
+    }
 }
 
 /// The device draws what the mesh has, and deform() makes what the deformer has.

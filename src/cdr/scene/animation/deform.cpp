@@ -75,6 +75,11 @@ void forEachInfluence(const Deformer& deformer, const Visit& visit) {
     }
 }
 
+/// What is not a number stays, and must not get lost in a comparison.
+double largerOrNan(double a, double b) {
+    return std::isnan(a) || b <= a ? a : b;
+}
+
 void measureJoints(Deformer& deformer) {
     std::vector<Box> boxes;
     forEachInfluence(deformer, [&](const glm::dvec3& position, const Influence& influence) {
@@ -84,11 +89,11 @@ void measureJoints(Deformer& deformer) {
     std::vector<double> radii(boxes.size());
     forEachInfluence(deformer, [&](const glm::dvec3& position, const Influence& influence) {
         double& radius = radii[influence.joint];
-        radius = std::max(radius, glm::length(position - boxes[influence.joint].centre()));
+        radius = largerOrNan(radius, glm::length(position - boxes[influence.joint].centre()));
     });
     deformer.jointReaches.clear();
     for (std::uint32_t joint = 0; joint < boxes.size(); ++joint) {
-        if (!boxes[joint].isEmpty()) {
+        if (!boxes[joint].isEmpty() || std::isnan(radii[joint])) {
             deformer.jointReaches.push_back(
                 {.joint = joint, .centre = boxes[joint].centre(), .radius = radii[joint]});
         }
@@ -99,13 +104,14 @@ void measureJoints(Deformer& deformer) {
 void measureReaches(Deformer& deformer) {
     deformer.reach = 0.0;
     for (const Vertex& vertex : deformer.vertices) {
-        deformer.reach = std::max(deformer.reach, glm::length(glm::dvec3(vertex.position) - deformer.centre));
+        deformer.reach =
+            largerOrNan(deformer.reach, glm::length(glm::dvec3(vertex.position) - deformer.centre));
     }
     deformer.targetReach.clear();
     for (const std::vector<MorphDelta>& target : deformer.targets) {
         double most = 0.0;
         for (const MorphDelta& delta : target) {
-            most = std::max(most, glm::length(glm::dvec3(delta.position)));
+            most = largerOrNan(most, glm::length(glm::dvec3(delta.position)));
         }
         deformer.targetReach.push_back(most);
     }
@@ -116,7 +122,7 @@ void measureReaches(Deformer& deformer) {
         for (std::size_t i = deformer.firstInfluence[vertex]; i < deformer.firstInfluence[vertex + 1]; ++i) {
             sum += static_cast<double>(deformer.influences[i].weight);
         }
-        deformer.weightError = std::max(deformer.weightError, std::abs(sum - 1.0));
+        deformer.weightError = largerOrNan(deformer.weightError, std::abs(sum - 1.0));
     }
 }
 

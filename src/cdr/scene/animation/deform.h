@@ -42,7 +42,7 @@ struct Deformer {
     std::vector<VertexDetail> details; ///< one per vertex, or empty
     bool isFlat = false; ///< three vertices for each triangle in turn, whose normal follows from its corners
     bool derivedTangents = false; ///< tangents that morph targets keep at a right angle to normals
-    std::vector<std::vector<MorphDelta>> targets; ///< only vertices that they move, ascending
+    std::vector<std::vector<MorphDelta>> targets; ///< only vertices that they move, ascending, each once
     std::vector<std::size_t> firstInfluence;      ///< by vertex, and the end; empty without a skin
     std::vector<Influence> influences;            ///< vertex by vertex
     glm::dvec3 centre{0.0};                       ///< of its bounding box
@@ -78,6 +78,7 @@ struct Deformation {
 
 /// Vertices `first` to `last` of the deformed mesh about its place, all in float64 until they are rounded once. Normals
 /// stay across the surface, and tangents along it.
+/// @param deformer that requireUsable() lets pass (mesh_pose.h)
 /// @param deformed with room for all vertices, and for all details where the deformer has them
 CDR_EXPORT void deform(const Deformer& deformer, const Deformation& deformation, std::size_t first,
                        std::size_t last, MeshVertices& deformed);

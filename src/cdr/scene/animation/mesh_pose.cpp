@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/scene/animation/mesh_pose.h>
+#include <cdr/scene/world/check.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,28 @@ double morphedBy(const MeshPose& pose) {
     return most;
 }
 
+/// Numbers of float32 have a finite sum in float64.
+bool isFiniteVector(const glm::vec3& v) {
+    return std::isfinite(glm::dot(glm::dvec3(v), glm::dvec3(1.0)));
+}
+
+void requireTarget(const std::vector<MorphDelta>& target, std::size_t vertices, const std::string& what) {
+    if (std::adjacent_find(target.begin(), target.end(), [](const MorphDelta& a, const MorphDelta& b) {
+            return a.vertex >= b.vertex;
+        }) != target.end()) {
+        throw base::InputError(what + ": the vertices of a morph target must ascend, each once");
+    }
+    if (!target.empty() && target.back().vertex >= vertices) {
+        throw base::InputError(what + ": a morph target moves a vertex that its deformer has not");
+    }
+    if (!std::all_of(target.begin(), target.end(), [](const MorphDelta& delta) {
+            return isFiniteVector(delta.position) && isFiniteVector(delta.normal) &&
+                   isFiniteVector(delta.tangent);
+        })) {
+        throw base::InputError(what + ": its morph targets must be finite");
+    }
+}
+
 float roundedUp(double radius) {
     const auto rounded = static_cast<float>(radius);
     return static_cast<double>(rounded) < radius
@@ -42,6 +65,22 @@ float roundedUp(double radius) {
 }
 
 } // namespace
+
+void requireUsable(const Deformer& deformer, const std::string& what) {
+    if (!std::all_of(deformer.vertices.begin(), deformer.vertices.end(), [](const Vertex& vertex) {
+            return isFiniteVector(vertex.position) && isFiniteVector(vertex.normal);
+        })) {
+        throw base::InputError(what + ": its vertices must be finite");
+    }
+    requireUsable(deformer.details, deformer.vertices.size(), what);
+    for (const std::vector<MorphDelta>& target : deformer.targets) {
+        requireTarget(target, deformer.vertices.size(), what);
+    }
+    if (!std::all_of(deformer.influences.begin(), deformer.influences.end(),
+                     [](const Influence& influence) { return std::isfinite(influence.weight); })) {
+        throw base::InputError(what + ": the weights of its joints must be finite");
+    }
+}
 
 void requireUsable(const MeshPose& pose, const std::string& what) {
     if (pose.deformer == nullptr) {
@@ -55,11 +94,6 @@ void requireUsable(const MeshPose& pose, const std::string& what) {
     if (deformer.targetReach.size() != deformer.targets.size() ||
         deformer.jointReaches.empty() != deformer.influences.empty()) {
         throw base::InputError(what + ": its deformer is not as finish() leaves it");
-    }
-    for (const std::vector<MorphDelta>& target : deformer.targets) {
-        if (!target.empty() && target.back().vertex >= vertices) {
-            throw base::InputError(what + ": a morph target moves a vertex that its deformer has not");
-        }
     }
     const std::size_t needed =
         deformer.jointReaches.empty() ? 1 : deformer.jointReaches.back().joint + std::size_t{1};

@@ -26,9 +26,13 @@ struct MeshPose {
     Deformation deformation() const { return {.weights = weights, .joints = joints, .place = place}; }
 };
 
-/// @throws base::InputError where a pose lacks its deformer, or a joint that this uses. Or where a morph target moves a vertex
-/// that is not there, or finish() was left out.
-/// @param what names the mesh in the message
+/// @throws base::InputError where positions, normals, tangents, morph targets or weights are not finite. Or where a morph target
+/// moves a vertex that is not there, or its vertices do not ascend. Takes time by the deformer's size.
+/// @param what names the mesh in the message, here and below
+CDR_EXPORT void requireUsable(const Deformer& deformer, const std::string& what);
+
+/// @throws base::InputError where a pose lacks its deformer, or a joint that this uses, or finish() was left out. The deformer's
+/// own numbers are looked at by the function above.
 CDR_EXPORT void requireUsable(const MeshPose& pose, const std::string& what);
 
 /// Bounds the deformed vertices by what each joint moves. Takes time by the number of joints and morph targets, not of

@@ -263,6 +263,7 @@ Mesh& World::requirePosable(MeshHandle handle, const MeshPose& pose) {
     Mesh& mesh = requireDeformable(handle, pose.deformer->vertices.size());
     const MeshPose* before = this->pose(handle.index);
     if (before == nullptr || before->deformer != pose.deformer) {
+        requireUsable(*pose.deformer, what); // takes time by vertices, so not for each pose
         requireAlike(*pose.deformer, mesh, what);
     }
     return mesh;

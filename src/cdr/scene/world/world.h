@@ -99,7 +99,7 @@ class CDR_EXPORT World {
     /// also takes time by the number of vertices. setVertices() ends it.
     /// @param pose of as many vertices as the mesh has, with its colours, texture coordinates and number of details
     /// @errors base::InputError also where the deformer has others of these: the device writes positions, normals and tangents
-    ///         alone.
+    ///         alone. And where requireUsable() refuses the pose or its deformer, or the bounds are not finite.
     void setPose(MeshHandle handle, MeshPose pose);
     /// The same where the CPU reads the vertices too.
     /// @param deformed what deform() makes of the pose; scene() gets these
