@@ -45,6 +45,32 @@ TEST(WorldValues, HalfSidesOfABoxAreFiniteAndNotNegative) {
     }
 }
 
+TEST(WorldValues, ErrorsOfDetailAreFiniteAndNotNegative) {
+    const Mesh box = makeBox(glm::vec3(1.0f));
+    const auto ofLevel = [&](float error) {
+        Mesh mesh = box;
+        mesh.levels = {{.indices = {0, 1, 2}, .error = 0.5f}, {.indices = {0, 1, 2}, .error = error}};
+        return refusalToAdd([&](World& world) { world.addMesh(mesh); });
+    };
+    const auto ofGroup = [&](float error) {
+        Mesh mesh = box;
+        mesh.clusters = {.indices = box.indices,
+                         .clusters = {{.firstIndex = 0, .indexCount = 36}},
+                         .groups = {{.error = 0.5f}, {.error = error}}};
+        return refusalToAdd([&](World& world) { world.addMesh(mesh); });
+    };
+    EXPECT_EQ(ofLevel(0.0f), "taken");
+    EXPECT_EQ(ofGroup(0.0f), "taken");
+    EXPECT_EQ(ofLevel(-0.5f),
+              "the new mesh: the error of a level of detail must be finite and 0 or more, not -0.5");
+    EXPECT_EQ(ofGroup(-0.5f),
+              "the new mesh: the error of a group of clusters must be finite and 0 or more, not -0.5");
+    for (const float error : {NAN, INFINITY, -INFINITY}) {
+        EXPECT_NE(ofLevel(error), "taken") << error;
+        EXPECT_NE(ofGroup(error), "taken") << error;
+    }
+}
+
 } // namespace
 
 } // namespace cdr::scene

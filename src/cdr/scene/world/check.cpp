@@ -32,6 +32,10 @@ bool areFinite(const Vector& v) {
     return true;
 }
 
+bool isSize(float value) {
+    return std::isfinite(value) && value >= 0.0f;
+}
+
 void requireIndices(const std::vector<std::uint32_t>& indices, std::size_t vertices,
                     const std::string& what) {
     if (indices.size() % 3 != 0) {
@@ -61,6 +65,10 @@ void requireClusters(const ClusterTree& tree, std::size_t vertices, const std::s
     for (const ClusterGroup& group : tree.groups) {
         if (!isRun(group.firstCluster, group.clusterCount, tree.clusters.size())) {
             refuseUse("{}: a group of clusters refers to clusters that are not there", what);
+        }
+        if (!isSize(group.error)) {
+            refuseUse("{}: the error of a group of clusters must be finite and 0 or more, not {}", what,
+                      group.error);
         }
     }
 }
@@ -192,6 +200,10 @@ void requireUsable(const Mesh& mesh, const std::string& what) {
     }
     for (const MeshLevel& level : mesh.levels) {
         requireIndices(level.indices, mesh.vertices.size(), what);
+        if (!isSize(level.error)) {
+            refuseUse("{}: the error of a level of detail must be finite and 0 or more, not {}", what,
+                      level.error);
+        }
     }
     requireClusters(mesh.clusters, mesh.vertices.size(), what);
     if (mesh.boxHalfSides && !(areFinite(*mesh.boxHalfSides) &&
