@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace cdr::scene {
 
@@ -68,6 +69,32 @@ TEST(WorldValues, ErrorsOfDetailAreFiniteAndNotNegative) {
     for (const float error : {NAN, INFINITY, -INFINITY}) {
         EXPECT_NE(ofLevel(error), "taken") << error;
         EXPECT_NE(ofGroup(error), "taken") << error;
+    }
+}
+
+/// The radius of a removed instance is kNoRadius, which says that there is none.
+TEST(WorldValues, RadiiOfInstancesAreFiniteAndNotNegative) {
+    World world;
+    const InstanceOptions box{.mesh = world.addMesh(makeBox(glm::vec3(1.0f))),
+                              .material = world.addMaterial({.name = "white"})};
+    world.addInstance(box);
+    world.removeInstance(world.addInstance(box));
+    const auto refusalWith = [&](float radius) {
+        Scene scene = world.scene();
+        scene.instances.radius[0] = radius;
+        try {
+            World{std::move(scene)};
+        } catch (const base::InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("taken");
+    };
+    for (const float radius : {0.0f, 2.0f, kNoRadius}) {
+        EXPECT_EQ(refusalWith(radius), "taken") << radius;
+    }
+    EXPECT_EQ(refusalWith(-1.0f), "instance 0: its radius must be finite and 0 or more, not -1");
+    for (const float radius : {NAN, INFINITY, -INFINITY}) {
+        EXPECT_NE(refusalWith(radius), "taken") << radius;
     }
 }
 

@@ -87,6 +87,9 @@ void requireInstance(const Scene& scene, std::size_t i) {
         refuseUse("{}: object {} is over the limit of {}", what, instances.object[i], kMaxObjects);
     }
     requireUsable({instances.position(i), instances.basis[i]}, what);
+    if (instances.radius[i] != kNoRadius && !isSize(instances.radius[i])) {
+        refuseUse("{}: its radius must be finite and 0 or more, not {}", what, instances.radius[i]);
+    }
 }
 
 bool isLight(const glm::vec3& color) {

@@ -57,6 +57,7 @@ CDR_EXPORT void requireUsable(const Texture& texture, const std::string& what);
 /// @param textures of the scene
 CDR_EXPORT void requireUsable(const Material& material, std::size_t textures, const std::string& what);
 /// All of the above, the sky, the air, and that instances name meshes and materials that are there, and objects up to kMaxObjects.
+/// Their radii are finite and 0 or more, or kNoRadius.
 CDR_EXPORT void requireUsable(const Scene& scene);
 
 } // namespace cdr::scene
