@@ -13,8 +13,8 @@ enum class LayerMethod : std::uint8_t {
 /// How surfaces in layers are drawn.
 struct LayerOptions {
     LayerMethod method = LayerMethod::sceneUnits; ///< how layers become depth
-    float slopeFactor = 0.0f;    ///< of polygonOffset, towards the camera: depthBiasSlopeFactor
-    float constantFactor = 0.0f; ///< of polygonOffset, towards the camera: depthBiasConstantFactor
+    float slopeFactor = 0.0f;    ///< of polygonOffset, towards the camera, finite: depthBiasSlopeFactor
+    float constantFactor = 0.0f; ///< of polygonOffset, towards the camera, finite: depthBiasConstantFactor
 
     /// Whether both draw alike.
     bool operator==(const LayerOptions&) const = default;

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cdr::render {
 
@@ -41,6 +42,14 @@ void requireDetail(const RenderOptions& options) {
         options.submission == Submission::gpuDriven) {
         throw base::InputError("levels of detail by cluster are chosen by the CPU: not with gpu-driven "
                                "submission");
+    }
+}
+
+void requireDepthBias(const LayerOptions& layers) {
+    if (!std::isfinite(layers.slopeFactor) || !std::isfinite(layers.constantFactor)) {
+        throw base::InputError(
+            fmt::format("the slope and constant factor of layers must be finite, not {} and {}",
+                        layers.slopeFactor, layers.constantFactor));
     }
 }
 
@@ -149,6 +158,7 @@ void requireCompatible(const RenderOptions& options) {
     requireUsable(options.effects);
     requireFocusable(options);
     requireShadows(options);
+    requireDepthBias(options.layers);
     if (options.effects.occlusion.perLayer && !hasLayers(options.targets.kind)) {
         throw base::InputError(fmt::format("ambient occlusion per cascade needs layered targets "
                                            "(accumulate, pool or layers), not {}",

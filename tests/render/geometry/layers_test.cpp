@@ -87,6 +87,21 @@ TEST_F(LayersTest, WithoutAnOffsetFacesAtOnePlaceFight) {
     EXPECT_LT(wrongOver(setup.scene, options).fraction(), 0.05);
 }
 
+TEST_F(LayersTest, HaveFiniteFactors) {
+    render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
+    for (const render::LayerMethod method :
+         {render::LayerMethod::sceneUnits, render::LayerMethod::polygonOffset}) {
+        options.layers = {.method = method, .slopeFactor = -1.5f, .constantFactor = 16.0f};
+        EXPECT_EQ(refusalOf(boxScene(), options), "none");
+        options.layers.slopeFactor = std::numeric_limits<float>::infinity();
+        EXPECT_EQ(refusalOf(boxScene(), options),
+                  "the slope and constant factor of layers must be finite, not inf and 16");
+        options.layers = {.method = method, .constantFactor = std::numeric_limits<float>::quiet_NaN()};
+        EXPECT_EQ(refusalOf(boxScene(), options),
+                  "the slope and constant factor of layers must be finite, not 0 and nan");
+    }
+}
+
 TEST_F(LayersTest, HoldWhereVerticesAreRoundedToSubPixels) {
     const scene::SceneSetup setup = scenes::makeCoplanar();
     for (const std::uint32_t bits : {4u, 8u}) {
