@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string_view>
+#include <vector>
 
 namespace cdr::render_test {
 
@@ -78,6 +79,25 @@ TEST(FrameCutter, OnlyTheLastReversedCascadeIsOpenToInfinity) {
     EXPECT_NE(view.cascades[0].terms.scale, 0.0);
     EXPECT_EQ(view.cascades[1].terms.scale, 0.0);
     EXPECT_EQ(view.cascades[1].terms.offset, view.cascades[1].range.nearView);
+}
+
+/// The thinnest object decides how fine they are, among those that the camera sees.
+TEST(FrameCutter, FittedCascadesIgnoreWhatAHostDrawsOutOfRange) {
+    const NoTargets targets;
+    const RenderOptions options = cutOptions("anchored/fitted:1e-9,max=32");
+    const auto rangesOver = [&](const std::vector<depth::Interval>& occupied) {
+        FrameCutter cutter(options, targets);
+        FrameView view = cutter.look(kCutCamera);
+        cutter.cut(view, {}, occupied);
+        return view.ranges();
+    };
+    const depth::Interval large{1e3, 9e4};
+    const depth::Cascades wanted = rangesOver({large});
+    EXPECT_EQ(rangesOver({large, {-5.0, -4.0}}), wanted) << "behind the camera";
+    EXPECT_EQ(rangesOver({{0.01, 0.02}, large}), wanted) << "before the near plane";
+    EXPECT_EQ(rangesOver({large, {2e5, 2e5 + 1.0}}), wanted) << "too far away";
+    EXPECT_EQ(rangesOver({{-5.0, -1.0}}), rangesOver({}));
+    EXPECT_NE(rangesOver({large, {-1.0, 2.0}}), wanted) << "around the camera";
 }
 
 TEST(FrameCutter, CascadesOutOfFocusAreSmallerAndOverlap) {

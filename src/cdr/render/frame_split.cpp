@@ -1,6 +1,8 @@
 #include <cdr/render/frame_split.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace cdr::render {
 
@@ -20,7 +22,11 @@ depth::Cascades FrameSplit::cut(const scene::Camera& camera, const scene::Frustu
             visibility::appendIntervals(*seen, m_intervals);
         }
     }
-    m_intervals.insert(m_intervals.end(), occupied.begin(), occupied.end());
+    // What no camera sees must not make cascades finer: the thinnest interval decides how fine they are.
+    std::copy_if(occupied.begin(), occupied.end(), std::back_inserter(m_intervals),
+                 [&](const depth::Interval& interval) {
+                     return interval.farView >= camera.nearView && interval.nearView <= camera.farView;
+                 });
     m_previous = depth::makeCascades(m_technique.split, {.nearView = camera.nearView,
                                                          .farView = camera.farView,
                                                          .model = {m_technique.mapping, m_technique.format},

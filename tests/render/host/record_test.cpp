@@ -422,8 +422,12 @@ TEST_F(RecordTest, WhatCannotBeRecordedIntoIsRefused) {
         o.surface = render::SurfacePath::visibility;
         f.draw = [](const render::HostCascade&) {};
     });
+    for (const depth::Interval& bad : {depth::Interval{5.0, 1.0}, depth::Interval{1.0, INFINITY}}) {
+        expectRefusal("an occupied interval", [&](Frame& f, Options&) { f.occupied = {{1.0, 2.0}, bad}; });
+    }
     render::Renderer renderer(device(), scene, gpuScene, options);
-    renderer.record({}, frame); // and as it was it is fine
+    frame.occupied = {{-5.0, -1.0}, {-1.0, 2.0}}; // behind and around the camera
+    renderer.record({}, frame);                   // and as it was it is fine
     host.submit();
 }
 
