@@ -14,6 +14,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <options/parsed_option.h>
 #include <output/document.h>
 #include <program/child_process.h>
 
@@ -206,20 +207,24 @@ void addReportOptions(CLI::App& command, ReportArguments& arguments) {
         return command.add_flag_callback(
             name, [&arguments, value] { arguments.plan.effort = value; }, help);
     };
-    CLI::Option* quick = effort("--quick", report::Effort::quick, "A few frames of each: minutes (default)");
-    CLI::Option* full = effort("--full", report::Effort::full, "The thesis' own numbers of frames: hours");
+    CLI::Option* quick =
+        effort("--quick", report::Effort::quick, "Render a few frames per experiment, in minutes (default)");
+    CLI::Option* full =
+        effort("--full", report::Effort::full, "Render as many frames as the thesis, in hours");
     CLI::Option* smallest =
-        effort("--smallest", report::Effort::smallest, "As little as fills a page, for its tests");
+        effort("--smallest", report::Effort::smallest, "Render as little as possible, to test the page");
     quick->excludes(full)->excludes(smallest);
     full->excludes(smallest);
-    command.add_option("-o,--out", arguments.folder, "Folder of the report; an older report is replaced")
+    options::addFolder(command, "-o,--out", arguments.folder,
+                       "Folder of the report; an older report is replaced")
         ->capture_default_str();
     command
         .add_option("--sections", arguments.plan.sections,
-                    "Only these, such as precision,shadows,certificates-orbit; all by default")
-        ->delimiter(',');
-    addThreads(command, arguments.plan.threads, "Threads that cull, bin, record and cast the truth");
-    addSeed(command, arguments.plan.seed, "Seed of everything random");
+                    "Sections to write, separated by commas, such as precision,shadows,certificates-orbit")
+        ->delimiter(',')
+        ->default_str("all");
+    addThreads(command, arguments.plan.threads);
+    addSeed(command, arguments.plan.seed);
     addState(command, arguments.state);
 }
 
@@ -228,7 +233,7 @@ void addReportOptions(CLI::App& command, ReportArguments& arguments) {
 void addReport(CLI::App& program, const GlobalOptions& global) {
     addCommand<ReportArguments>(
         program, global, "report",
-        "All experiments but models in one folder with a page that opens offline, the thesis beside it",
+        "Run all experiments but models, and write a page that opens offline and shows the thesis' results too",
         addReportOptions, runReport, RankUse::all);
 }
 

@@ -12,13 +12,13 @@
 namespace cdr::cli {
 
 void addShellCommands(CLI::App& program) {
-    CLI::App* completions =
-        program.add_subcommand("completions", "Print what makes a shell complete cdr's commands and options");
+    CLI::App* completions = program.add_subcommand(
+        "completions", "Print a script with which a shell completes commands and options");
     auto shell = std::make_shared<std::string>();
     completions->add_option("shell", *shell, "bash, zsh or fish")->required();
     completions->callback(
         [&program, shell] { platform::printOutput(completionsOf(program, parseShell(*shell))); });
-    CLI::App* manual = program.add_subcommand("manual", "Print the manual page, which man shows");
+    CLI::App* manual = program.add_subcommand("manual", "Print the manual page in the format of man");
     manual->callback([&program] { platform::printOutput(manualOf(program, program::buildInfo().version)); });
 }
 

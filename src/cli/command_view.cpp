@@ -62,7 +62,8 @@ std::string viewerProgram() {
 } // namespace
 
 void addView(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* app = program.add_subcommand("view", "Start cdr-viewer with the arguments that follow");
+    CLI::App* app = program.add_subcommand(
+        "view", "Show a scene in a window: starts cdr-viewer with the arguments that follow");
     app->prefix_command();
     app->fallthrough(false);
     app->set_help_flag(); // what follows is the viewer's, --help too

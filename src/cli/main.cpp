@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <options/camera_options.h>
 #include <options/help_format.h>
+#include <options/help_texts.h>
 #include <options/number_checks.h>
 #include <program/allocator.h>
 #include <program/build_info.h>
@@ -86,27 +87,27 @@ int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
     }
     program.add_option_function<std::string>(
         "--device", [&global](const std::string& text) { global.device = cdr::cli::parseDevice(text); },
-        "Vulkan device by number or part of its name; each: the ranks of a machine take them in turn");
-    program.add_flag("--validate", global.validate,
-                     "Run under the Khronos validation layer; any message is a failure");
+        std::string(cdr::options::kDeviceHelp) +
+            ". With each, the ranks of a machine take its devices in turn");
+    program.add_flag("--validate", global.validate, cdr::options::kValidateHelp);
     program
         .add_option_function<std::string>(
             "--unit", [&global](const std::string& name) { global.unit = cdr::base::parseLengthUnit(name); },
-            "Unit of printed lengths where scenes are in metres: none, auto, um, mm, m or km; JSON has none")
+            std::string(cdr::options::kUnitHelp) + ". JSON has scene units")
         ->default_str("none");
     cdr::options::addTextureMemory(program, global.textureMiB);
     cdr::options::addPointRadius(program, global.pointRadius);
-    program.add_flag("--quiet", global.quiet, "Print nothing but errors and what of a file is not drawn");
+    program.add_flag("--quiet", global.quiet, "Print only errors, and which parts of a file are not drawn");
     program.add_flag("--share-machine", global.shareMachine,
-                     "Under mpirun: measure time though several ranks share a machine");
+                     "Under mpirun: allow several ranks on one machine to measure time");
     program.add_flag(
         "--bind", global.bind,
-        "Under mpirun: each rank keeps to its part of the machine's processors, or to those that MPI "
-        "bound it to");
+        "Under mpirun: bind each rank to its share of the machine's processors, or to those that MPI gave it");
     const cdr::program::BuildInfo build = cdr::program::buildInfo();
     program.set_version_flag("--version", fmt::format("cdr {} ({})", build.version, build.commit));
     addCommands(program, global);
-    program.footer("cdr COMMAND --help says what a command takes."); // its own, not the commands'
+    // Of the program alone, not of its commands.
+    program.footer("cdr COMMAND --help explains a command. The options above may also follow the command.");
     if (argc <= 1) {
         printOnce(ranks, program.help());
         return 0;

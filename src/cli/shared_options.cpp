@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+#include <options/help_texts.h>
 #include <options/parsed_option.h>
 
 #include <algorithm>
@@ -52,14 +53,37 @@ void addJson(CLI::App& command, OutputOptions& output) {
                 requireNoScene(file);
                 output.json = file.empty() ? "-" : file;
             },
-            "Write the results as JSON to FILE, or to standard output without one")
+            "Write the results as JSON to FILE; without FILE, to standard output")
         ->expected(0, 1)
         ->type_name("FILE");
 }
 
+void addDistances(CLI::App& command, std::vector<double>& distancesView) {
+    command
+        .add_option(
+            "--distances", distancesView,
+            "Distances from the camera where separations are measured, separated by commas, in scene units")
+        ->delimiter(',')
+        ->capture_default_str();
+}
+
+void addCsv(CLI::App& command, std::filesystem::path& file) {
+    options::addFile(command, "--csv", file, "Write the results as CSV to FILE");
+}
+
+void addPlot(CLI::App& command, std::filesystem::path& file, const std::string& what) {
+    options::addFile(command, "--plot", file,
+                     fmt::format("Plot {} to FILE, .png or .svg (needs gnuplot)", what));
+}
+
+void addTrace(CLI::App& command, std::filesystem::path& file, const std::string& what) {
+    options::addFile(
+        command, "--trace", file,
+        fmt::format("Write a timeline of {} to FILE, for ui.perfetto.dev or chrome://tracing", what));
+}
+
 void addState(CLI::App& command, std::filesystem::path& state) {
-    command.add_option("--state", state,
-                       "File where results are kept, to go on from when the run is interrupted");
+    options::addFile(command, "--state", state, kStateHelp);
 }
 
 DeviceChoice parseDevice(const std::string& text) {
@@ -111,7 +135,8 @@ void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height) {
                 width = size.width;
                 height = size.height;
             },
-            "WIDTHxHEIGHT in pixels")
+            "Size of the picture in pixels")
+        ->type_name("WIDTHxHEIGHT")
         ->default_str(fmt::format("{}x{}", width, height));
 }
 
@@ -159,9 +184,10 @@ void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techni
                     techniques.push_back(depth::namedTechnique(name));
                 }
             },
-            "Techniques, separated by commas; all presets")
+            "Techniques to compare, separated by commas: " + options::techniqueHelp())
         ->expected(CLI::detail::expected_max_vector_size)
-        ->delimiter(',');
+        ->delimiter(',')
+        ->default_str("all presets");
 }
 
 void addRivalList(CLI::App& command, std::vector<rivals::NamedRival>& chosen, const std::string& otherwise) {
@@ -169,9 +195,11 @@ void addRivalList(CLI::App& command, std::vector<rivals::NamedRival>& chosen, co
     for (const rivals::NamedRival& named : rivals::namedRivals()) {
         known.push_back(named.name);
     }
-    options::addParsedList(command, "--rivals", chosen, rivals::parseRival,
-                           fmt::format("Rivals, separated by commas: {}, each also with /prepass; {}",
-                                       fmt::join(known, ", "), otherwise));
+    options::addParsedList(
+        command, "--rivals", chosen, rivals::parseRival,
+        fmt::format("Rivals to compare, separated by commas: {}, each also as NAME/prepass",
+                    fmt::join(known, ", ")))
+        ->default_str(otherwise);
 }
 
 } // namespace cdr::cli

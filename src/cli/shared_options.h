@@ -68,6 +68,24 @@ using options::addThreads;
 /// base::InputError for a file that is named as a scene.
 void addJson(CLI::App& command, OutputOptions& output);
 
+/// `--distances A,B,...`, in scene units.
+void addDistances(CLI::App& command, std::vector<double>& distancesView);
+/// `--csv FILE`.
+void addCsv(CLI::App& command, std::filesystem::path& file);
+/// `--plot FILE`.
+/// @param what the plot shows, for the help.
+void addPlot(CLI::App& command, std::filesystem::path& file, const std::string& what);
+/// `--trace FILE`.
+/// @param what the trace shows, for the help.
+void addTrace(CLI::App& command, std::filesystem::path& file, const std::string& what);
+
+/// What help says of a list of depth formats.
+inline constexpr const char* kFormatsHelp = "Depth formats to compare, separated by commas: d16, d24, d32f";
+/// What help says of --repeats.
+inline constexpr const char* kRepeatsHelp = "Timed frames per measurement";
+/// What help says of --state.
+inline constexpr const char* kStateHelp =
+    "Keep finished results in FILE, so that the same command continues an interrupted run";
 /// `--state FILE`, for Command::keepUnits().
 void addState(CLI::App& command, std::filesystem::path& state);
 

@@ -3,6 +3,9 @@
 #include <cli/command.h>
 #include <cli/picture_folder.h>
 
+#include <options/help_texts.h>
+#include <options/parsed_option.h>
+
 #include <filesystem>
 
 namespace cdr::cli {
@@ -12,15 +15,14 @@ namespace cdr::cli {
 template <typename Options>
 void addComparison(CLI::App& command, Options& options, scene::GltfChoice& choice,
                    std::filesystem::path& folder) {
-    command.add_option("scene", options.scene, options.scene + ", or any scene that render takes")
-        ->capture_default_str();
+    command.add_option("scene", options.scene, options::sceneHelp())->capture_default_str();
     options::addStillChoice(command, choice);
     options::addLight(command, choice, scene::ModelLight::lamps);
-    addFrames(command, options.frames, "Measured frames of every mode");
+    addFrames(command, options.frames, "Measured frames of each mode");
     addSize(command, options.width, options.height);
-    addThreads(command, options.threads, "Threads that cull, bin and record");
-    addSeed(command, options.seed, "Seed of the scene, the orders and the bootstrap");
-    command.add_option("--out", folder, "Folder for a picture of every mode");
+    addThreads(command, options.threads);
+    addSeed(command, options.seed);
+    options::addFolder(command, "--out", folder, "Folder for a picture of each mode");
 }
 
 /// What their documents say of how they were made; the command adds its own.

@@ -1,5 +1,6 @@
 #include "camera_options.h"
 
+#include "help_texts.h"
 #include "parsed_option.h"
 
 #include <CLI/CLI.hpp>
@@ -14,6 +15,8 @@
 namespace cdr::options {
 
 namespace {
+
+constexpr const char* kOfScene = "that of the scene's camera";
 
 glm::dvec3 parsePoint(const std::string& what, const std::string& text) {
     const std::size_t first = text.find(',');
@@ -40,7 +43,8 @@ glm::dvec2 parseLensShift(const std::string& text) {
 CLI::Option* addPoint(CLI::App& command, const char* name, std::optional<glm::dvec3>& point,
                       const char* help) {
     return addParsed(
-        command, name, point, [name](const std::string& text) { return parsePoint(name, text); }, help);
+               command, name, point, [name](const std::string& text) { return parsePoint(name, text); }, help)
+        ->type_name("X,Y,Z");
 }
 
 /// The camera where and as the options say it stands; as it is where they say nothing.
@@ -68,21 +72,22 @@ scene::Camera placed(const scene::Camera& camera, const CameraOptions& options) 
 void addFrameOptions(CLI::App& command, CameraOptions& options) {
     command.add_option("--frame", options.frame, "First frame of the scene's camera path")
         ->capture_default_str();
-    command.add_option("--frames", options.frames, "How many frames; 1, or with --path as many as recorded")
-        ->check(CLI::Range(1u, kMaxFrames));
+    command.add_option("--frames", options.frames, "Number of frames")
+        ->check(CLI::Range(1u, kMaxFrames))
+        ->default_str("1, or with --path all that were recorded");
 }
 
 void addCameraOptions(CLI::App& command, CameraOptions& options) {
-    CLI::Option* path = command.add_option("--path", options.path,
-                                           "Camera path recorded by cdr-viewer, instead of the scene's");
+    CLI::Option* path = addFile(command, "--path", options.path,
+                                "Camera path that cdr-viewer recorded, instead of the scene's own");
     CLI::Option* eye =
-        addPoint(command, "--eye", options.eye, "Camera position x,y,z instead of the scene's");
-    CLI::Option* target = addPoint(command, "--target", options.target, "Point x,y,z to look at");
+        addPoint(command, "--eye", options.eye, "Position of the camera, instead of the scene's own");
+    CLI::Option* target = addPoint(command, "--target", options.target, "Point that the camera looks at");
     CLI::Option* direction =
         addPoint(command, "--direction", options.direction,
-                 "View direction x,y,z, instead of a target: exact at any distance from the origin");
-    CLI::Option* up =
-        addPoint(command, "--up", options.up, "Direction x,y,z that is up in the picture; else world y");
+                 "Direction in which the camera looks; exact at any distance from the origin");
+    CLI::Option* up = addPoint(command, "--up", options.up, "Direction that is up in the picture");
+    up->default_str("the y axis, with --eye, --target or --direction");
     target->excludes(direction);
     for (CLI::Option* place : {eye, target, direction, up}) {
         place->excludes(path);
@@ -90,13 +95,14 @@ void addCameraOptions(CLI::App& command, CameraOptions& options) {
     if (CLI::Option* frame = command.get_option_no_throw("--frame")) {
         frame->excludes(path);
     }
-    command.add_option("--fov", options.fovDegrees, "Vertical field of view in degrees");
+    command.add_option("--fov", options.fovDegrees, kFovHelp)->default_str(kOfScene);
     addParsed(
         command, "--lens-shift", options.lensShift, parseLensShift,
-        "How far the middle of the picture lies to the right of the view axis and above it, at distance 1: "
-        "x,y");
-    command.add_option("--near", options.nearView, "Near plane, view distance");
-    command.add_option("--far", options.farView, "Far plane, view distance");
+        "How far the centre of the picture is to the right of the view axis and above it, at distance 1")
+        ->type_name("X,Y")
+        ->default_str(kOfScene);
+    command.add_option("--near", options.nearView, kNearHelp)->default_str(kOfScene);
+    command.add_option("--far", options.farView, kFarHelp)->default_str(kOfScene);
 }
 
 FrameCameras::FrameCameras(const CameraOptions& options)

@@ -11,9 +11,10 @@
 namespace cdr::options {
 
 void addDeform(CLI::App& command, std::optional<scenes::Deform>& deform) {
-    addParsed(command, "--deform", deform, scenes::parseDeform,
-              "Who bends skins and morph targets in the frames of --fps: cpu or device, which needs float64. "
-              "Else device on graphics cards that can");
+    addParsed(
+        command, "--deform", deform, scenes::parseDeform,
+        "What computes skins and morph targets in the frames of --fps: cpu or device, which needs float64")
+        ->default_str("device on graphics cards with float64, else cpu");
 }
 
 scenes::Deform deformOn(const gpu::DeviceInfo& device, std::optional<scenes::Deform> told,

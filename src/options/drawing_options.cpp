@@ -1,10 +1,13 @@
 #include "drawing_options.h"
 
+#include "help_texts.h"
 #include "parsed_option.h"
 
 #include <CLI/CLI.hpp>
 #include <cdr/base/enum_names.h>
 #include <cdr/platform/worker_pool.h>
+
+#include <fmt/format.h>
 
 namespace cdr::options {
 
@@ -15,39 +18,47 @@ depth::Technique TechniqueParts::technique() const {
 
 void addTechniqueParts(CLI::App& command, TechniqueParts& parts) {
     addParsed(command, "--depth", parts.mapping, depth::parseMapping,
-              "Depth mapping, instead of a preset: " + base::listNames(depth::kMappings));
-    addParsed(command, "--split", parts.split, depth::parseSplit,
-              "How cascades are cut: none, ratio:R, count:K, at:a,b,..., minimax:K or "
-              "fitted[:TARGET[px][,max=K]]");
+              mappingHelp() + ". With --split, instead of --technique");
+    addParsed(command, "--split", parts.split, depth::parseSplit, kSplitHelp);
 }
 
 void addDepthFormat(CLI::App& command, std::optional<depth::DepthFormat>& format) {
-    addParsed(command, "--format", format, depth::parseDepthFormat, "Depth buffer: d16, d24 or d32f");
+    addParsed(command, "--format", format, depth::parseDepthFormat,
+              "Format of the depth buffer: " + base::listNames(depth::kDepthFormats))
+        ->default_str("d32f");
 }
 
 void addTargets(CLI::App& command, render::TargetsChoice& targets) {
     addNamed(command, "--targets", targets, render::parseTargets,
-             "How cascades reach the G-buffer, pool as pool:LAYERS too: " +
-                 base::listNames(render::kTargetsKinds));
+             fmt::format("How cascades are drawn into the G-buffer: {}; pool:N has N layers, {} to {}",
+                         base::listNames(render::kTargetsKinds), render::kMinPoolLayers,
+                         render::kMaxPoolLayers));
 }
 
 void addSubmission(CLI::App& command, render::RenderOptions& options) {
-    addNamed(command, "--submission", options.submission, render::parseSubmission,
-             "How draws reach the device: secondaries, primaries or gpu-driven");
+    addNamed(
+        command, "--submission", options.submission, render::parseSubmission,
+        "How draws are submitted: secondaries (secondary command buffers), primaries (primary ones alone) or "
+        "gpu-driven (indirect draws that compute shaders make)");
     addNamed(command, "--batching", options.batching, render::parseBatching,
-             "How draws become commands: per-object, push-constants or instanced");
+             "How many draws a draw command has: one (per-object, push-constants) or several of one kind "
+             "(instanced)");
 }
 
 void addDetail(CLI::App& command, visibility::Detail& detail) {
-    addNamed(command, "--detail", detail, visibility::parseDetail,
-             "Level of detail by projected error: none, object[:PIXELS], cascade[:PIXELS] or "
-             "cluster[:PIXELS]");
+    addNamed(
+        command, "--detail", detail, visibility::parseDetail,
+        "What chooses its own level of detail: none, object[:PIXELS], cascade[:PIXELS] or cluster[:PIXELS]. "
+        "The error on screen is at most PIXELS, or half a pixel");
 }
 
 void addSnapBits(CLI::App& command, std::uint32_t& snapBits) {
     command
-        .add_option("--snap-bits", snapBits,
-                    "Round vertices to this many sub-pixel bits, as graphics cards do; 0: the device decides")
+        .add_option(
+            "--snap-bits", snapBits,
+            fmt::format("Round vertices to this many sub-pixel bits, as graphics cards do, 0 to {}; with 0 "
+                        "the device decides",
+                        render::kMaxSnapBits))
         ->check(CLI::Range(0u, render::kMaxSnapBits))
         ->capture_default_str();
 }
@@ -55,12 +66,14 @@ void addSnapBits(CLI::App& command, std::uint32_t& snapBits) {
 void addSnapping(CLI::App& command, render::Snapping& snapping) {
     addNamed(
         command, "--snapping", snapping, render::parseSnapping,
-        "How vertices get to sub-pixels: by-device, which rounds them, or in-plane, which moves them in the "
-        "plane of their facet, so that depth stays exact");
+        "How vertices move to sub-pixels: by-device (it rounds them) or in-plane (in the plane of their facet, so "
+        "that depth stays exact)");
 }
 
-void addThreads(CLI::App& command, std::size_t& threads, const std::string& help) {
-    command.add_option("--threads", threads, help)
+void addThreads(CLI::App& command, std::size_t& threads) {
+    command
+        .add_option("--threads", threads,
+                    fmt::format("CPU threads that cdr uses, 1 to {}", platform::WorkerPool::kMaxThreads))
         ->check(CLI::Range(std::size_t{1}, platform::WorkerPool::kMaxThreads))
         ->capture_default_str();
 }

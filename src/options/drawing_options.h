@@ -42,7 +42,6 @@ void addSnapBits(CLI::App& command, std::uint32_t& snapBits);
 /// Adds --snapping, as render::RenderOptions has it.
 void addSnapping(CLI::App& command, render::Snapping& snapping);
 /// Adds --threads, 1 to platform::WorkerPool::kMaxThreads.
-void addThreads(CLI::App& command, std::size_t& threads,
-                const std::string& help = "Threads that cull, bin and record");
+void addThreads(CLI::App& command, std::size_t& threads);
 
 } // namespace cdr::options

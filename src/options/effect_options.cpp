@@ -1,5 +1,6 @@
 #include "effect_options.h"
 
+#include "help_texts.h"
 #include "parsed_option.h"
 #include "scene_options.h"
 
@@ -68,17 +69,21 @@ render::Focus focusOf(const std::string& text) {
 
 void addPictureEffects(CLI::App& command, render::Effects& effects) {
     addNamed(command, "--antialias", effects.antialias, render::parseAntialias,
-             "How edges are smoothed: none or edges");
-    addParsed(command, "--occlusion", effects.occlusion, occlusionOf,
-              "Ambient occlusion within RADIUS scene units; RADIUS:layers works it out on each "
-              "cascade alone, as the thesis' method 2 has it");
-    addParsed(command, "--fog", effects.fog, fogOf,
-              "Fog with a VISIBILITY in scene units, in which 2 % of a colour is left; "
-              "VISIBILITY,r,g,b gives its linear colour");
+             "Smoothing of edges: none or edges");
+    addParsed(
+        command, "--occlusion", effects.occlusion, occlusionOf,
+        "Ambient occlusion by surfaces within RADIUS scene units; RADIUS:layers computes it in each cascade "
+        "separately (method 2 of the thesis)")
+        ->default_str("none");
+    addParsed(
+        command, "--fog", effects.fog, fogOf,
+        "Fog that leaves 2 % of a colour at a distance of VISIBILITY scene units; VISIBILITY,R,G,B also sets "
+        "its linear colour")
+        ->default_str("none");
     addNamed(
         command, "--tone-map", effects.finish.toneMap, render::parseToneMap,
-        "How bright light comes into the picture: none cuts it off, neutral compresses it and keeps base "
-        "colours (Khronos PBR Neutral); scene: neutral under a sky or through air, else none");
+        "Tone mapping: none (bright light is clipped), neutral (Khronos PBR Neutral: bright light is compressed, "
+        "base colours stay) or scene (neutral with a sky or air, else none)");
     command
         .add_option_function<double>(
             "--exposure",
@@ -86,19 +91,19 @@ void addPictureEffects(CLI::App& command, render::Effects& effects) {
                 effects.finish.exposure = stops;
                 requireUsable(effects); // the range lets NaN through
             },
-            "Stops by which the picture is brighter, -16 to 16")
+            fmt::format("Exposure in stops, -{0} to {0}: each stop doubles the light", render::kMaxExposure))
         ->check(CLI::Range(-render::kMaxExposure, render::kMaxExposure))
         ->default_str(fmt::format("{}", effects.finish.exposure));
 }
 
 void addTranslucency(CLI::App& command, render::TranslucencyOptions& translucency) {
     addNamed(command, "--translucency", translucency.method, render::parseTranslucency,
-             "How blended surfaces are laid over each other: weighted, or sorted, which is exact");
+             "How translucent surfaces are blended: weighted (approximate) or sorted (exact)");
     command
         .add_option_function<std::uint64_t>(
             "--translucency-memory",
             [&translucency](std::uint64_t mebibytes) { translucency.maxBytes = mebibytes << 20u; },
-            "Most MiB for sorted fragments; frames that need more are drawn weighted")
+            kTranslucencyMemoryHelp)
         ->check(CLI::Range(std::uint64_t{1}, kMaxTranslucencyMiB))
         ->default_str(fmt::format("{}", translucency.maxBytes >> 20u));
 }
@@ -108,13 +113,15 @@ void addTranslucency(CLI::App& command, render::TranslucencyOptions& translucenc
 void addEffectOptions(CLI::App& command, render::RenderOptions& options, scene::GltfChoice& choice) {
     addPictureEffects(command, options.effects);
     addLight(command, choice, scene::ModelLight::sky);
-    addParsed(command, "--focus", options.focus, focusOf,
-              "A lens sharp at view distance DISTANCE, as DISTANCE:APERTURE in scene units: cascades "
-              "out of focus are drawn in fewer pixels, for --targets layers; with :blend they fade "
-              "into each other");
+    addParsed(
+        command, "--focus", options.focus, focusOf,
+        "Depth of field, as DISTANCE:APERTURE or DISTANCE:APERTURE:blend: the distance in focus and the "
+        "diameter of the lens, in scene units. Cascades out of focus get fewer pixels; with :blend they fade "
+        "into each other. Needs --targets layers")
+        ->default_str("none");
     addNamed(command, "--shadows", options.shadows.method, render::parseShadowMethod,
-             "How the first four lights cast shadows: none, anchored or plain");
-    command.add_option("--shadow-texels", options.shadows.maxTexels, "Most texels of a side of a shadow map")
+             "Shadows of the first four lights: none, anchored, or plain (the usual method)");
+    command.add_option("--shadow-texels", options.shadows.maxTexels, kShadowTexelsHelp)
         ->check(CLI::Range(render::kMinShadowTexels, render::kMaxShadowTexels))
         ->capture_default_str();
     addTranslucency(command, options.translucency);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <set>
 #include <sstream>
 
 namespace cdr::options {
@@ -41,6 +42,19 @@ std::string typeOf(const CLI::Option& option) {
     return type.substr(0, type.find_first_of(": "));
 }
 
+/// A list as the command line takes it: CLI11 prints its default as "[1,2]".
+std::string withoutBrackets(const std::string& text) {
+    return text.starts_with('[') && text.ends_with(']') ? text.substr(1, text.size() - 2) : text;
+}
+
+std::string namesOf(const std::set<CLI::Option*>& options) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : options) {
+        names.push_back(option->get_name());
+    }
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
 } // namespace
 
 bool takesValue(const CLI::Option& option) {
@@ -61,14 +75,19 @@ std::string optionTitle(const CLI::Option& option) {
 
 std::string optionMeaning(const CLI::Option& option) {
     std::string meaning = option.get_description();
+    if (option.get_required() && option.nonpositional()) {
+        meaning += " (required)";
+    }
     if (!option.get_default_str().empty()) {
-        meaning += fmt::format(" (default {})", option.get_default_str());
+        meaning += fmt::format(" (default: {})", withoutBrackets(option.get_default_str()));
     }
-    std::vector<std::string> others;
-    for (const CLI::Option* other : option.get_excludes()) {
-        others.push_back(other->get_name());
+    if (!option.get_needs().empty()) {
+        meaning += fmt::format(" (only with {})", namesOf(option.get_needs()));
     }
-    return others.empty() ? meaning : fmt::format("{} (not with {})", meaning, fmt::join(others, ", "));
+    if (!option.get_excludes().empty()) {
+        meaning += fmt::format(" (not with {})", namesOf(option.get_excludes()));
+    }
+    return meaning;
 }
 
 std::vector<const CLI::Option*> shownOptions(const CLI::App& app) {

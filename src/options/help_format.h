@@ -26,7 +26,7 @@ bool takesValue(const CLI::Option& option);
 /// "-o,--output TEXT": an option's names and what it takes. Of a positional, its name.
 std::string optionTitle(const CLI::Option& option);
 
-/// What an option means, with its default and what it cannot stand beside.
+/// What an option means, whether it is required, its default, what it needs and what it excludes.
 std::string optionMeaning(const CLI::Option& option);
 
 /// The options of an app that help shows, in its groups' order, positionals first.

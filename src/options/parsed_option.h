@@ -51,4 +51,16 @@ CLI::Option* addParsedList(CLI::App& command, const char* names, std::vector<Val
         ->delimiter(',');
 }
 
+/// Adds an option that takes the path of a file.
+template <typename Path>
+CLI::Option* addFile(CLI::App& command, const char* names, Path& path, const std::string& help) {
+    return command.add_option(names, path, help)->type_name("FILE");
+}
+
+/// Adds an option that takes the path of a folder.
+template <typename Path>
+CLI::Option* addFolder(CLI::App& command, const char* names, Path& path, const std::string& help) {
+    return command.add_option(names, path, help)->type_name("FOLDER");
+}
+
 } // namespace cdr::options

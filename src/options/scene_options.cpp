@@ -1,5 +1,6 @@
 #include "scene_options.h"
 
+#include "help_texts.h"
 #include "layer_text.h"
 #include "number_checks.h"
 #include "parsed_option.h"
@@ -11,13 +12,15 @@
 
 namespace cdr::options {
 
-void addSeed(CLI::App& command, std::uint64_t& seed, const std::string& help) {
-    command.add_option("--seed", seed, help)->check(wholeNumber())->capture_default_str();
+void addSeed(CLI::App& command, std::uint64_t& seed) {
+    command.add_option("--seed", seed, "Seed of all random numbers")
+        ->check(wholeNumber())
+        ->capture_default_str();
 }
 
 void addColours(CLI::App& command, std::optional<scenes::Colours>& colours) {
     addParsed(command, "--colours", colours, scenes::parseColours,
-              "Of a generated scene: thesis (one grey) or bright")
+              "Colours of a generated scene: thesis (one grey) or bright")
         ->default_str(colours ? std::string(nameOf(*colours)) : "");
 }
 
@@ -31,15 +34,18 @@ void addLayers(CLI::App& command, LayerArguments& layers) {
                     layers.choices.push_back(parseLayer(text));
                 }
             },
-            "MATERIAL=LAYER: decides between faces at one place. Those of the material count as nearer by "
-            "LAYER scene units; MATERIAL is a name, or #N from 0. May be repeated")
+            "Decides between faces at the same place: those of MATERIAL count as nearer by LAYER scene units. "
+            "MATERIAL is a name, or #N for the index N from 0. May be repeated")
+        ->type_name("MATERIAL=LAYER")
         ->allow_extra_args(false);
 }
 
 void addTextureMemory(CLI::App& command, std::optional<std::uint64_t>& textureMiB) {
     command
-        .add_option("--texture-memory", textureMiB,
-                    "Most MiB of a glTF file's textures, which are shown smaller to fit")
+        .add_option(
+            "--texture-memory", textureMiB,
+            "Memory for the textures of a glTF file in MiB: the largest are reduced until all fit. Without "
+            "it, more than 1366 MiB are refused")
         ->check(CLI::Range(std::uint64_t{1}, scene::kMaxTextureMiB));
 }
 
@@ -47,27 +53,26 @@ void addPointRadius(CLI::App& command, std::optional<double>& radius) {
     command
         .add_option(
             "--points", radius,
-            "Radius of a glTF file's points and lines, in scene units; else by how far they are apart")
+            "Radius of a glTF file's points and lines, in scene units; without it, it follows from their extent")
         ->check(numberFrom(scene::kMinPointRadius, scene::kMaxPointRadius));
 }
 
 void addSceneChoice(CLI::App& command, scene::GltfChoice& choice) {
-    command.add_option("--gltf-scene", choice.scene, "Scene of a glTF file, from 0; its default one");
-    command.add_option("--camera", choice.camera,
-                       "Look through a glTF scene's camera, from 0; else the view shows all of the scene");
+    command.add_option("--gltf-scene", choice.scene, "Scene of a glTF file, by its index from 0")
+        ->default_str("the file's default scene");
+    command.add_option("--camera", choice.camera, kCameraHelp)
+        ->default_str("one that shows all of the scene");
 }
 
 void addMoment(CLI::App& command, scene::GltfChoice& choice) {
-    command.add_option(
-        "--animation", choice.animation,
-        "Animation of a glTF file, by name or from 0 (#N where another is named N); with --time the first");
-    command.add_option("--time", choice.seconds, "Seconds of the animation; else 0");
+    command.add_option("--animation", choice.animation, kAnimationHelp)
+        ->default_str("the first, with --time");
+    command.add_option("--time", choice.seconds, kTimeHelp)->default_str("0");
 }
 
 void addLight(CLI::App& command, scene::GltfChoice& choice, scene::ModelLight otherwise) {
-    addParsed(command, "--light", choice.light, scene::parseModelLight,
-              fmt::format("Of a glTF file: sky (a computed one), lamps or file (its own lights); else {}",
-                          nameOf(otherwise)));
+    addParsed(command, "--light", choice.light, scene::parseModelLight, kLightHelp)
+        ->default_str(std::string(nameOf(otherwise)));
 }
 
 void addStillChoice(CLI::App& command, scene::GltfChoice& choice) {
@@ -76,13 +81,12 @@ void addStillChoice(CLI::App& command, scene::GltfChoice& choice) {
 }
 
 void addAnimationChoice(CLI::App& command, scene::GltfChoice& choice) {
-    command.add_option(
-        "--animation", choice.animation,
-        "Animation of a glTF file, by name or from 0 (#N where another is named N); with --time or --fps the "
-        "first");
-    command.add_option("--time", choice.seconds, "Seconds of the animation at frame 0");
+    command.add_option("--animation", choice.animation, kAnimationHelp)
+        ->default_str("the first, with --time or --fps");
+    command.add_option("--time", choice.seconds, "Time in the animation at frame 0, in seconds")
+        ->default_str("0");
     command.add_option("--fps", choice.framesPerSecond,
-                       "Frames of --frames to a second of the animation; else all show one moment");
+                       "Frames per second of the animation; without it, all frames show the same moment");
 }
 
 void addChoiceJson(nlohmann::ordered_json& options, const scene::GltfChoice& choice) {

@@ -21,7 +21,7 @@ struct LayerArguments {
 };
 
 /// Adds --seed.
-void addSeed(CLI::App& command, std::uint64_t& seed, const std::string& help);
+void addSeed(CLI::App& command, std::uint64_t& seed);
 /// Adds --texture-memory.
 void addTextureMemory(CLI::App& command, std::optional<std::uint64_t>& textureMiB);
 /// Adds --points.

@@ -211,7 +211,7 @@ std::vector<std::string> textOptionsOf(const std::string& command) {
     std::vector<std::string> options;
     for (std::string line; std::getline(help, line);) {
         std::smatch found;
-        if (std::regex_search(line, found, std::regex("^  (-[^ ]+) \\[?(TEXT|FILE)\\b"))) {
+        if (std::regex_search(line, found, std::regex("^  (-[^ ]+) \\[?(?!UINT|INT|FLOAT)[A-Z]"))) {
             options.push_back(found[1]);
         }
     }

@@ -95,7 +95,7 @@ TEST(ShellCommands, EveryShellAndTheManualNameEveryCommand) {
     }
     EXPECT_EQ(runProgram("completions tcsh", folder.path()).status, 2);
     const std::string manual = runProgram("manual", folder.path()).out;
-    EXPECT_NE(manual.find(".B \\-o,\\-\\-output TEXT\n"), std::string::npos);
+    EXPECT_NE(manual.find(".B \\-o,\\-\\-output FILE\n"), std::string::npos);
 }
 
 /// With or without NO_COLOR. On a terminal progress replaces its line, elsewhere it is not shown.

@@ -4,9 +4,9 @@
 
 #include <cdr/base/error.h>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <options/drawing_options.h>
 #include <options/effect_options.h>
+#include <options/help_texts.h>
 #include <options/parsed_option.h>
 
 namespace cdr::cli {
@@ -58,17 +58,16 @@ namespace {
 
 void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
     options::addParsed(command, "--technique", arguments.technique, depth::namedTechnique,
-                       "Preset: standard, cdr, log, logcdr, reversed (default) or anchored");
+                       "Technique: " + options::techniqueHelp())
+        ->default_str("reversed");
     options::addTechniqueParts(command, arguments.parts);
     options::addDepthFormat(command, arguments.format);
     render::RenderOptions& options = arguments.drawing;
     options::addTargets(command, options.targets);
     options::addSubmission(command, options);
-    options::addNamed(command, "--surface", options.surface, render::parseSurfacePath,
-                      "What is kept of surfaces until they are shaded: gbuffer or visibility; or lit, "
-                      "which shades matt surfaces while they are drawn");
+    options::addNamed(command, "--surface", options.surface, render::parseSurfacePath, options::kSurfaceHelp);
     command.add_flag("--occlusion-culling", options.occlusionCulling,
-                     "Leave out what opaque surfaces hide; the picture is the same");
+                     "Do not draw what opaque surfaces hide; the picture is the same");
     options::addDetail(command, options.detail);
     addThreads(command, options.threads);
 }
@@ -83,10 +82,7 @@ void addRenderEffects(CLI::App& command, RenderArguments& arguments) {
 } // namespace
 
 void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
-    command
-        .add_option("scene", arguments.scene,
-                    fmt::format("{}, or a .gltf or .glb file", fmt::join(scenes::generatedScenes(), ", ")))
-        ->required();
+    command.add_option("scene", arguments.scene, options::sceneHelp())->required();
     command.option_defaults()->group("Technique");
     addTechniqueOptions(command, arguments);
     command.option_defaults()->group("Effects");
@@ -101,15 +97,14 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     options::addSceneChoice(command, arguments.choice);
     options::addAnimationChoice(command, arguments.choice);
     options::addDeform(command, arguments.deform);
-    addSeed(command, arguments.seed, "Seed of a random scene");
+    addSeed(command, arguments.seed);
     options::addColours(command, arguments.colours);
     options::addLayers(command, arguments.layers);
     command.option_defaults()->group("Ranks");
     options::addParsed(
         command, "--ranks", arguments.ranks, parseFrameDivision,
-        "What the ranks of an MPI run divide: frames, or the cascades of each frame, which are drawn apart "
-        "and laid over each other, the nearest on top. Cascades go without smoothed edges, whole-picture "
-        "occlusion, shadows, a focus, blended materials and gpu-driven draws")
+        "What the ranks of an MPI run divide: frames, or the cascades of each frame. cascades excludes "
+        "--antialias, --occlusion RADIUS, --shadows, --focus, --submission gpu-driven and blended materials")
         ->default_str("frames");
     command.option_defaults()->group("Output");
     addSize(command, arguments.drawing.width, arguments.drawing.height);
@@ -117,20 +112,18 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     addSnapping(command, arguments.drawing.snapping);
     options::addNamed(
         command, "--aov", arguments.aov, output::parseAov,
-        "Output: color, linear (light before tone mapping), id, distance, normal, cascade, wrong or coverage");
-    command.add_option("-o,--output", arguments.file,
-                       "Picture to write: .png, .tga or .exr; %04d stands for the frame");
-    command.add_option(
-        "--certify", arguments.certify,
-        "Prove that each pixel is right, cast rays for those in doubt and repair wrong ones; the certificate to "
-        "write, .json. Status 3 if the device was outside its limits");
-    command.add_option(
-        "--trace", arguments.trace,
-        "Write workers, cascades and execute as a trace for ui.perfetto.dev or chrome://tracing");
-    command.add_option(
-        "--state", arguments.state,
-        "File that keeps the result of each frame; started again, the run makes only what is missing");
-    command.add_flag("--hash", arguments.hash, "Print a SHA-256 of each output's values");
+        "What the picture shows: color, linear (light before tone mapping), id, distance, normal, cascade, wrong "
+        "(wrong pixels) or coverage (number of translucent surfaces)");
+    options::addFile(
+        command, "-o,--output", arguments.file,
+        "Picture to write, .png, .tga or .exr; %04d in its name is replaced by the frame number");
+    options::addFile(
+        command, "--certify", arguments.certify,
+        "Prove that each pixel is right, repair wrong ones, and write the certificate to FILE, .json. "
+        "Exit status 3 if a pixel shows an error that the device may not make");
+    addTrace(command, arguments.trace, "the CPU threads and the cascades");
+    addState(command, arguments.state);
+    command.add_flag("--hash", arguments.hash, "Print the SHA-256 hash of the values of each output");
 }
 
 } // namespace cdr::cli

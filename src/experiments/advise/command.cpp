@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <options/help_texts.h>
 #include <options/parsed_option.h>
 #include <output/columns.h>
 #include <output/readable.h>
@@ -223,37 +224,40 @@ void run(Command& command, AdviseArguments& arguments) {
 }
 
 void addOptions(CLI::App& command, AdviseArguments& arguments) {
-    command.add_option("--near", arguments.camera.nearView, "Near plane, view distance")
-        ->capture_default_str();
-    command.add_option("--far", arguments.camera.farView, "Far plane, view distance")->capture_default_str();
-    command.add_option("--fov", arguments.fovDegrees, "Vertical field of view in degrees")
-        ->capture_default_str();
-    command.add_option("--height", arguments.height, "Height of the picture in pixels")
+    command.add_option("--near", arguments.camera.nearView, options::kNearHelp)->capture_default_str();
+    command.add_option("--far", arguments.camera.farView, options::kFarHelp)->capture_default_str();
+    command.add_option("--fov", arguments.fovDegrees, options::kFovHelp)->capture_default_str();
+    command.add_option("--height", arguments.height, "Height of the picture in pixels, for the formulas")
         ->check(CLI::Range(1u, 1u << 20))
         ->capture_default_str();
-    command.add_option("--separation", arguments.separationView, "Smallest gap to tell apart, scene units")
+    command.add_option("--separation", arguments.separationView, "Gap that must be resolved, in scene units")
         ->required();
-    command.add_option("--at", arguments.atView, "View distance to tell it apart at; far when not given");
-    command.add_option("--span", arguments.spanView, "Depth of what is visible around that distance")
+    command
+        .add_option("--at", arguments.atView,
+                    "Distance from the camera where it must be resolved, in scene units")
+        ->default_str("that of --far");
+    command
+        .add_option("--span", arguments.spanView, "Extent in depth of what is visible there, in scene units")
         ->capture_default_str();
     command
-        .add_option("--sub-pixel-bits", arguments.subPixelBits,
-                    "Bits that the device snaps vertices to; without it, both surfaces share an outline")
+        .add_option(
+            "--sub-pixel-bits", arguments.subPixelBits,
+            "Sub-pixel bits that the device rounds vertices to, 0 to 32; without it, both surfaces have the "
+            "same outline, so that they are rounded alike")
         ->check(CLI::Range(0u, 32u));
     command
-        .add_option("--slope", arguments.slope, "Tangent of the angle between those surfaces and the picture")
+        .add_option("--slope", arguments.slope,
+                    "Slope of the surfaces: the tangent of their angle to the picture")
         ->capture_default_str();
-    options::addParsedList(command, "--format", arguments.formats, depth::parseDepthFormat,
-                           "Depth formats to consider, separated by commas; all");
+    options::addParsedList(command, "--format", arguments.formats, depth::parseDepthFormat, kFormatsHelp)
+        ->default_str("all");
     addTechniques(command, arguments.techniques);
-    CLI::Option* measured =
-        command.add_flag("--measured", arguments.measured,
-                         "Measure separations and frame times on the device, beside the formulas");
+    CLI::Option* measured = command.add_flag("--measured", arguments.measured,
+                                             "Also measure separations and frame times on the device");
     addSize(command, arguments.measuring.width, arguments.measuring.height);
-    command.get_option("--size")->description("With --measured: WIDTHxHEIGHT in pixels of what is rendered");
-    addFrames(command, arguments.measuring.frames, "With --measured: frames timed per technique", 1u << 20);
-    addSeed(command, arguments.measuring.seed, "With --measured: seed of both scenes");
-    addThreads(command, arguments.measuring.threads, "With --measured: threads that record");
+    addFrames(command, arguments.measuring.frames, "Measured frames of each technique", 1u << 20);
+    addSeed(command, arguments.measuring.seed);
+    addThreads(command, arguments.measuring.threads);
     for (const char* measuring : {"--size", "--frames", "--seed", "--threads"}) {
         command.get_option(measuring)->needs(measured);
     }
@@ -264,7 +268,7 @@ void addOptions(CLI::App& command, AdviseArguments& arguments) {
 void addAdvise(CLI::App& program, const GlobalOptions& global) {
     addCommand<AdviseArguments>(
         program, global, "advise",
-        "Which technique resolves a separation at a distance, what it costs, and the simplest that suffices",
+        "Say which techniques resolve a gap at a distance, what they cost, and which is the simplest",
         addOptions, run);
 }
 

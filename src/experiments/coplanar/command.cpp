@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <options/number_checks.h>
+#include <options/parsed_option.h>
 #include <output/columns.h>
 #include <program/build_info.h>
 
@@ -109,21 +110,25 @@ void addFactors(CLI::App& command, const char* name, std::vector<float>& factors
 
 void addOptions(CLI::App& command, CoplanarArguments& arguments) {
     experiments::CoplanarOptions& options = arguments.options;
-    addFrames(command, options.views, "Random views, each with a second one from 0.01 aside");
+    addFrames(command, options.views,
+              "Random views; each is repeated from 0.01 scene units aside, to count flips");
     command
         .add_option("--search-views", options.searchViews,
-                    "Views that settings of polygon offset are compared over")
+                    "Views over which the settings of polygon offset are compared")
         ->check(CLI::Range(1u, 10'000u))
         ->capture_default_str();
-    addFactors(command, "--slopes", options.offsets.slopes, "Slope factors of polygon offset to try");
-    addFactors(command, "--constants", options.offsets.constants, "Constant factors for each slope");
+    addFactors(command, "--slopes", options.offsets.slopes,
+               "Slope factors of polygon offset, separated by commas");
+    addFactors(command, "--constants", options.offsets.constants,
+               "Constant factors of polygon offset for each slope factor, separated by commas");
     addSize(command, options.width, options.height);
-    addThreads(command, options.threads, "Threads that render and cast the truth");
-    addSeed(command, options.seed, "Seed of the views");
+    addThreads(command, options.threads);
+    addSeed(command, options.seed);
     addState(command, arguments.state);
     addSnapBits(command, options.snapBits);
     addTechniques(command, options.techniques);
-    command.add_option("--out", arguments.folder, "Folder for the heat map of every method's worst view");
+    options::addFolder(command, "--out", arguments.folder,
+                       "Folder for a heat map of each method's worst view");
 }
 
 } // namespace
@@ -131,8 +136,9 @@ void addOptions(CLI::App& command, CoplanarArguments& arguments) {
 void addCoplanar(CLI::App& program, const GlobalOptions& global) {
     addCommand<CoplanarArguments>(
         program, global, "coplanar",
-        "Which of two faces at the same place is seen: as it comes, by polygon offset, by layers", addOptions,
-        run, RankUse::all);
+        "Count pixels that show the wrong one of two faces at the same place, without and with polygon offset or "
+        "layers",
+        addOptions, run, RankUse::all);
 }
 
 } // namespace cdr::cli

@@ -3,6 +3,7 @@
 #include <experiments/detail/detail.h>
 
 #include <fmt/format.h>
+#include <options/help_texts.h>
 #include <output/columns.h>
 #include <output/readable.h>
 #include <program/build_info.h>
@@ -91,10 +92,10 @@ void addOptions(CLI::App& command, DetailArguments& arguments) {
     experiments::DetailOptions& options = arguments.options;
     addComparison(command, options, arguments.choice, arguments.folder);
     addState(command, arguments.state);
-    command.add_option("--pixels", options.pixels, "Largest error of a level on screen, in pixels")
+    command.add_option("--pixels", options.pixels, "Largest error on screen of a level of detail, in pixels")
         ->capture_default_str();
-    command.add_option("--depth", arguments.depth, "Depth mapping")->capture_default_str();
-    command.add_option("--split", arguments.split, "How cascades are cut")->capture_default_str();
+    command.add_option("--depth", arguments.depth, options::mappingHelp())->capture_default_str();
+    command.add_option("--split", arguments.split, options::kSplitHelp)->capture_default_str();
 }
 
 } // namespace
@@ -102,7 +103,7 @@ void addOptions(CLI::App& command, DetailArguments& arguments) {
 void addDetail(CLI::App& program, const GlobalOptions& global) {
     addCommand<DetailArguments>(
         program, global, "detail",
-        "What levels of detail save and change, chosen by object, by cascade (thesis chapter 3) and by cluster",
+        "Measure what levels of detail by object, by cascade (thesis chapter 3) and by cluster save and change",
         addOptions, run, RankUse::all);
 }
 

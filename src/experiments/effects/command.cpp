@@ -83,9 +83,12 @@ void addOptions(CLI::App& command, EffectsArguments& arguments) {
     experiments::EffectsOptions& options = arguments.options;
     addComparison(command, options, arguments.choice, arguments.folder);
     addTechniques(command, options.techniques);
-    command.add_option("--occlusion", options.occlusionRadius, "Radius of ambient occlusion, scene units")
+    command.add_option("--occlusion", options.occlusionRadius, "Radius of ambient occlusion, in scene units")
         ->capture_default_str();
-    command.add_option("--fog", options.visibility, "Visibility in fog, scene units")->capture_default_str();
+    command
+        .add_option("--fog", options.visibility,
+                    "Distance at which fog leaves 2 % of a colour, in scene units")
+        ->capture_default_str();
 }
 
 } // namespace
@@ -93,8 +96,8 @@ void addOptions(CLI::App& command, EffectsArguments& arguments) {
 void addEffects(CLI::App& program, const GlobalOptions& global) {
     addCommand<EffectsArguments>(
         program, global, "effects",
-        "What screen-space effects cost, and whether they look alike under every technique", addOptions, run,
-        RankUse::timed);
+        "Measure what screen-space effects cost, and whether they look the same with every technique",
+        addOptions, run, RankUse::timed);
 }
 
 } // namespace cdr::cli

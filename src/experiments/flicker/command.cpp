@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <options/drawing_options.h>
+#include <options/parsed_option.h>
 #include <output/wrong_pixels_columns.h>
 
 #include <filesystem>
@@ -19,7 +21,7 @@ namespace {
 
 struct FlickerArguments {
     experiments::FlickerOptions options;
-    std::string format; ///< every technique's own when empty
+    std::optional<depth::DepthFormat> format; ///< else every technique's own
     bool moved = false;
     bool fittedRange = false;
     std::optional<std::filesystem::path> videos;
@@ -108,8 +110,7 @@ std::vector<depth::NamedTechnique> techniquesOf(const FlickerArguments& argument
         techniques.push_back(experiments::fittedRange());
     }
     for (depth::NamedTechnique& named : techniques) {
-        named.technique.format =
-            arguments.format.empty() ? named.technique.format : depth::parseDepthFormat(arguments.format);
+        named.technique.format = arguments.format.value_or(named.technique.format);
     }
     return techniques;
 }
@@ -197,23 +198,25 @@ void addOptions(CLI::App& command, FlickerArguments& arguments) {
     addSize(command, options.width, options.height);
     addTechniques(command, options.techniques);
     addRivalList(command, options.rivalsBeside, "none");
-    command.add_option("--format", arguments.format, "Depth format of all: d16, d24 or d32f");
-    addSeed(command, options.seed, "Seed of the field");
+    options::addDepthFormat(command, arguments.format);
+    addSeed(command, options.seed);
     addSnapBits(command, options.snapBits);
     command.add_flag("--near-object", options.nearObject,
-                     "A tiny object stays beside the camera, so fitting near and far does not help");
-    command.add_flag("--moved", arguments.moved,
-                     "Adds cdr with its last boundary moved off the field: cdr-before and cdr-behind");
+                     "Keep a tiny object beside the camera, so that the near plane must stay close to it");
+    command.add_flag(
+        "--moved", arguments.moved,
+        "Also measure cdr with its last cascade boundary moved in front of the cubes (cdr-before) and "
+        "behind them (cdr-behind)");
     command.add_flag("--fitted-range", arguments.fittedRange,
-                     "Adds standard with near and far fitted to what is visible: standard-fitted");
-    command.add_option("--flip-every", options.flipEvery, "Take FLIP of every so-many-th frame")
+                     "Also measure standard with near and far fitted to what is visible (standard-fitted)");
+    command.add_option("--flip-every", options.flipEvery, "FLIP is computed for one of this many frames")
         ->check(CLI::Range(1u, kMaxFrames))
         ->capture_default_str();
-    addThreads(command, options.threads, "Threads that cull, bin, record and measure");
-    command.add_option("--state", options.state,
-                       "File or folder where the run is kept, to go on from when it is interrupted");
-    command.add_option("--videos", arguments.videos, "Folder for the thesis' six videos (needs ffmpeg)");
-    command.add_option("--tga", arguments.tga, "Folder for every frame as TGA");
+    addThreads(command, options.threads);
+    options::addFile(command, "--state", options.state, std::string(kStateHelp) + ". FILE may be a folder");
+    options::addFolder(command, "--videos", arguments.videos,
+                       "Folder for the six videos of the thesis (needs ffmpeg)");
+    options::addFolder(command, "--tga", arguments.tga, "Folder for a TGA file of each frame");
 }
 
 } // namespace
@@ -221,8 +224,9 @@ void addOptions(CLI::App& command, FlickerArguments& arguments) {
 void addFlicker(CLI::App& program, const GlobalOptions& global) {
     addCommand<FlickerArguments>(
         program, global, "flicker",
-        "Wrong pixels, flips and FLIP over the 2AFC experiment's frames (thesis section 6.1)", addOptions,
-        run, RankUse::all);
+        "Measure flicker under a moving camera: wrong pixels, pixels that flip, and the image difference FLIP "
+        "(thesis section 6.1)",
+        addOptions, run, RankUse::all);
 }
 
 } // namespace cdr::cli

@@ -3,6 +3,7 @@
 #include <experiments/focus/focus.h>
 
 #include <fmt/format.h>
+#include <options/help_texts.h>
 #include <options/parsed_option.h>
 #include <output/columns.h>
 #include <output/readable.h>
@@ -89,16 +90,18 @@ void run(Command& command, FocusArguments& arguments) {
 void addOptions(CLI::App& command, FocusArguments& arguments) {
     experiments::FocusOptions& options = arguments.options;
     addComparison(command, options, arguments.choice, arguments.folder);
-    command.add_option("--distance", options.lens.distance, "View distance that is sharp")
+    command.add_option("--distance", options.lens.distance, "Distance in focus, in scene units")
         ->capture_default_str();
-    command.add_option("--aperture", options.lens.aperture, "Diameter of the lens, scene units")
+    command.add_option("--aperture", options.lens.aperture, "Diameter of the lens, in scene units")
         ->capture_default_str();
-    command.add_option("--cameras", options.cameras, "Cameras on the lens of the reference")
+    command
+        .add_option("--cameras", options.cameras,
+                    "Cameras spread over the lens, whose pictures are averaged into the reference")
         ->check(CLI::Range(1u, 4096u))
         ->capture_default_str();
-    options::addNamed(command, "--depth", options.mapping, depth::parseMapping, "Depth mapping");
-    options::addParsed(command, "--split", options.split, depth::parseSplit,
-                       "How cascades are cut; where circles of confusion double unless given");
+    options::addNamed(command, "--depth", options.mapping, depth::parseMapping, options::mappingHelp());
+    options::addParsed(command, "--split", options.split, depth::parseSplit, options::kSplitHelp)
+        ->default_str("where circles of confusion double");
 }
 
 } // namespace
@@ -106,8 +109,8 @@ void addOptions(CLI::App& command, FocusArguments& arguments) {
 void addFocus(CLI::App& program, const GlobalOptions& global) {
     addCommand<FocusArguments>(
         program, global, "focus",
-        "What depth of field by per-cascade resolution saves and shows (thesis chapter 3)", addOptions, run,
-        RankUse::timed);
+        "Measure what depth of field saves if blurred cascades have fewer pixels, and its errors (thesis chapter 3)",
+        addOptions, run, RankUse::timed);
 }
 
 } // namespace cdr::cli

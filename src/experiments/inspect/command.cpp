@@ -12,7 +12,9 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <options/help_texts.h>
 #include <options/number_checks.h>
+#include <options/parsed_option.h>
 #include <output/columns.h>
 #include <output/readable.h>
 #include <output/sentence_parts.h>
@@ -203,28 +205,35 @@ void run(Command& command, InspectArguments& arguments) {
 
 void addOptions(CLI::App& command, InspectArguments& arguments) {
     experiments::InspectOptions& options = arguments.options;
-    command.add_option("scene", arguments.scene, "A generated scene, or a .gltf or .glb file")->required();
+    command.add_option("scene", arguments.scene, options::sceneHelp())->required();
     command
         .add_option("--technique", arguments.technique,
-                    "The technique that --fail-above and the heat map are about")
+                    "Technique for --fail-above and --heat-map: " + options::techniqueHelp())
         ->capture_default_str();
-    command.add_option("--format", arguments.format, "Its depth format")->capture_default_str();
+    command
+        .add_option("--format", arguments.format,
+                    "Format of the depth buffer for --technique: d16, d24 or d32f")
+        ->capture_default_str();
     addTechniques(command, options.techniques);
     command
-        .add_option("--frames", arguments.views, "Views, spread over the camera path; around what has none")
+        .add_option("--frames", arguments.views,
+                    "Views, spread evenly over the camera path; around the model if it has none")
         ->check(CLI::Range(1u, kMaxViews))
         ->capture_default_str();
     options::addCameraOptions(command, arguments.camera);
     options::addStillChoice(command, arguments.choice);
     command
-        .add_option("--fail-above", arguments.failAbove,
-                    "End with status 3 where a larger share of object pixels, 0 to 1, is wrong or coplanar")
+        .add_option(
+            "--fail-above", arguments.failAbove,
+            "Exit with status 3 if a larger share of the pixels that show an object, 0 to 1, is wrong or "
+            "coplanar")
         ->check(options::numberFrom(0.0, 1.0));
-    command.add_option("--heat-map", arguments.heatMap,
-                       "Write the worst view as PNG: red wrong, orange wrong on an edge, magenta coplanar");
+    options::addFile(
+        command, "--heat-map", arguments.heatMap,
+        "Write the worst view to FILE, .png: red is wrong, orange wrong at an edge, magenta coplanar");
     addSize(command, options.width, options.height);
-    addThreads(command, options.threads, "Threads that cull, bin, record and cast the truth");
-    addSeed(command, arguments.seed, "Seed of a generated scene");
+    addThreads(command, options.threads);
+    addSeed(command, arguments.seed);
     addSnapBits(command, options.snapBits);
     addSnapping(command, options.snapping);
 }
@@ -234,7 +243,7 @@ void addOptions(CLI::App& command, InspectArguments& arguments) {
 void addInspect(CLI::App& program, const GlobalOptions& global) {
     addCommand<InspectArguments>(
         program, global, "inspect",
-        "What in a scene lies too close together, by name, and the simplest technique that suffices",
+        "Name the objects of a scene that are too close together, and the simplest technique that draws them right",
         addOptions, run);
 }
 

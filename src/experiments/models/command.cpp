@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <options/help_texts.h>
+#include <options/parsed_option.h>
 #include <output/columns.h>
 
 #include <algorithm>
@@ -185,24 +187,24 @@ void run(Command& command, ModelsArguments& arguments) {
 
 void addOptions(CLI::App& command, ModelsArguments& arguments) {
     command.add_option("models", arguments.files, "glTF files, .gltf or .glb")->required();
-    command.add_option("--out", arguments.folder, "Folder for the pictures and a sheet of all");
-    command.add_option("--technique", arguments.technique, "How depth is mapped and split")
+    options::addFolder(command, "--out", arguments.folder, "Folder for the pictures and one sheet of all");
+    command.add_option("--technique", arguments.technique, "Technique: " + options::techniqueHelp())
         ->capture_default_str();
-    command.add_option("--light", arguments.light, "sky, lamps, or file: the models' own lights")
-        ->capture_default_str();
-    command.add_option("--time", arguments.seconds,
-                       "Seconds into the first animation, of models that have one");
-    command.add_option("--camera", arguments.camera, "Which of the models' own cameras, from 0");
+    command.add_option("--light", arguments.light, options::kLightHelp)->capture_default_str();
+    command.add_option("--time", arguments.seconds, "Time in the first animation of a model, in seconds");
+    command.add_option("--camera", arguments.camera, options::kCameraHelp)
+        ->default_str("one that the model fills");
     addSize(command, arguments.options.width, arguments.options.height);
-    addThreads(command, arguments.options.threads, "Threads that cull, bin, record and cast the reference");
+    addThreads(command, arguments.options.threads);
 }
 
 } // namespace
 
 void addModels(CLI::App& program, const GlobalOptions& global) {
-    addCommand<ModelsArguments>(program, global, "models",
-                                "How glTF models look, against a float64 reference: mean FLIP and a sheet",
-                                addOptions, run);
+    addCommand<ModelsArguments>(
+        program, global, "models",
+        "Compare pictures of glTF models with a float64 reference, by the image difference FLIP", addOptions,
+        run);
 }
 
 } // namespace cdr::cli

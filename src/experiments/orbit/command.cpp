@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <options/parsed_option.h>
 #include <output/gnuplot.h>
 #include <output/readable.h>
 #include <output/wrong_pixels_columns.h>
@@ -148,22 +149,22 @@ void run(Command& command, OrbitArguments& arguments) {
 
 void addOptions(CLI::App& command, OrbitArguments& arguments) {
     experiments::OrbitOptions& options = arguments.options;
-    command.add_option("--data", arguments.files.folder,
-                       "Folder of earth-blue-marble.jpg and earth-topology.png; tools/setup.sh fetches them");
-    command.add_option("--model", arguments.files.model,
-                       "A .gltf or .glb file to park at the airport instead of the generated aircraft");
-    addFrames(command, options.frames, "Frames, spread over the path of 240", 240);
+    options::addFolder(
+        command, "--data", arguments.files.folder,
+        "Folder with earth-blue-marble.jpg and earth-topology.png, which tools/setup.sh downloads");
+    options::addFile(command, "--model", arguments.files.model,
+                     "Model to park at the airport, .gltf or .glb, instead of the generated aircraft");
+    addFrames(command, options.frames, "Frames, spread evenly over the 240 frames of the path", 240);
     addTechniques(command, options.techniques);
     addRivalList(command, options.rivalsBeside, "none");
     addState(command, arguments.state);
     addSize(command, options.width, options.height);
-    addThreads(command, options.threads, "Threads that cull, bin, record and cast the truth");
+    addThreads(command, options.threads);
     addSnapBits(command, options.snapBits);
-    command.add_option(
-        "--out", arguments.folder,
-        "Folder for pictures of the first and the last frame, what is wrong in them, and all on one sheet");
-    command.add_option("--plot", arguments.plot,
-                       "Draw wrong pixels over the lens into a .png or .svg file (needs gnuplot)");
+    options::addFolder(
+        command, "--out", arguments.folder,
+        "Folder for pictures of the first and the last frame, their wrong pixels, and one sheet of all");
+    addPlot(command, arguments.plot, "wrong pixels over the field of view");
 }
 
 } // namespace
@@ -171,7 +172,7 @@ void addOptions(CLI::App& command, OrbitArguments& arguments) {
 void addOrbit(CLI::App& program, const GlobalOptions& global) {
     addCommand<OrbitArguments>(
         program, global, "orbit",
-        "Zoom from a station's window to a runway 420 km below: which technique reads its numbers",
+        "Zoom from a space station to a runway 420 km below, and count the wrong pixels of each technique",
         addOptions, run, RankUse::all);
 }
 

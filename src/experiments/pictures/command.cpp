@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <options/parsed_option.h>
 #include <output/wrong_pixels_columns.h>
 
 #include <algorithm>
@@ -110,15 +111,15 @@ void run(Command& command, PicturesArguments& arguments) {
 
 void addOptions(CLI::App& command, PicturesArguments& arguments) {
     experiments::PicturesOptions& options = arguments.options;
-    command.add_option("--out", arguments.folder, "Folder for the pictures")->capture_default_str();
-    command.add_option("--scenes", arguments.scenes, "Scenes, separated by commas")
+    options::addFolder(command, "--out", arguments.folder, "Folder for the pictures")->capture_default_str();
+    command.add_option("--scenes", arguments.scenes, "Scenes to render, separated by commas")
         ->delimiter(',')
         ->capture_default_str();
     addTechniques(command, options.techniques);
     addSize(command, options.width, options.height);
-    addFrames(command, options.frames, "Frames per scene, spread over its camera path");
-    addThreads(command, options.threads, "Threads that cull, bin, record and cast the truth");
-    addSeed(command, options.seed, "Seed of the random scenes");
+    addFrames(command, options.frames, "Frames of each scene, spread evenly over its camera path");
+    addThreads(command, options.threads);
+    addSeed(command, options.seed);
     addSnapBits(command, options.snapBits);
     addSnapping(command, options.snapping);
 }
@@ -126,9 +127,10 @@ void addOptions(CLI::App& command, PicturesArguments& arguments) {
 } // namespace
 
 void addPictures(CLI::App& program, const GlobalOptions& global) {
-    addCommand<PicturesArguments>(program, global, "pictures",
-                                  "One picture per technique with its wrong pixels (Figures 6.1 to 6.3)",
-                                  addOptions, run);
+    addCommand<PicturesArguments>(
+        program, global, "pictures",
+        "Write a picture of each technique, and its wrong pixels (thesis Figures 6.1 to 6.3)", addOptions,
+        run);
 }
 
 } // namespace cdr::cli

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+#include <options/help_texts.h>
+#include <options/parsed_option.h>
 #include <output/columns.h>
 
 namespace cdr::cli {
@@ -82,18 +84,19 @@ void run(Command& command, PrecisionArguments& arguments) {
 }
 
 void addOptions(CLI::App& command, PrecisionArguments& arguments) {
-    command.add_option("--near", arguments.options.nearView, "Near plane, view distance")
-        ->capture_default_str();
-    command.add_option("--far", arguments.options.farView, "Far plane, view distance")->capture_default_str();
-    command.add_option("--curve", arguments.curveFile, "Write the curves of Figure 4.1 as CSV");
+    command.add_option("--near", arguments.options.nearView, options::kNearHelp)->capture_default_str();
+    command.add_option("--far", arguments.options.farView, options::kFarHelp)->capture_default_str();
+    options::addFile(command, "--curve", arguments.curveFile,
+                     "Write the curves of the thesis' Figure 4.1 as CSV to FILE");
 }
 
 } // namespace
 
 void addPrecision(CLI::App& program, const GlobalOptions& global) {
-    addCommand<PrecisionArguments>(program, global, "precision",
-                                   "Smallest resolvable separation over distance, by formula (Table 4.1)",
-                                   addOptions, run, RankUse::first);
+    addCommand<PrecisionArguments>(
+        program, global, "precision",
+        "Compute by formula how far each technique resolves a separation (thesis Table 4.1)", addOptions, run,
+        RankUse::first);
 }
 
 } // namespace cdr::cli

@@ -125,16 +125,14 @@ void run(Command& command, ProbeArguments& arguments) {
 
 void addOptions(CLI::App& command, ProbeArguments& arguments) {
     experiments::ProbeOptions& options = arguments.options;
-    command.add_option("--distances", options.distancesView, "View distances, separated by commas")
-        ->delimiter(',')
-        ->capture_default_str();
+    addDistances(command, options.distancesView);
     addTechniques(command, options.techniques);
     addRivalList(command, options.rivalsBeside, "none");
-    options::addParsedList(command, "--formats", options.formats, depth::parseDepthFormat,
-                           "Depth formats, separated by commas; all");
+    options::addParsedList(command, "--formats", options.formats, depth::parseDepthFormat, kFormatsHelp)
+        ->default_str("all");
     addSize(command, options.width, options.height);
-    addThreads(command, options.threads, "Threads that cull, bin and record");
-    addSeed(command, options.seed, "Seed of the ladder");
+    addThreads(command, options.threads);
+    addSeed(command, options.seed);
     addSnapBits(command, options.snapBits);
     addState(command, arguments.state);
 }
@@ -143,7 +141,7 @@ void addOptions(CLI::App& command, ProbeArguments& arguments) {
 
 void addProbe(CLI::App& program, const GlobalOptions& global) {
     addCommand<ProbeArguments>(program, global, "probe",
-                               "Smallest separation each technique resolves, measured and predicted",
+                               "Measure and predict the smallest separation that each technique resolves",
                                addOptions, run, RankUse::all);
 }
 

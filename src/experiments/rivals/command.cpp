@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+#include <options/help_texts.h>
 #include <output/readable.h>
 #include <output/wrong_pixels_columns.h>
 
@@ -166,20 +167,16 @@ void run(Command& command, RivalsArguments& arguments) {
 
 void addOptions(CLI::App& command, RivalsArguments& arguments) {
     experiments::RivalsOptions& options = arguments.options;
-    command.add_option("SCENE", arguments.scenes, "Scenes: generated ones by name, or .gltf and .glb files")
+    command.add_option("SCENE", arguments.scenes, "Scenes, separated by spaces: " + options::sceneHelp())
         ->capture_default_str();
-    command
-        .add_option("--distances", options.distancesView,
-                    "View distances of the ladder that shows what is resolved, separated by commas")
-        ->delimiter(',')
-        ->capture_default_str();
+    addDistances(command, options.distancesView);
     addTechniques(command, arguments.techniques);
     addRivalList(command, arguments.chosenRivals, "all that the device can draw");
     addFrames(command, options.frames,
-              "Frames of each scene, spread over its path, and timed of each technique");
+              "Frames of each scene, spread evenly over its camera path, and timed frames of each technique");
     addSize(command, options.width, options.height);
-    addThreads(command, options.threads, "Threads that cull, bin and cast the truth");
-    addSeed(command, options.seed, "Seed of the scenes and of the order in which frames are timed");
+    addThreads(command, options.threads);
+    addSeed(command, options.seed);
 }
 
 } // namespace
@@ -187,8 +184,8 @@ void addOptions(CLI::App& command, RivalsArguments& arguments) {
 void addRivals(CLI::App& program, const GlobalOptions& global) {
     addCommand<RivalsArguments>(
         program, global, "rivals",
-        "64-bit depths by atomics, pairs of floats and anchors of objects beside today's practice: wrong pixels, flips, "
-        "what is resolved, time",
+        "Compare rivals (64-bit depth by atomics, pairs of floats, anchors of objects) with today's techniques: wrong "
+        "pixels, resolution, time",
         addOptions, run);
 }
 

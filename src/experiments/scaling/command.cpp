@@ -1,3 +1,4 @@
+#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
 #include <cdr/platform/file.h>
 #include <cli/command.h>
@@ -207,31 +208,33 @@ void excludeThreadOptions(CLI::App& command) {
 
 void addOptions(CLI::App& command, ScalingArguments& arguments) {
     experiments::ScalingOptions& options = arguments.options;
-    command.add_option("--draws", options.draws, "Numbers of cubes, such as 1000,50000")
+    command.add_option("--draws", options.draws, "Numbers of cubes to measure, separated by commas")
         ->delimiter(',')
         ->capture_default_str();
     command
-        .add_option(
-            "--threads", options.threads,
-            "Numbers of threads, such as 1,2,4; 1 is always measured too (default: to twice the CPUs)")
-        ->delimiter(',');
+        .add_option("--threads", options.threads,
+                    "Numbers of CPU threads to measure, separated by commas; 1 is always added")
+        ->delimiter(',')
+        ->default_str("up to twice the CPUs");
     options::addParsedList(command, "--targets", options.targets, render::parseTargets,
-                           "Kinds of targets (default: all)");
-    options::addParsedList(
-        command, "--submissions", options.submissions, render::parseSubmission,
-        "How draws reach the device: secondaries, primaries (the control; both by default), gpu-driven");
+                           "Kinds of targets to measure, separated by commas: " +
+                               base::listNames(render::kTargetsKinds))
+        ->default_str("all");
+    options::addParsedList(command, "--submissions", options.submissions, render::parseSubmission,
+                           "How draws are submitted, separated by commas: secondaries, primaries, gpu-driven")
+        ->default_str("secondaries,primaries");
     command.add_flag_callback(
         "--free", [&options] { options.placement = platform::Placement::free; },
-        "Let the kernel place threads, instead of pinning each to a CPU");
-    command.add_option("--cascades", options.cascades, "Numbers of cascades")
+        "Do not bind each thread to a CPU: the operating system chooses");
+    command.add_option("--cascades", options.cascades, "Numbers of cascades to measure, separated by commas")
         ->delimiter(',')
         ->capture_default_str();
-    command.add_option("--repeats", options.repeats, "Timed frames of each point")->capture_default_str();
+    command.add_option("--repeats", options.repeats, kRepeatsHelp)->capture_default_str();
     addSize(command, options.width, options.height);
-    addSeed(command, options.seed, "Seed of the scene");
+    addSeed(command, options.seed);
     addRankSweepOptions(command, arguments.ranks);
-    command.add_option("--csv", arguments.csv, "Write the results as CSV to FILE");
-    command.add_option("--plot", arguments.plot, "Plot into a .png or .svg file, by gnuplot");
+    addCsv(command, arguments.csv);
+    addPlot(command, arguments.plot, "times over threads");
     excludeThreadOptions(command);
 }
 
@@ -240,8 +243,8 @@ void addOptions(CLI::App& command, ScalingArguments& arguments) {
 void addScaling(CLI::App& program, const GlobalOptions& global) {
     addCommand<ScalingArguments>(
         program, global, "scaling",
-        "How culling, binning and recording scale with threads, or cascades with the ranks of MPI",
-        addOptions, run, RankUse::all);
+        "Measure how frame times scale with CPU threads, or with the ranks of an MPI run", addOptions, run,
+        RankUse::all);
 }
 
 } // namespace cdr::cli

@@ -29,16 +29,16 @@ void requireSameImages(const std::vector<experiments::RankPoint>& points) {
 
 void addRankSweepOptions(CLI::App& command, RankSweepArguments& arguments) {
     command.add_flag("--ranks", arguments.isAsked,
-                     "Measure the ranks of an MPI run that divide a frame's cascades, instead of threads");
-    command.add_option("--heights", arguments.heights, "With --ranks: heights of pictures, which are 16:9")
+                     "Measure MPI ranks that divide the cascades of a frame, instead of threads");
+    command
+        .add_option("--heights", arguments.heights,
+                    "Heights of the 16:9 pictures to measure in pixels, separated by commas")
         ->delimiter(',')
         ->capture_default_str();
     command.add_option(
         "--project", arguments.nodes,
-        "Measure frames of --size and one of --draws, and predict what a run of --frames takes on up to so "
-        "many nodes");
-    command.add_option("--frames", arguments.frames, "With --project: frames of the run")
-        ->capture_default_str();
+        "Predict the time of a run on up to this many nodes, from measured frames of --size and of one --draws");
+    command.add_option("--frames", arguments.frames, "Frames of the predicted run")->capture_default_str();
 }
 
 void runRankSweep(Command& command, experiments::RankSweepOptions options,

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <options/help_texts.h>
 #include <options/parsed_option.h>
 #include <output/columns.h>
 
@@ -103,38 +104,39 @@ void run(Command& command, ShadowArguments& arguments) {
 
 void addOptions(CLI::App& command, ShadowArguments& arguments) {
     experiments::ShadowExperiment& experiment = arguments.experiment;
-    command.add_option("scene", arguments.scene, "Scene with lights, or a .gltf or .glb file")
+    command.add_option("scene", arguments.scene, "A generated scene with lights, or a .gltf or .glb file")
         ->capture_default_str();
-    command.add_option("--techniques", experiment.techniques, "Presets, separated by commas")
+    command
+        .add_option("--techniques", experiment.techniques,
+                    "Techniques to compare, separated by commas: " + options::techniqueHelp())
         ->delimiter(',')
         ->capture_default_str();
     command
         .add_option("--methods", experiment.methods,
-                    "How shadows are cast: anchored or plain, separated by commas")
+                    "Shadow methods to compare, separated by commas: anchored, plain (the usual method)")
         ->delimiter(',')
         ->capture_default_str();
-    command
-        .add_option("--shadow-texels", experiment.options.shadows.maxTexels, "Most texels of a side of a map")
+    command.add_option("--shadow-texels", experiment.options.shadows.maxTexels, options::kShadowTexelsHelp)
         ->check(CLI::Range(render::kMinShadowTexels, render::kMaxShadowTexels))
         ->capture_default_str();
     options::addNamed(command, "--surface", arguments.experiment.options.surface, render::parseSurfacePath,
-                      "gbuffer or visibility");
+                      options::kSurfaceHelp);
     options::addFrameOptions(command, arguments.camera);
     options::addCameraOptions(command, arguments.camera);
     options::addStillChoice(command, arguments.choice);
     options::addLight(command, arguments.choice, scene::ModelLight::lamps);
     addSize(command, experiment.options.width, experiment.options.height);
     addSnapBits(command, experiment.options.snapBits);
-    addThreads(command, experiment.options.threads, "Threads that cull, bin, record and cast the truth");
-    addSeed(command, arguments.seed, "Seed of a random scene");
-    command.add_option("--out", arguments.folder, "Folder for pictures, and for where they are wrong");
+    addThreads(command, experiment.options.threads);
+    addSeed(command, arguments.seed);
+    options::addFolder(command, "--out", arguments.folder, "Folder for the pictures and their wrong shadows");
 }
 
 } // namespace
 
 void addShadows(CLI::App& program, const GlobalOptions& global) {
-    addCommand<ShadowArguments>(program, global, "shadows", "Shadows of lights against float64 rays",
-                                addOptions, run);
+    addCommand<ShadowArguments>(program, global, "shadows",
+                                "Count wrong pixels of shadows, compared with float64 rays", addOptions, run);
 }
 
 } // namespace cdr::cli

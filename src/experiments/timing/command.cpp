@@ -63,62 +63,66 @@ void run(Command& command, TimingArguments& arguments) {
 
 void addOptions(CLI::App& command, TimingArguments& arguments) {
     experiments::TimingOptions& options = arguments.options;
-    command
-        .add_option(
-            "--frames", arguments.frames,
-            fmt::format("Measured frames of every mode: {} unless given, {} a run with --against, {} with "
-                        "--stages",
-                        options.frames, kRunFrames, kStageFrames))
-        ->check(CLI::Range(1u, kMaxFrames));
+    command.add_option("--frames", arguments.frames, "Measured frames of each mode")
+        ->check(CLI::Range(1u, kMaxFrames))
+        ->default_str(fmt::format("{}, or {} per run with --against, or {} with --stages", options.frames,
+                                  kRunFrames, kStageFrames));
     addSize(command, options.width, options.height);
-    addThreads(command, options.threads, "Threads that cull, bin and record");
+    addThreads(command, options.threads);
     command
         .add_option_function<std::string>(
             "--scene",
             [&options](const std::string& name) { options.scene = experiments::parseTimingScene(name); },
-            fmt::format("{}; traffic moves", fmt::join(experiments::timingSceneNames(), ", ")))
+            fmt::format("Scene to draw: {}; only traffic moves",
+                        fmt::join(experiments::timingSceneNames(), ", ")))
         ->default_str(std::string(nameOf(options.scene)));
     command
-        .add_option("--in-flight", options.framesInFlight,
-                    "Frames in flight: 1 measures latency, as the thesis does; more measure throughput")
+        .add_option(
+            "--in-flight", options.framesInFlight,
+            fmt::format("Frames in flight, 1 to {}: 1 measures latency, as the thesis does, more measure "
+                        "throughput",
+                        render::kMaxFramesInFlight))
         ->check(CLI::Range(std::size_t{1}, render::kMaxFramesInFlight))
         ->capture_default_str();
-    addSeed(command, options.seed, "Seed of the scene, the orders and the bootstrap");
+    addSeed(command, options.seed);
     command
         .add_option(
             "--modes", arguments.modes,
-            "Only these beside standard, such as cdr-2,log,logcdr-5; also naive and log-fragment. Behind each "
-            "may stand /NAME of batchings, submissions, surfaces and targets, /in-plane and /occlusion-culling")
-        ->delimiter(',');
+            "Modes to measure beside standard, separated by commas, such as cdr-2,log,logcdr-5,naive,log-fragment. "
+            "/NAME after a mode draws it with the batching, submission, surface or targets of that name, as render "
+            "takes them; also /in-plane and /occlusion-culling")
+        ->delimiter(',')
+        ->default_str("all");
     addRivalList(command, arguments.rivalsBeside, "none");
-    CLI::Option* against = command.add_option(
-        "--against", arguments.against,
-        "Run this build and PROGRAM, another build, in turns, and say how their times differ, if they do");
+    CLI::Option* against =
+        command.add_option("--against", arguments.against,
+                           "Compare frame times with PROGRAM, another build of cdr; both run in turns");
+    against->type_name("PROGRAM");
     command
-        .add_option("--rounds", arguments.rounds, "Rounds of runs, two of this build and one of the other")
+        .add_option("--rounds", arguments.rounds, "Rounds; in each, this build runs twice and the other once")
         ->check(CLI::Range(1u, 1000u))
         ->needs(against)
         ->capture_default_str();
-    CLI::Option* stages = command.add_flag("--stages", arguments.stages,
-                                           "What each stage of a frame costs, of standard and --modes");
+    CLI::Option* stages = command.add_flag(
+        "--stages", arguments.stages, "Measure what each stage of a frame costs, for standard and --modes");
     stages->excludes(against);
     command
         .add_flag("--memory", arguments.memory,
-                  "Bytes of an instance, a draw and a pixel, predicted and measured")
+                  "Predict and measure the bytes of an instance, a draw and a pixel")
         ->excludes(against)
         ->excludes(stages);
-    command.add_option("--csv", arguments.csv, "Write the results as CSV to FILE");
-    command.add_option("--plot", arguments.plot, "Draw the figure into a .png or .svg file, by gnuplot");
-    command.add_option("--trace", arguments.trace,
-                       "Write the dropped frames as a trace for ui.perfetto.dev or chrome://tracing");
+    addCsv(command, arguments.csv);
+    addPlot(command, arguments.plot, "the times");
+    addTrace(command, arguments.trace, "the frames before the measured ones");
 }
 
 } // namespace
 
 void addTiming(CLI::App& program, const GlobalOptions& global) {
-    addCommand<TimingArguments>(program, global, "timing",
-                                "What each technique costs over standard, frame by frame (Figure 6.4)",
-                                addOptions, run, RankUse::timed);
+    addCommand<TimingArguments>(
+        program, global, "timing",
+        "Measure the frame time of each technique, compared with standard (thesis Figure 6.4)", addOptions,
+        run, RankUse::timed);
 }
 
 } // namespace cdr::cli

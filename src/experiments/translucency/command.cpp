@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <options/help_texts.h>
 #include <options/parsed_option.h>
 #include <options/scene_options.h>
 #include <output/columns.h>
@@ -148,33 +149,38 @@ void run(Command& command, TranslucencyArguments& arguments) {
 
 void addOptions(CLI::App& command, TranslucencyArguments& arguments) {
     experiments::TranslucencyExperiment& experiment = arguments.experiment;
-    command.add_option("scene", experiment.scene, "Scene with translucent surfaces")->capture_default_str();
+    command
+        .add_option("scene", experiment.scene,
+                    "A generated scene with translucent surfaces, or a .gltf or .glb file")
+        ->capture_default_str();
     options::addMoment(command, arguments.choice);
     addSize(command, experiment.width, experiment.height);
     options::addNamed(command, "--depth", arguments.experiment.mapping, depth::parseMapping,
-                      "Depth mapping of the cascades");
-    command.add_option("--cascades", experiment.cascades, "Numbers of cascades, separated by commas")
+                      options::mappingHelp());
+    command
+        .add_option("--cascades", experiment.cascades, "Numbers of cascades to measure, separated by commas")
         ->delimiter(',')
         ->capture_default_str();
-    command.add_option("--repeats", experiment.repeats, "Timed frames of each; 0 times nothing")
+    command.add_option("--repeats", experiment.repeats, std::string(kRepeatsHelp) + "; 0 measures no times")
         ->check(CLI::Range(std::size_t{0}, kMaxRepeats))
         ->capture_default_str();
-    addThreads(command, experiment.threads, "Threads that cull, bin, record and cast the truth");
-    command.add_option("--translucency-memory", arguments.memoryMiB, "Most MiB for sorted fragments")
+    addThreads(command, experiment.threads);
+    command.add_option("--translucency-memory", arguments.memoryMiB, options::kTranslucencyMemoryHelp)
         ->check(CLI::Range(std::uint64_t{1}, kMaxTranslucencyMiB))
         ->capture_default_str();
-    addSeed(command, experiment.seed, "Seed of the scene");
+    addSeed(command, experiment.seed);
     addState(command, arguments.state);
-    command.add_option("--out", arguments.folder,
-                       "Folder for pictures and their errors, eight times as bright");
+    options::addFolder(command, "--out", arguments.folder,
+                       "Folder for the pictures and their errors, at eight times the brightness");
 }
 
 } // namespace
 
 void addTranslucency(CLI::App& program, const GlobalOptions& global) {
-    addCommand<TranslucencyArguments>(program, global, "translucency",
-                                      "Translucent surfaces across cascades against a float64 sorted truth",
-                                      addOptions, run, RankUse::all);
+    addCommand<TranslucencyArguments>(
+        program, global, "translucency",
+        "Measure the errors of translucent surfaces in several cascades, compared with a float64 reference",
+        addOptions, run, RankUse::all);
 }
 
 } // namespace cdr::cli

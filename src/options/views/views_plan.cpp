@@ -66,20 +66,22 @@ std::string_view nameOf(StereoPicture picture) {
 
 void addStereoOptions(CLI::App& command, ViewsArguments& arguments) {
     addParsed(command, "--stereo", arguments.stereo, parseStereo,
-              "Two eyes in one picture: none, parallel, toed-in or off-axis")
+              "Render two eyes into one picture: none, parallel, toed-in or off-axis")
         ->default_str(std::string(kNoStereo));
-    command.add_option("--eye-distance", arguments.eyeDistance, "Between the eyes, in scene units");
-    command.add_option("--converge", arguments.converge,
-                       "Distance at which both eyes' pictures coincide, in scene units; without it that of "
-                       "parallel eyes is infinite");
+    command.add_option("--eye-distance", arguments.eyeDistance, "Distance between the eyes, in scene units");
+    command.add_option(
+        "--converge", arguments.converge,
+        "Distance at which the pictures of both eyes coincide, in scene units; without it, those of "
+        "parallel eyes coincide at infinity");
     addNamed(command, "--stereo-picture", arguments.picture, parsePicture,
-             "How the eyes become one picture: side-by-side or anaglyph (red left, cyan right)");
+             "How the pictures of both eyes are combined: side-by-side or anaglyph (red left, cyan right)");
 }
 
 void addViewsOption(CLI::App& command, ViewsArguments& arguments) {
-    addParsed(command, "--views", arguments.kind, parseKind,
-              "one, or six: the sides of a cube about the camera, side by side: right, left, up, down, "
-              "behind, ahead")
+    addParsed(
+        command, "--views", arguments.kind, parseKind,
+        "Views in one picture: one, or six (the sides of a cube around the camera: right, left, up, down, "
+        "behind, ahead)")
         ->default_str(std::string(kViewsNames.nameOf(arguments.kind)));
 }
 

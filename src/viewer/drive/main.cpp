@@ -39,29 +39,30 @@ struct DriveArguments {
 
 void addDriveOptions(CLI::App& program, DriveArguments& arguments) {
     CLI::Option* script =
-        program.add_option("--script", arguments.script, "Play input from FILE, one step a line");
+        options::addFile(program, "--script", arguments.script, "Play input from FILE, one step per line");
     CLI::Option* soak =
         program
             .add_option("--soak", arguments.soakSeconds,
-                        "Play random input worth so many seconds, as fast as frames come, and quit")
+                        "Play this many seconds of random input as fast as possible, and quit")
             ->check(options::numberFrom(1.0, kMaxSoakSeconds))
             ->excludes(script);
     options::addParsed(program, "--largest", arguments.largest, parseWindowSize,
-                       "WIDTHxHEIGHT of the largest window of a soak, by default 1920x1080")
+                       "Largest window of --soak in pixels")
+        ->type_name("WIDTHxHEIGHT")
+        ->default_str("1920x1080")
         ->needs(soak);
     const auto generated = scenes::generatedScenes();
     program
-        .add_option(
-            "--soak-scenes", arguments.soakScenes,
-            "Generated scenes that a soak chooses from, with commas between; by default cubes,afc,rotation,mixed")
+        .add_option("--soak-scenes", arguments.soakScenes,
+                    "Generated scenes that --soak chooses from, separated by commas")
+        ->default_str("cubes,afc,rotation,mixed")
         ->delimiter(',')
         ->check(CLI::IsMember(std::vector<std::string>(generated.begin(), generated.end())))
         ->needs(soak);
     program
-        .add_option(
-            "--largest-growth", arguments.largestGrowth,
-            "Percent by which memory may grow in a soak, else it ends with status 1; by default 1, and any in a "
-            "soak of less than a minute")
+        .add_option("--largest-growth", arguments.largestGrowth,
+                    "Exit with status 1 if --soak grows memory by more than this many percent")
+        ->default_str("1, or no limit for less than a minute")
         ->check(options::numberFrom(-100.0, kMaxGrowth))
         ->needs(soak);
 }

@@ -7,9 +7,10 @@
 #include <viewer/window/window.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <options/drawing_options.h>
 #include <options/effect_options.h>
 #include <options/help_format.h>
+#include <options/help_texts.h>
 #include <options/number_checks.h>
 #include <options/parsed_option.h>
 #include <program/build_info.h>
@@ -21,29 +22,27 @@ namespace cdr::viewer {
 namespace {
 
 void addViewOptions(CLI::App& program, Arguments& arguments) {
-    program
-        .add_option("scene", arguments.scene,
-                    fmt::format("{}, or a .gltf or .glb file", fmt::join(scenes::generatedScenes(), ", ")))
-        ->capture_default_str();
-    options::addSeed(program, arguments.seed, "Seed of a random scene");
+    program.add_option("scene", arguments.scene, options::sceneHelp())->capture_default_str();
+    options::addSeed(program, arguments.seed);
     options::addColours(program, arguments.colours);
     options::addLayers(program, arguments.layers);
-    CLI::Option* technique = options::addParsed(
-        program, "--technique", arguments.technique, depth::parseTechnique,
-        "One picture: a preset (standard, cdr, log, logcdr, reversed, anchored) or mapping/split");
+    CLI::Option* technique =
+        options::addParsed(program, "--technique", arguments.technique, depth::parseTechnique,
+                           "Show one picture with this technique: " + options::techniqueHelp());
     options::addParsed(program, "--compare", arguments.compare, parsePair,
-                       "Two techniques, LEFT,RIGHT, with a divider between them")
+                       "Show two techniques with a divider between them")
+        ->type_name("LEFT,RIGHT")
         ->default_str(kCompared)
         ->excludes(technique);
     options::addTargets(program, arguments.drawing.targets);
     options::addDepthFormat(program, arguments.format);
     options::addThreads(program, arguments.drawing.threads);
-    program.add_flag("--play", arguments.plays, "Follow the scene's camera path from the start");
+    program.add_flag("--play", arguments.plays, "Play the scene's camera path when the window opens");
 }
 
 /// What a line of `cdr render` says besides, as the viewer copies it.
 void addRenderLine(CLI::App& program, Arguments& arguments) {
-    program.option_defaults()->group("As cdr render takes it");
+    program.option_defaults()->group("As in cdr render");
     options::addTechniqueParts(program, arguments.parts);
     options::addSubmission(program, arguments.drawing);
     options::addSnapping(program, arguments.drawing.snapping);
@@ -51,10 +50,11 @@ void addRenderLine(CLI::App& program, Arguments& arguments) {
     options::addEffectOptions(program, arguments.drawing, arguments.choice);
     options::addStereoOptions(program, arguments.views);
     options::addParsed(program, "--aov", arguments.view, viewOfAov,
-                       "View: color, cascade, distance, id or wrong")
+                       "What the picture shows: color, cascade, distance, id or wrong")
         ->default_str("color");
-    program.add_option("-o,--output", arguments.output,
-                       "Not written: the panels hide, and the thesis' colours stay");
+    options::addFile(
+        program, "-o,--output", arguments.output,
+        "Writes no file. The window starts as render draws it: without panels, in the thesis' colours");
     program.option_defaults()->group("Options");
 }
 
@@ -63,7 +63,7 @@ void addPlace(CLI::App& program, Arguments& arguments) {
     program.option_defaults()->group("Camera");
     program
         .add_option("--frame", arguments.camera.frame,
-                    "Frame at which a moving scene, or its camera path, begins")
+                    "First frame of the scene's camera path, or of a moving scene")
         ->check(options::wholeNumber());
     options::addCameraOptions(program, arguments.camera);
     options::addSceneChoice(program, arguments.choice);
@@ -75,23 +75,24 @@ void addPlace(CLI::App& program, Arguments& arguments) {
 }
 
 void addWindowOptions(CLI::App& program, Arguments& arguments) {
-    options::addParsed(program, "--size", arguments.size, parseWindowSize, "WIDTHxHEIGHT of the window")
+    options::addParsed(program, "--size", arguments.size, parseWindowSize, "Size of the window in pixels")
+        ->type_name("WIDTHxHEIGHT")
         ->default_str(fmt::format("{}x{}", arguments.size.width, arguments.size.height));
-    program.add_option("--device", arguments.device, "Vulkan device by number or part of its name");
-    program.add_flag("--validate", arguments.validate,
-                     "Run under the Khronos validation layer; any message is a failure");
-    program.add_flag("--vsync", arguments.waitsForDisplay, "Show frames at the display's pace");
-    options::addNamed(program, "--unit", arguments.unit, base::parseLengthUnit,
-                      "Unit of lengths: auto, um, mm, m, km, or none for scene units");
-    program.add_option("--ui-scale", arguments.uiScale, "Size of text; 1 is 96 dots per inch")
+    program.add_option("--device", arguments.device, options::kDeviceHelp);
+    program.add_flag("--validate", arguments.validate, options::kValidateHelp);
+    program.add_flag("--vsync", arguments.waitsForDisplay, "Limit frames to the refresh rate of the display");
+    options::addNamed(program, "--unit", arguments.unit, base::parseLengthUnit, options::kUnitHelp);
+    program
+        .add_option("--ui-scale", arguments.uiScale, "Size of the text, 0.5 to 4; 1 is for 96 dots per inch")
         ->check(options::numberFrom(0.5, 4.0));
 }
 
 void addMeasuringOptions(CLI::App& program, Arguments& arguments) {
-    program.add_option("--frames", arguments.frames, "Quit after so many frames of the interface")
+    program.add_option("--frames", arguments.frames, "Quit after this many frames of the window")
         ->check(options::wholeNumber());
-    program.add_option("--screenshot", arguments.screenshot, "Write the window as PNG when it quits");
-    program.add_flag("--statistics", arguments.statistics, "Print frame times when it quits");
+    options::addFile(program, "--screenshot", arguments.screenshot,
+                     "Write the window as PNG to FILE on quitting");
+    program.add_flag("--statistics", arguments.statistics, "Print frame times on quitting");
 }
 
 } // namespace
@@ -127,7 +128,7 @@ void addViewerOptions(CLI::App& program, Arguments& arguments) {
 }
 
 std::optional<int> parseViewer(int argc, char** argv, Arguments& arguments) {
-    CLI::App program("Look at scenes under two depth techniques at once. F1 in the window shows the keys.",
+    CLI::App program("Show a scene with two depth techniques at once. F1 in the window shows the keys.",
                      "cdr-viewer");
     addViewerOptions(program, arguments);
     arguments.isFirstUse = argc <= 1;
