@@ -141,8 +141,8 @@ void requireOutside(const fs::path& folder, const fs::path& file) {
     const fs::path inside = fs::weakly_canonical(fs::absolute(file))
                                 .lexically_relative(fs::weakly_canonical(fs::absolute(folder)));
     if (!inside.empty() && *inside.begin() != "..") {
-        throw base::InputError(
-            fmt::format("{}: lies in the report, which holds its own files alone", file.string()));
+        throw base::InputError(fmt::format(
+            "{}: lies in the folder of the report, which may only hold files of the report", file.string()));
     }
 }
 
@@ -195,7 +195,7 @@ void runReport(Command& command, ReportArguments& arguments) {
     command.writeDocument(manifest);
     for (const auto& row : manifest.at("results")) {
         if (!row.at("failure").is_null()) {
-            throw base::RunError(fmt::format("{}: {}; the report says so too",
+            throw base::RunError(fmt::format("{}: {}; the rest of the report is written",
                                              row.at("section").get<std::string>(),
                                              row.at("failure").get<std::string>()));
         }

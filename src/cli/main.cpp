@@ -27,11 +27,14 @@
 
 namespace {
 
-/// For a mistyped command CLI11 says only that a command is required.
+/// For a missing or mistyped command CLI11 says only that a "subcommand" is required.
 std::string explainMissing(const CLI::App& program, const CLI::RequiredError& error) {
-    const std::vector<std::string> rest = program.remaining();
-    if (!program.get_subcommands().empty() || rest.empty()) {
+    if (!program.get_subcommands().empty()) {
         return error.what();
+    }
+    const std::vector<std::string> rest = program.remaining();
+    if (rest.empty()) {
+        return "a command is missing: cdr --help lists them";
     }
     std::vector<std::string> names;
     for (const CLI::App* command : program.get_subcommands({})) {

@@ -71,7 +71,7 @@ std::string choiceText(const ranks::Place& place, ProcessorUse use) {
 void keepTo(const ranks::Cpus& part) {
     platform::allowCpus(part);
     if (platform::allowedCpus() != part) {
-        throw base::RunError(fmt::format("--bind: the system does not let this rank keep to processor{} {}",
+        throw base::RunError(fmt::format("--bind: the system does not allow this rank to use processor{} {}",
                                          part.size() == 1 ? "" : "s", fmt::join(part, ", ")));
     }
 }

@@ -162,7 +162,8 @@ void requireDistinct(const std::vector<std::string>& names) {
     std::set<std::string> seen;
     for (const std::string& name : names) {
         if (!seen.insert(name).second) {
-            throw base::InputError(fmt::format("{} is there twice: its pictures would have one name", name));
+            throw base::InputError(
+                fmt::format("{} is given twice: both would write the same pictures", name));
         }
     }
 }

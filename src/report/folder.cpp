@@ -35,7 +35,7 @@ std::set<std::string> ownFiles(const fs::path& folder) {
         }
     }
     throw base::InputError(
-        fmt::format("{}: not empty and not a report, so it is left as it is", folder.string()));
+        fmt::format("{}: is neither empty nor a report, so it is not replaced", folder.string()));
 }
 
 /// What lies in a folder, without one name.
@@ -56,8 +56,7 @@ void requireReplaceable(const fs::path& folder, const fs::path& except) {
         return;
     }
     if (!fs::is_directory(folder)) {
-        throw base::InputError(
-            fmt::format("{}: a file, where the report's folder is to be", folder.string()));
+        throw base::InputError(fmt::format("{}: is a file, and a report needs a folder", folder.string()));
     }
     if (entriesOf(folder, except).empty()) {
         return;
@@ -81,7 +80,7 @@ fs::path resolved(const fs::path& path) {
         whole = whole.parent_path();
     }
     if (error || whole.filename().empty()) {
-        throw base::InputError(fmt::format("{}: cannot hold a report", path.string()));
+        throw base::InputError(fmt::format("{}: cannot be the folder of a report", path.string()));
     }
     return whole;
 }

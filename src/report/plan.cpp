@@ -72,7 +72,7 @@ void requireSections(const std::vector<std::string>& names) {
             std::transform(rows.begin(), rows.end(), std::back_inserter(known),
                            [](const PlanRow& row) { return row.name; });
             throw base::InputError(
-                fmt::format("--sections: '{}' is none of {}", name, fmt::join(known, ", ")));
+                fmt::format("--sections: '{}' is not one of {}", name, fmt::join(known, ", ")));
         }
     }
 }

@@ -28,7 +28,7 @@ auto KeptRanks::reading(const Action& action) const {
     } catch (const std::out_of_range&) {
     }
     throw base::InputError(fmt::format(
-        "{}: holds other results than the run has; remove it or name another file", m_path.string()));
+        "{}: holds results that do not fit this run; remove it or name another file", m_path.string()));
 }
 
 KeptRanks::KeptRanks(ranks::Ranks& ranks, const std::filesystem::path& path, std::string digest)

@@ -45,7 +45,7 @@ void readLine(std::string_view line, const UnitRun& run, UnitState& state) {
     output::Json record = parseShallow(json);
     const output::Json& unit = record.at("unit");
     if (!unit.is_number_unsigned() || unit.get<std::uint64_t>() >= run.units) {
-        throw base::InputError("holds what the run does not have");
+        throw base::InputError("holds a result that is not part of this run");
     }
     state.made[unit.get<std::size_t>()] = std::move(record.at("made"));
 }

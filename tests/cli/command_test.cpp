@@ -216,7 +216,7 @@ TEST(Commands, AdviseCountsSnapping) {
     const std::string question = "advise --separation 0.5 --far 1e5 --json a.json";
     const ProgramResult plain = runProgram(question, folder.path());
     ASSERT_EQ(plain.status, 0) << plain.err;
-    EXPECT_NE(plain.out.find("Where vertices snap to 8 sub-pixel bits"), std::string::npos) << plain.out;
+    EXPECT_NE(plain.out.find("If vertices snap to 8 sub-pixel bits"), std::string::npos) << plain.out;
     EXPECT_TRUE(json::parse(readText(folder.path() / "a.json"))["options"]["sub_pixel_bits"].is_null());
     ASSERT_EQ(runProgram(question + " --sub-pixel-bits 8", folder.path()).status, 0);
     const json document = json::parse(readText(folder.path() / "a.json"));

@@ -86,7 +86,7 @@ TEST(InspectCommand, FindsNothingWhereNothingIsWrong) {
     EXPECT_TRUE(isSaid(run.document, "no pixels are wrong"));
     EXPECT_EQ(joined(run.document.at("advice_parts")), run.document.at("advice"));
     EXPECT_TRUE(run.document.at("advice_parts").back().at(1).is_number());
-    EXPECT_TRUE(isSaid(run.document, "'sign' lies before 'wall' by 0.5"));
+    EXPECT_TRUE(isSaid(run.document, "'sign' lies in front of 'wall' by 0.5"));
 }
 
 TEST(InspectCommand, NamesACoplanarPairAndItsRemedy) {
@@ -103,8 +103,9 @@ TEST(InspectCommand, NamesACoplanarPairAndItsRemedy) {
     EXPECT_TRUE(isSaid(run.document, "'wall' and 'poster' lie in one plane"));
     const std::string advice = run.document.at("advice").dump();
     EXPECT_TRUE(std::regex_search(
-        advice, std::regex("Take one away, move it by more than [0-9.e-]+ under reversed or [0-9.e-]+ under "
-                           "anchored, or give it a layer of as much")))
+        advice,
+        std::regex("Remove one, move it by more than [0-9.e-]+ for reversed or [0-9.e-]+ for anchored, or "
+                   "give it a layer of that size")))
         << advice;
     const auto picture = readPicture(folder.path() / "H.PNG").pixels;
     EXPECT_GT(std::count(picture.begin(), picture.end(), image::Rgba8{255, 0, 255, 255}), 100);
@@ -294,10 +295,10 @@ TEST(InspectCommand, TheVerdictIsOfObjectPixelsAsTheStatusIs) {
     const InspectRun wide = inspect(standard + "0.2", folder);
     EXPECT_GT(rowOf(wide.document, "standard", "d32f").at("wrong_fraction"), 0.2);
     EXPECT_EQ(wide.status, 0);
-    EXPECT_TRUE(isSaid(wide.document, " is the simplest that suffices"));
+    EXPECT_TRUE(isSaid(wide.document, " is the simplest technique that is enough"));
     const InspectRun narrow = inspect(standard + "0.1", folder);
     EXPECT_EQ(narrow.status, 0);
-    EXPECT_TRUE(isSaid(narrow.document, "Nothing here suffices"));
+    EXPECT_TRUE(isSaid(narrow.document, "No technique is enough"));
     EXPECT_TRUE(isSaid(narrow.document, " object pixels wrong"));
     EXPECT_TRUE(isSaid(narrow.document, "but depth does not decide the order of ")) << narrow.out;
 }

@@ -159,7 +159,7 @@ TEST_F(RankMachine, ARankThatCannotBeBoundIsNamed) {
     EXPECT_TRUE(std::regex_match(
         result.err,
         std::regex(
-            "cdr: rank 1 on .+: --bind: the system does not let this rank keep to processors? [0-9, ]+\n")))
+            "cdr: rank 1 on .+: --bind: the system does not allow this rank to use processors? [0-9, ]+\n")))
         << result.err;
     EXPECT_TRUE(folder.isEmpty());
 }

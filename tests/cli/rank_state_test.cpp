@@ -188,7 +188,7 @@ TEST_P(RankState, RefusesWhatIsNoStateOfItsOwn) {
         damaged = lines;
         damaged[2] = lineOf(recordIn(damaged[2]).at("unit"), platform::toBase64(nlohmann::json::to_cbor(7)));
         writeState(damaged);
-        expectRefused(ranks, "s: holds other results than the run has" + elsewhere);
+        expectRefused(ranks, "s: holds results that do not fit this run" + elsewhere);
         if (!triesAll()) {
             continue;
         }
@@ -316,7 +316,7 @@ TEST_F(RankReportState, RefusesAStateInItsFolderOrOfAnother) {
         GTEST_SKIP() << "built without the report's page: tools/setup.sh fetches its npm packages";
     }
     EXPECT_EQ(runProgram("report --smallest -o r --state r/s", at(".")).err,
-              "cdr: r/s: lies in the report, which holds its own files alone\n");
+              "cdr: r/s: lies in the folder of the report, which may only hold files of the report\n");
     platform::writeText(at("s"), "{}\n");
     const ProgramResult result = report(0);
     EXPECT_EQ(result.status, 2);

@@ -246,7 +246,7 @@ TEST_F(RenderState, RefusesFilesThatItCannotKeep) {
           std::pair("--state /dev/full", "/dev/full: not a regular file"),
           std::pair("--state f.png", "f.png: both -o and --state would write it"),
           std::pair("--state s --trace t.json",
-                    "--trace is of all frames, and --state leaves out those that are kept: give one")}) {
+                    "--trace needs all frames, and --state does not draw those that are kept: give one")}) {
         expectRefused(render + option, line);
     }
     EXPECT_TRUE(files().empty());

@@ -204,10 +204,10 @@ TEST_F(RivalsBeside, TimingHoldsThemAgainstADepthTestThatShadesAsLittle) {
 
 TEST_F(RivalsBeside, AreRefusedInOneLineWhereTheyCannotBeTimed) {
     for (const auto& [with, says] :
-         {std::pair("--scene traffic", "draws a scene that stands still, not traffic"),
+         {std::pair("--scene traffic", "needs a scene that does not move, not traffic"),
           std::pair("--in-flight 2", "draws one frame at a time, not several in flight"),
-          std::pair("--stages", "--rivals goes with none of --against, --stages and --memory"),
-          std::pair("--memory", "--rivals goes with none of --against, --stages and --memory")}) {
+          std::pair("--stages", "--rivals cannot be combined with --against, --stages or --memory"),
+          std::pair("--memory", "--rivals cannot be combined with --against, --stages or --memory")}) {
         const ProgramResult result = runProgram(
             std::string("timing --frames 1 --size 16x16 --rivals atomic-log --json t.json ") + with,
             folder());

@@ -17,7 +17,9 @@ TEST(ShellCommands, NothingAskedForShowsHelp) {
     EXPECT_EQ(bare.status, 0);
     EXPECT_EQ(bare.out, runProgram("--help", folder.path()).out);
     EXPECT_NE(bare.out.find("\nMeasure:\n"), std::string::npos) << bare.out;
-    EXPECT_EQ(runProgram("--quiet", folder.path()).status, 2);
+    const ProgramResult missing = runProgram("--quiet", folder.path());
+    EXPECT_EQ(missing.status, 2);
+    EXPECT_EQ(missing.err, "cdr: a command is missing: cdr --help lists them\n");
 }
 
 TEST(ShellCommands, HelpFits100Columns) {

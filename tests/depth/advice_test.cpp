@@ -132,7 +132,7 @@ TEST(Advice, SaysSoInPlainWords) {
     const auto anchored = words(question(1e6, 1e-5));
     ASSERT_EQ(anchored.size(), 5u);
     EXPECT_NE(anchored[1].find("float64 offset per object, 1 more depth clear"), std::string::npos);
-    EXPECT_NE(anchored[3].find("deep"), std::string::npos);
+    EXPECT_NE(anchored[3].find("has a depth of"), std::string::npos);
     EXPECT_EQ(words(question(1e6, 1e-9)).front().substr(0, 21), "Nothing here resolves");
 }
 
@@ -141,9 +141,10 @@ TEST(Advice, CountsSnappingWhereAskedTo) {
     AdviceQuestion asked = question(1e6, 1e-5);
     asked.scene.footprintSlope = 1e-6; // a pixel covers 1 unit, a sub-pixel 1/256
     ASSERT_TRUE(advise(asked).simplest);
-    EXPECT_EQ(explain(asked, advise(asked)).back(),
-              "Where vertices snap to 8 sub-pixel bits, faces of slope 1 and unlike outlines may swap below "
-              "0.005524. With --snapping in-plane, flat facets do not.");
+    EXPECT_EQ(
+        explain(asked, advise(asked)).back(),
+        "If vertices snap to 8 sub-pixel bits, faces of slope 1 with different outlines may swap below a gap "
+        "of 0.005524. With --snapping in-plane, flat facets do not.");
     asked.scene.subPixelBits = 4;
     const Advice snapped = advise(asked);
     EXPECT_FALSE(snapped.simplest);
@@ -233,7 +234,7 @@ TEST(Advice, TheWidestContentIsResolvedAndFourTimesThatIsNot) {
 /// The line on the depth of content; empty where there is none.
 std::string widestLine(const AdviceQuestion& asked, const Advice& advice) {
     for (const std::string& line : explain(asked, advice)) {
-        if (line.find(" while what is visible there is at most ") != std::string::npos) {
+        if (line.find(" if what is visible there has a depth of at most ") != std::string::npos) {
             return line;
         }
     }

@@ -89,7 +89,7 @@ TEST_F(KeptRun, MakesAgainWhatDoesNotStand) {
 TEST_F(KeptRun, RefusesResultsOfAnotherShapeInOneLine) {
     const UnitRun run{.digest = std::string(64, 'a'), .units = 5};
     const std::string line =
-        state().string() + ": holds other results than the run has; remove it or name another file";
+        state().string() + ": holds results that do not fit this run; remove it or name another file";
     const auto encoded = [](const output::Json& json) {
         return output::Json(platform::toBase64(output::Json::to_cbor(json)));
     };

@@ -140,10 +140,10 @@ std::string snappingLine(const AdviceQuestion& question, const LengthText& lengt
     if (reach < 0.1 * question.separationView) {
         return "";
     }
-    return base::concat(scene.subPixelBits ? "Vertices snap to " : "Where vertices snap to ", bits,
+    return base::concat(scene.subPixelBits ? "Vertices snap to " : "If vertices snap to ", bits,
                         scene.subPixelBits ? " sub-pixel bits: faces of slope "
                                            : " sub-pixel bits, faces of slope ",
-                        base::general(scene.slope, 3), " and unlike outlines may swap below ",
+                        base::general(scene.slope, 3), " with different outlines may swap below a gap of ",
                         lengthText(reach), ". With --snapping in-plane, flat facets do not.");
 }
 
@@ -290,7 +290,7 @@ std::vector<std::string> explain(const AdviceQuestion& question, const Advice& a
                                      " is asked for."));
         lines.push_back(costLine(row));
         if (row.forecast.cascades > 1) {
-            lines.emplace_back("What straddles a boundary between cascades is drawn once more.");
+            lines.emplace_back("Objects that cross a boundary between cascades are drawn once more.");
         }
         if (row.technique.mapping == Mapping::anchoredReversed) {
             lines.emplace_back(
@@ -305,7 +305,7 @@ std::vector<std::string> explain(const AdviceQuestion& question, const Advice& a
             advice.rows.begin(), advice.rows.end(),
             [](const AdviceRow& a, const AdviceRow& b) { return a.resolvedView() < b.resolvedView(); });
         lines.push_back(base::concat("Nothing here resolves ", lengthText(question.separationView), " at ",
-                                     lengthText(at), ": ", describe(best), " comes to ",
+                                     lengthText(at), ": ", describe(best), " resolves only ",
                                      lengthText(best.resolvedView()), ", limited by ", limitOf(best), "."));
     }
     const bool needsAnchored =
@@ -313,8 +313,8 @@ std::vector<std::string> explain(const AdviceQuestion& question, const Advice& a
     if (needsAnchored && advice.widest) {
         const Technique& widest = advice.rows[*advice.widest].technique;
         lines.push_back(base::concat(nameOf(widest), " with ", nameOf(widest.format),
-                                     " resolves it while what is visible there is at most ",
-                                     lengthText(advice.widestSpanView), " deep."));
+                                     " resolves it if what is visible there has a depth of at most ",
+                                     lengthText(advice.widestSpanView), "."));
     }
     if (const std::string line = snappingLine(question, lengthText); !line.empty()) {
         lines.push_back(line);

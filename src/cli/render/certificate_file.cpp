@@ -72,8 +72,8 @@ void CertificateFile::add(nlohmann::ordered_json certificate) {
         ++m_refused;
         const nlohmann::ordered_json& first = certificate["first_refused"];
         m_console.warning(fmt::format(
-            "frame {} refused: {} pixels show what no device within its limits draws, the "
-            "first at ({}, {}); no picture of it is written",
+            "frame {} refused: {} pixels show errors that the device may not make, the first at ({}, {}); no "
+            "picture of it is written",
             certificate["frame"].get<std::uint32_t>(), certificate["refused"].get<std::uint64_t>(),
             first[0].get<std::uint32_t>(), first[1].get<std::uint32_t>()));
     }

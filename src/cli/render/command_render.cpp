@@ -86,8 +86,8 @@ void requireOneView(const RenderArguments& arguments, const RenderPlan& plan) {
 /// base::InputError for --deform where nothing can bend.
 void requireBending(const RenderArguments& arguments) {
     if (arguments.deform && !scene::isGltfPath(arguments.scene)) {
-        throw base::InputError(
-            fmt::format("--deform is for glTF files: nothing bends in {}", arguments.scene.substr(0, 200)));
+        throw base::InputError(fmt::format("--deform is for glTF files: {} has no skins and no morph targets",
+                                           arguments.scene.substr(0, 200)));
     }
 }
 
@@ -116,7 +116,7 @@ RenderPlan planOf(Command& command, const RenderArguments& arguments) {
     }
     if (!arguments.trace.empty() && !arguments.state.empty()) {
         throw base::InputError(
-            "--trace is of all frames, and --state leaves out those that are kept: give one");
+            "--trace needs all frames, and --state does not draw those that are kept: give one");
     }
     if (!arguments.certify.empty()) {
         output::requireCertifiable(plan.options);

@@ -54,8 +54,9 @@ void run(Command& command, EffectsArguments& arguments) {
 
     const auto columns = effectsColumns();
     command.console().table(output::tableOf(columns, report.results));
-    command.console().line(fmt::format("\nocclusion per cascade leaves {} % of the pixels too bright",
-                                       output::percent(report.lostPerLayer)));
+    command.console().line(fmt::format(
+        "\nOcclusion that is computed in each cascade separately leaves {} % of the pixels too bright.",
+        output::percent(report.lostPerLayer)));
     command.console().line(fmt::format(
         "{}; {}, {} frames, {}x{}, radius {}, visibility {}, {} threads; differing: by "
         "more than {} of 255 from anchored, which technique most",

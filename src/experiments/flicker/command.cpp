@@ -176,8 +176,9 @@ void run(Command& command, FlickerArguments& arguments) {
         console.table(output::tableOf(pairColumns(), pairs));
     }
     printNeeds(console, options.rivalsBeside);
-    console.line(fmt::format("\n{}; {} frames of {}x{}, FLIP of every {}., seed {}", command.opened().text(),
-                             options.frames, options.width, options.height, options.flipEvery, options.seed));
+    console.line(fmt::format("\n{}; {} frames of {}x{}, FLIP of one frame in {}, seed {}",
+                             command.opened().text(), options.frames, options.width, options.height,
+                             options.flipEvery, options.seed));
 
     auto document = command.makeDocument({{"width", options.width},
                                           {"height", options.height},

@@ -61,7 +61,7 @@ template <typename Count>
 void readCount(const nlohmann::json& json, const char* name, Count& count) {
     const nlohmann::json& number = json.at(name);
     if (!number.is_number_unsigned() || number.get<std::uint64_t>() > std::numeric_limits<Count>::max()) {
-        throw base::InputError(std::string(name) + " is no such count");
+        throw base::InputError(std::string(name) + " is not a count");
     }
     number.get_to(count);
 }
@@ -112,7 +112,7 @@ FlickerState parse(std::string_view text, const FlickerRun& run, const FlickerSt
         FlickerResult& result = state.results[i];
         fromJson(json.at("results").at(i), state.framesDone, result);
         if (!canBe(result, state.framesDone, run.pixels)) {
-            throw base::InputError("holds counts that the run cannot have come to");
+            throw base::InputError("holds counts that are impossible for this run");
         }
     }
     return state;

@@ -61,16 +61,16 @@ void run(Command& command, FocusArguments& arguments) {
     const auto columns = focusColumns();
     command.console().table(output::tableOf(columns, report.results));
     for (const auto& cascade : report.cascades) {
-        command.console().line(fmt::format("cascade from {} to {}: {} pixels a pixel",
-                                           output::Readable{cascade.nearView},
-                                           output::Readable{cascade.farView}, cascade.scale));
+        command.console().line(fmt::format(
+            "Cascade from {0} to {1}: each pixel covers {2}x{2} of the picture.",
+            output::Readable{cascade.nearView}, output::Readable{cascade.farView}, cascade.scale));
     }
-    command.console().line(
-        fmt::format("\n{}; {}, {} frames, {}x{}, sharp at {} through {}, {} cameras, {}, {} threads; "
-                    "commit {}",
-                    command.opened().text(), options.scene, options.frames, options.width, options.height,
-                    options.lens.distance, options.lens.aperture, options.cameras, nameOf(options.mapping),
-                    options.threads, program::buildInfo().commit));
+    command.console().line(fmt::format(
+        "\n{}; {}, {} frames, {}x{}, in focus at {}, lens diameter {}, {} cameras, {}, {} threads; "
+        "commit {}",
+        command.opened().text(), options.scene, options.frames, options.width, options.height,
+        options.lens.distance, options.lens.aperture, options.cameras, nameOf(options.mapping),
+        options.threads, program::buildInfo().commit));
     nlohmann::ordered_json settings = settingsOf(options, arguments.choice);
     settings.update({{"mapping", nameOf(options.mapping)},
                      {"split", options.split ? nameOf(*options.split) : "circles"},

@@ -35,16 +35,16 @@ std::string simplestLine(const Inspection& inspection) {
     }
     if (inspection.simplest) {
         const InspectedTechnique& simplest = inspection.techniques[*inspection.simplest];
-        return fmt::format("{} in {} is the simplest that suffices: {} are wrong.", nameOf(simplest),
-                           simplest.cascades == 1 ? "one cascade"
-                                                  : fmt::format("{} cascades", simplest.cascades),
-                           simplest.wrong.wrong == 0 ? "no pixels" : pixels(simplest));
+        return fmt::format(
+            "{} in {} is the simplest technique that is enough: {} are wrong.", nameOf(simplest),
+            simplest.cascades == 1 ? "one cascade" : fmt::format("{} cascades", simplest.cascades),
+            simplest.wrong.wrong == 0 ? "no pixels" : pixels(simplest));
     }
     const auto best =
         std::min_element(inspection.techniques.begin(), inspection.techniques.end(),
                          [](const auto& a, const auto& b) { return a.wrong.wrong < b.wrong.wrong; });
     const bool isUndecided = inspection.wrongFraction(*best) <= inspection.allowedShare;
-    return fmt::format("Nothing here suffices: {} comes nearest, with {} wrong, {}{}.", nameOf(*best),
+    return fmt::format("No technique is enough: {} is the best, with {} wrong, {}{}.", nameOf(*best),
                        pixels(*best), shareText(inspection.wrongFraction(*best)),
                        isUndecided ? fmt::format(", but depth does not decide the order of {}",
                                                  shareText(inspection.undecidedFraction(*best)))
@@ -59,20 +59,19 @@ std::string remedyText(const ObjectPair& pair, const Inspection& inspection,
         const auto found = technique.apart.find({pair.front, pair.back});
         if (found != technique.apart.end() && std::isfinite(found->second)) {
             const bool isUsual = technique.technique.format == depth::DepthFormat::d32f;
-            gaps.push_back(fmt::format("{} under {}", lengthText(found->second),
+            gaps.push_back(fmt::format("{} for {}", lengthText(found->second),
                                        isUsual ? technique.name : nameOf(technique)));
         }
     }
     return gaps.empty() ? "move it, or give it a layer"
-                        : fmt::format("move it by more than {}, or give it a layer of as much",
+                        : fmt::format("move it by more than {}, or give it a layer of that size",
                                       fmt::join(gaps, " or "));
 }
 
 std::string coplanarLine(const ObjectPair& pair, const Inspection& inspection, const scene::Scene& scene,
                          const depth::LengthText& lengthText) {
     return fmt::format(
-        "{} lie in one plane at {}: no technique separates them. Take one away, {} (cdr_layer in "
-        "its extras).",
+        "{} lie in one plane at {}: no technique separates them. Remove one, {} (cdr_layer in its extras).",
         both(scene, pair, "and"), lengthText(pair.atView), remedyText(pair, inspection, lengthText));
 }
 
@@ -101,7 +100,7 @@ std::vector<std::string> explain(const Inspection& inspection, const scene::Scen
         } else if (pair.isSunk) {
             if (sunk++ < kNamed) {
                 lines.push_back(
-                    fmt::format("{} by {}, and no view shows it: it may be meant to lie before it.",
+                    fmt::format("{} by {}, and no view shows it: it may be meant to lie in front.",
                                 both(scene, {.front = pair.back, .back = pair.front}, "lies behind"),
                                 lengthText(pair.gapView)));
             }
@@ -110,8 +109,8 @@ std::vector<std::string> explain(const Inspection& inspection, const scene::Scen
         }
     }
     if (nearest != nullptr) {
-        lines.push_back(fmt::format("{} by {} at {}: of all that differ they lie nearest for their distance.",
-                                    both(scene, *nearest, "lies before"), lengthText(nearest->gapView),
+        lines.push_back(fmt::format("{} by {} at {}: this is the smallest gap for its distance.",
+                                    both(scene, *nearest, "lies in front of"), lengthText(nearest->gapView),
                                     lengthText(nearest->atView)));
     }
     if (inspection.coplanarPixels > 0) {

@@ -96,7 +96,8 @@ std::vector<std::string> pictureNames(const std::vector<std::string>& files) {
 /// base::InputError for what is no model.
 void requireModels(const std::vector<std::string>& files) {
     if (files.size() > kMaxModels) {
-        throw base::InputError(fmt::format("{} models, {} are the most", files.size(), kMaxModels));
+        throw base::InputError(
+            fmt::format("{} models are too many: at most {} are allowed", files.size(), kMaxModels));
     }
     for (const std::string& file : files) {
         if (!scene::isGltfPath(file)) {
@@ -172,7 +173,7 @@ void run(Command& command, ModelsArguments& arguments) {
     const auto columns = modelColumns();
     command.console().table(output::tableOf(columns, results));
     command.console().line(
-        fmt::format("\n{}; {}x{}, {}; FLIP of 0 is no difference{}", command.opened().text(),
+        fmt::format("\n{}; {}x{}, {}; a FLIP of 0 means no difference{}", command.opened().text(),
                     arguments.options.width, arguments.options.height, arguments.technique,
                     folder.isWanted() ? fmt::format("; pictures in {}, all on {}", folder.path().string(),
                                                     (folder.path() / kModelSheet).string())

@@ -119,8 +119,8 @@ void run(Command& command, OrbitArguments& arguments) {
     const std::string device = command.opened().text();
     printTable(console, result.results);
     printNeeds(console, options.rivalsBeside);
-    console.line(
-        fmt::format("\nshare of wrong pixels off edges; {}, {}x{}", device, options.width, options.height));
+    console.line(fmt::format("\nShare of wrong pixels, except at edges; {}, {}x{}", device, options.width,
+                             options.height));
     const bool hasWindow = !result.window.pixels.empty();
     if (folder.isWanted()) {
         writePictures(folder, result.last, result.window, command.device().info().name);

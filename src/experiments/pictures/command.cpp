@@ -96,7 +96,7 @@ void run(Command& command, PicturesArguments& arguments) {
     writePictures(folder, results, command.device().info().name);
     const auto columns = pictureColumns();
     command.console().table(output::tableOf(columns, results));
-    command.console().line(fmt::format("\n{}; {} frames a row, seed {}; pictures in {}, all on {}",
+    command.console().line(fmt::format("\n{}; {} frames per row, seed {}; pictures in {}, all on {}",
                                        command.opened().text(), options.frames, options.seed,
                                        folder.path().string(), (folder.path() / kSheet).string()));
     auto document = command.makeDocument({{"width", options.width},

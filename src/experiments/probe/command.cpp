@@ -107,10 +107,10 @@ void run(Command& command, ProbeArguments& arguments) {
     command.console().table(output::tableOf(columns, results));
     if (!missing.empty()) {
         command.console().line(
-            fmt::format("left out, the device cannot draw to it: {}", fmt::join(missing, ", ")));
+            fmt::format("left out, because the device cannot draw to it: {}", fmt::join(missing, ", ")));
     }
     printNeeds(command.console(), options.rivalsBeside);
-    command.console().line(fmt::format("\n{}; seed {}; one picture each of {}x{}", command.opened().text(),
+    command.console().line(fmt::format("\n{}; seed {}; one picture of {}x{} per row", command.opened().text(),
                                        options.seed, options.width, options.height));
 
     auto document = command.makeDocument({{"width", options.width},

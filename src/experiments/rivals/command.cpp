@@ -144,9 +144,9 @@ void run(Command& command, RivalsArguments& arguments) {
         console.line(line);
     }
     for (const experiments::RivalWholeFrame& whole : report.wholeFrames) {
-        console.line(
-            fmt::format("{}: the whole frame of {}, lit, takes {} times what its ids and distances take",
-                        whole.scene, options.baseline, output::Readable{whole.ratio}));
+        console.line(fmt::format(
+            "{}: a whole frame of {}, with shading, takes {} times as long as its ids and distances",
+            whole.scene, options.baseline, output::Readable{whole.ratio}));
     }
     console.line(fmt::format("{}; ids and distances alone, {} frames of {}x{}, seed {}, {} threads",
                              command.opened().text(), options.frames, options.width, options.height,

@@ -101,7 +101,7 @@ class RivalsRun {
                          [&](const NamedContender& named) { return named.name == options.baseline; });
         if (found == options.contenders.end() || found->isRival()) {
             throw base::InputError(fmt::format(
-                "times are divided by that of {}, so it must be among the techniques", options.baseline));
+                "{} must be among the techniques, because times are relative to it", options.baseline));
         }
         return static_cast<std::size_t>(found - options.contenders.begin());
     }

@@ -179,7 +179,7 @@ void run(Command& command, ScalingArguments& arguments) {
 
     printTables(command.console(), result);
     command.console().line(fmt::format(
-        "\n{}; medians of {} frames a point, +- the quartiles' distance, seed {}, {}x{}; commit {}",
+        "\n{}; medians of {} frames per row, +- the distance between the quartiles, seed {}, {}x{}; commit {}",
         command.opened().text(), options.repeats, options.seed, options.width, options.height,
         program::buildInfo().commit));
     writeResults(command, arguments, result);
@@ -187,7 +187,7 @@ void run(Command& command, ScalingArguments& arguments) {
                                       [](const auto& point) { return !point.sameImage; });
     if (differs != result.points.end()) {
         throw base::RunError(
-            fmt::format("{} targets, {} cascades, {} draws: {} threads draw another image than one",
+            fmt::format("{} targets, {} cascades, {} draws: the image of {} threads differs from that of one",
                         nameOf(differs->targets), differs->cascades, differs->draws, differs->threads));
     }
 }

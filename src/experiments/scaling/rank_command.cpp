@@ -20,7 +20,7 @@ void requireSameImages(const std::vector<experiments::RankPoint>& points) {
     const auto differs =
         std::find_if(points.begin(), points.end(), [](const auto& point) { return !point.sameImage; });
     if (differs != points.end()) {
-        throw base::RunError(fmt::format("{} cascades: {} ranks draw another image than one",
+        throw base::RunError(fmt::format("{} cascades: the image of {} ranks differs from that of one",
                                          differs->cascades, differs->ranks));
     }
 }
@@ -96,14 +96,14 @@ void runProjection(Command& command, const experiments::FrameCostOptions& option
     const Console& console = command.console();
     console.table(output::tableOf(columns, projections));
     console.line(fmt::format(
-        "\nA frame: {:.4g} ms to make, {:.4g} ms to take, {} bytes; {:.3g} ms to claim and {:.3g} ms to "
-        "send it. More than {} nodes do not help.",
-        measure::median(costs.makeMs), measure::median(costs.takeMs), costs.bytes, costs.claimMs,
-        costs.msPerByte * costs.bytes, useful));
-    console.line(
-        fmt::format("Here {} frames by {} rank{} took {:.3g} s, {:.3g} s ({:.3g} to {:.3g}) were predicted.",
-                    run.frames, ranks, ranks == 1 ? "" : "s", run.seconds, here.seconds,
-                    here.secondsInterval.low, here.secondsInterval.high));
+        "\nA frame takes {:.4g} ms to make. Its {} bytes take {:.3g} ms to send, and {:.4g} ms for the first rank to "
+        "take. Claiming a frame takes {:.3g} ms. More than {} nodes do not help.",
+        measure::median(costs.makeMs), costs.bytes, costs.msPerByte * costs.bytes,
+        measure::median(costs.takeMs), costs.claimMs, useful));
+    console.line(fmt::format(
+        "Check: {} frames by {} rank{} took {:.3g} s. The prediction is {:.3g} s ({:.3g} to {:.3g}).",
+        run.frames, ranks, ranks == 1 ? "" : "s", run.seconds, here.seconds, here.secondsInterval.low,
+        here.secondsInterval.high));
     console.line(command.opened().text());
     auto document = command.makeDocument({{"ranks", ranks},
                                           {"ranks_on_node", command.ranks().place().countOnNode},

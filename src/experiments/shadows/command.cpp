@@ -96,7 +96,7 @@ void run(Command& command, ShadowArguments& arguments) {
                             });
     command.endProgress();
     command.console().table(table);
-    command.console().line(fmt::format("\n{}; {}, {}x{}, off edges of objects and shadows",
+    command.console().line(fmt::format("\n{}; {}, {}x{}, except at edges of objects and shadows",
                                        command.opened().text(), arguments.scene, experiment.options.width,
                                        experiment.options.height));
     command.writeDocument(std::move(document));

@@ -29,7 +29,7 @@ std::vector<ShadowVariant> shadowVariants(const ShadowExperiment& experiment) {
             variant.options.technique = depth::namedTechnique(technique).technique;
             variant.options.shadows.method = render::parseShadowMethod(method);
             if (!variant.options.shadows.isOn()) {
-                throw base::InputError("shadows: with none there is nothing to compare");
+                throw base::InputError("shadows: the method none has nothing to compare");
             }
         }
     }

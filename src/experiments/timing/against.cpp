@@ -97,7 +97,7 @@ double timeOf(const Run& run, const std::string& name, const fs::path& program) 
             return us;
         }
     }
-    throw base::InputError(program.string() + " times no mode " + name);
+    throw base::InputError(program.string() + " does not time the mode " + name);
 }
 
 void requireSameDevice(const Run& here, const Run& against, const fs::path& program) {

@@ -20,22 +20,22 @@ void checkArguments(TimingArguments& arguments, CommandFiles& files, const ranks
     }
     const bool isPlain = arguments.against.empty() && !arguments.stages && !arguments.memory;
     if (!isPlain && (!arguments.csv.empty() || !arguments.trace.empty())) {
-        throw base::InputError("--csv and --trace go with none of --against, --stages and --memory");
+        throw base::InputError("--csv and --trace cannot be combined with --against, --stages or --memory");
     }
     if (!arguments.plot.empty() && (!arguments.against.empty() || arguments.memory)) {
-        throw base::InputError("--plot goes with neither --against nor --memory");
+        throw base::InputError("--plot cannot be combined with --against or --memory");
     }
     if (!isPlain && arguments.options.framesInFlight > 1) {
-        throw base::InputError("--in-flight goes with none of --against, --stages and --memory");
+        throw base::InputError("--in-flight cannot be combined with --against, --stages or --memory");
     }
     if (!isPlain && arguments.options.scene != experiments::TimingOptions{}.scene) {
-        throw base::InputError("--scene goes with none of --against, --stages and --memory");
+        throw base::InputError("--scene cannot be combined with --against, --stages or --memory");
     }
     if (!isPlain && !arguments.rivalsBeside.empty()) {
-        throw base::InputError("--rivals goes with none of --against, --stages and --memory");
+        throw base::InputError("--rivals cannot be combined with --against, --stages or --memory");
     }
     if (arguments.memory && (!arguments.modes.empty() || arguments.frames)) {
-        throw base::InputError("--modes and --frames do not go with --memory");
+        throw base::InputError("--modes and --frames cannot be combined with --memory");
     }
     if (!arguments.modes.empty()) {
         arguments.options.modes = experiments::timingModesNamed(arguments.modes);

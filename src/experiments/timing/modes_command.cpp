@@ -159,15 +159,16 @@ void timeModes(Command& command, TimingArguments& arguments) {
     const std::string device = command.opened().text();
     const auto columns = timingColumns(results.at(1).overheadPercent95, options.frames);
     console.table(output::tableOf(columns, results));
-    console.line(fmt::format("\n{}; {} frames a mode after {} dropped, seed {}, {} threads, {}x{}; commit {}",
-                             device, options.frames, experiments::kWarmUpFrames, options.seed,
-                             options.threads, options.width, options.height, program::buildInfo().commit));
+    console.line(fmt::format(
+        "\n{}; {} frames per mode after {} that are not measured, seed {}, {} threads, {}x{}; commit {}",
+        device, options.frames, experiments::kWarmUpFrames, options.seed, options.threads, options.width,
+        options.height, program::buildInfo().commit));
     console.line(experiments::machineText(arguments.machine));
     const experiments::TimingResult& again = results.at(1);
-    console.line(fmt::format("Noise floor, standard over itself: {:+} %, 95 % {:+} to {:+}",
-                             output::Readable{again.overheadPercent},
-                             output::Readable{again.overheadPercent95.low},
-                             output::Readable{again.overheadPercent95.high}));
+    console.line(
+        fmt::format("Noise floor, the difference of two runs of standard: {:+} %, 95 % interval {:+} to {:+}",
+                    output::Readable{again.overheadPercent}, output::Readable{again.overheadPercent95.low},
+                    output::Readable{again.overheadPercent95.high}));
     if (!arguments.rivalsBeside.empty()) {
         printNeeds(console, arguments.rivalsBeside);
         console.line(

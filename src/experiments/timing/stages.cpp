@@ -146,7 +146,7 @@ class StageRace {
 
 void requireStages(const TimingMode& mode) {
     if (mode.meshes == TimingMeshes::unshared) {
-        throw base::InputError(mode.name + " has no stages: its meshes are other ones");
+        throw base::InputError(mode.name + " cannot be measured with --stages: it has meshes of its own");
     }
 }
 

@@ -38,7 +38,7 @@ runs::FrameSample timedRun(render::Renderer& renderer, const std::vector<scene::
 scene::SceneSetup openTimed(const TimingOptions& options) {
     const bool moves = options.scene == TimingScene::traffic;
     if (moves && options.framesInFlight > 1) {
-        throw base::InputError("frames in flight are timed with a scene that stands still, not with traffic");
+        throw base::InputError("several frames in flight need a scene that does not move, not traffic");
     }
     for (const TimingMode& mode : options.modes) {
         if (mode.idsAlone && options.framesInFlight > 1) {
@@ -46,7 +46,7 @@ scene::SceneSetup openTimed(const TimingOptions& options) {
         }
         if (moves && (mode.meshes == TimingMeshes::unshared || mode.surface != render::SurfacePath::gbuffer ||
                       mode.idsAlone)) {
-            throw base::InputError("mode " + mode.name + " draws a scene that stands still, not traffic");
+            throw base::InputError("mode " + mode.name + " needs a scene that does not move, not traffic");
         }
     }
     if (options.scene == TimingScene::city) {

@@ -90,8 +90,8 @@ void print(Command& command, const experiments::TranslucencyExperiment& experime
         }
     }
     command.console().line(
-        fmt::format("\n{}; {}, {}x{}, mapping {}, {} repeats interleaved, median; errors in 8-bit "
-                    "steps of the worst channel, off silhouettes",
+        fmt::format("\n{}; {}, {}x{}, mapping {}, medians of {} interleaved frames; errors in 8-bit "
+                    "steps of the worst channel, except at silhouettes",
                     command.opened().text(), experiment.scene, experiment.width, experiment.height,
                     nameOf(experiment.mapping), experiment.repeats));
 }

@@ -81,7 +81,7 @@ class Words {
     }
     void requireEnd() {
         if (const std::string word = nextOr(""); !word.empty()) {
-            throw base::InputError(fmt::format("'{}' is too much", word.substr(0, 20)));
+            throw base::InputError(fmt::format("'{}' is one word too many", word.substr(0, 20)));
         }
     }
 

@@ -59,7 +59,7 @@ bool ScriptPlayer::keepWaiting() {
     if (!m_waitBegan) {
         m_waitBegan = now;
     } else if (now - *m_waitBegan > kLongestWait) {
-        throw base::RunError("script: what was waited for does not come");
+        throw base::RunError("script: what the script waits for does not happen");
     }
     return true;
 }

@@ -37,9 +37,9 @@ TEST(Script, IsReadLineByLine) {
 TEST(Script, RefusesWhatItWouldNotPlay) {
     const std::pair<const char*, const char*> refused[] = {
         {"key a ctrl", "s, line 1: unknown modifier 'ctrl'"},
-        {"state\nresize 1 2 3", "s, line 2: '3' is too much"},
-        {"quit now", "s, line 1: 'now' is too much"},
-        {"move 1 2 x", "s, line 1: 'x' is too much"},
+        {"state\nresize 1 2 3", "s, line 2: '3' is one word too many"},
+        {"quit now", "s, line 1: 'now' is one word too many"},
+        {"move 1 2 x", "s, line 1: 'x' is one word too many"},
         {"press 5", "s, line 1: button must be 0 to 4"},
         {"resize 0 9", "s, line 1: width must be 1 to"},
         {"key", "s, line 1: key missing"},
