@@ -38,7 +38,7 @@ void addTargets(CLI::App& command, render::TargetsChoice& targets) {
 void addSubmission(CLI::App& command, render::RenderOptions& options) {
     addNamed(
         command, "--submission", options.submission, render::parseSubmission,
-        "How draws are submitted: secondaries (secondary command buffers), primaries (primary ones alone) or "
+        "How draws are submitted: secondaries (secondary command buffers), primaries (primary ones only) or "
         "gpu-driven (indirect draws that compute shaders make)");
     addNamed(command, "--batching", options.batching, render::parseBatching,
              "How many draws a draw command has: one (per-object, push-constants) or several of one kind "
@@ -48,8 +48,8 @@ void addSubmission(CLI::App& command, render::RenderOptions& options) {
 void addDetail(CLI::App& command, visibility::Detail& detail) {
     addNamed(
         command, "--detail", detail, visibility::parseDetail,
-        "What chooses its own level of detail: none, object[:PIXELS], cascade[:PIXELS] or cluster[:PIXELS]. "
-        "The error on screen is at most PIXELS, or half a pixel");
+        "Levels of detail, chosen by object, by cascade or by cluster: none, object[:PIXELS], cascade[:PIXELS] or "
+        "cluster[:PIXELS]. Their error on screen is at most PIXELS, by default 0.5");
 }
 
 void addSnapBits(CLI::App& command, std::uint32_t& snapBits) {

@@ -2,6 +2,7 @@
 
 #include <cdr/base/enum_names.h>
 #include <cdr/depth/technique.h>
+#include <cdr/render/shadows/shadows.h>
 #include <scenes/open_scene.h>
 
 #include <fmt/format.h>
@@ -23,6 +24,11 @@ std::string techniqueHelp() {
 
 std::string mappingHelp() {
     return "How distance becomes depth: " + base::listNames(depth::kMappings);
+}
+
+std::string shadowTexelsHelp() {
+    return fmt::format("Largest side of a shadow map in texels, {} to {}", render::kMinShadowTexels,
+                       render::kMaxShadowTexels);
 }
 
 } // namespace cdr::options

@@ -11,8 +11,8 @@ inline constexpr const char* kDeviceHelp =
 inline constexpr const char* kValidateHelp =
     "Enable the Khronos validation layer; any message from it is an error";
 inline constexpr const char* kUnitHelp =
-    "Unit for printed lengths: none (scene units), auto (a suitable one), um, mm, m or km. All but none expect "
-    "a scene in metres";
+    "Unit for printed lengths: none (scene units), auto (a suitable one), um, mm, m or km. All but none are "
+    "for scenes in metres";
 
 inline constexpr const char* kFovHelp = "Vertical field of view in degrees, above 0 and below 180";
 inline constexpr const char* kNearHelp = "Distance of the near plane from the camera, in scene units";
@@ -32,7 +32,6 @@ inline constexpr const char* kSplitHelp =
 inline constexpr const char* kSurfaceHelp =
     "What the geometry pass stores of surfaces: gbuffer, visibility (which triangle), or lit (nothing: matt "
     "surfaces are shaded at once)";
-inline constexpr const char* kShadowTexelsHelp = "Largest side of a shadow map in texels, 64 to 4096";
 inline constexpr const char* kTranslucencyMemoryHelp =
     "Memory for sorted fragments in MiB; frames that need more are drawn weighted";
 
@@ -42,5 +41,7 @@ std::string sceneHelp();
 std::string techniqueHelp();
 /// For --depth.
 std::string mappingHelp();
+/// For --shadow-texels.
+std::string shadowTexelsHelp();
 
 } // namespace cdr::options

@@ -103,7 +103,7 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     command.option_defaults()->group("Ranks");
     options::addParsed(
         command, "--ranks", arguments.ranks, parseFrameDivision,
-        "What the ranks of an MPI run divide: frames, or the cascades of each frame. cascades excludes "
+        "What the ranks of an MPI run divide: frames, or the cascades of each frame. With cascades, leave out "
         "--antialias, --occlusion RADIUS, --shadows, --focus, --submission gpu-driven and blended materials")
         ->default_str("frames");
     command.option_defaults()->group("Output");

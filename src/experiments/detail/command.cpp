@@ -103,7 +103,7 @@ void addOptions(CLI::App& command, DetailArguments& arguments) {
 void addDetail(CLI::App& program, const GlobalOptions& global) {
     addCommand<DetailArguments>(
         program, global, "detail",
-        "Measure what levels of detail by object, by cascade (thesis chapter 3) and by cluster save and change",
+        "Measure savings and errors of levels of detail, chosen by object, by cascade (thesis chapter 3) or by cluster",
         addOptions, run, RankUse::all);
 }
 

@@ -210,7 +210,9 @@ void addOptions(CLI::App& command, FlickerArguments& arguments) {
         "behind them (cdr-behind)");
     command.add_flag("--fitted-range", arguments.fittedRange,
                      "Also measure standard with near and far fitted to what is visible (standard-fitted)");
-    command.add_option("--flip-every", options.flipEvery, "FLIP is computed for one of this many frames")
+    command
+        .add_option("--flip-every", options.flipEvery,
+                    "Interval of the frames for which FLIP is computed; 1 is every frame")
         ->check(CLI::Range(1u, kMaxFrames))
         ->capture_default_str();
     addThreads(command, options.threads);

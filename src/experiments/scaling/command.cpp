@@ -234,7 +234,7 @@ void addOptions(CLI::App& command, ScalingArguments& arguments) {
     addSeed(command, options.seed);
     addRankSweepOptions(command, arguments.ranks);
     addCsv(command, arguments.csv);
-    addPlot(command, arguments.plot, "times over threads");
+    addPlot(command, arguments.plot, "recording times over threads");
     excludeThreadOptions(command);
 }
 

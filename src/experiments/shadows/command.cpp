@@ -116,7 +116,7 @@ void addOptions(CLI::App& command, ShadowArguments& arguments) {
                     "Shadow methods to compare, separated by commas: anchored, plain (the usual method)")
         ->delimiter(',')
         ->capture_default_str();
-    command.add_option("--shadow-texels", experiment.options.shadows.maxTexels, options::kShadowTexelsHelp)
+    command.add_option("--shadow-texels", experiment.options.shadows.maxTexels, options::shadowTexelsHelp())
         ->check(CLI::Range(render::kMinShadowTexels, render::kMaxShadowTexels))
         ->capture_default_str();
     options::addNamed(command, "--surface", arguments.experiment.options.surface, render::parseSurfacePath,

@@ -112,7 +112,7 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
         ->excludes(against)
         ->excludes(stages);
     addCsv(command, arguments.csv);
-    addPlot(command, arguments.plot, "the times");
+    addPlot(command, arguments.plot, "overheads over standard, or the stages of --stages,");
     addTrace(command, arguments.trace, "the frames before the measured ones");
 }
 
