@@ -87,7 +87,7 @@ void addCameraOptions(CLI::App& command, CameraOptions& options) {
         addPoint(command, "--direction", options.direction,
                  "Direction in which the camera looks; exact at any distance from the origin");
     CLI::Option* up = addPoint(command, "--up", options.up, "Direction that is up in the picture");
-    up->default_str("the y axis, with --eye, --target or --direction");
+    up->default_str("the y axis, if --eye, --target or --direction is given");
     target->excludes(direction);
     for (CLI::Option* place : {eye, target, direction, up}) {
         place->excludes(path);

@@ -66,7 +66,7 @@ void addSceneChoice(CLI::App& command, scene::GltfChoice& choice) {
 
 void addMoment(CLI::App& command, scene::GltfChoice& choice) {
     command.add_option("--animation", choice.animation, kAnimationHelp)
-        ->default_str("the first, with --time");
+        ->default_str("the first, if --time is given");
     command.add_option("--time", choice.seconds, kTimeHelp)->default_str("0");
 }
 
@@ -82,7 +82,7 @@ void addStillChoice(CLI::App& command, scene::GltfChoice& choice) {
 
 void addAnimationChoice(CLI::App& command, scene::GltfChoice& choice) {
     command.add_option("--animation", choice.animation, kAnimationHelp)
-        ->default_str("the first, with --time or --fps");
+        ->default_str("the first, if --time or --fps is given");
     command.add_option("--time", choice.seconds, "Time in the animation at frame 0, in seconds")
         ->default_str("0");
     command.add_option("--fps", choice.framesPerSecond,
