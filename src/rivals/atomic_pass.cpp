@@ -89,13 +89,6 @@ gpu::Buffer hostCopyOf(const gpu::Device& device, const gpu::Buffer& buffer, con
     return {device, buffer.size(), vk::BufferUsageFlagBits::eTransferDst, gpu::MemoryUse::hostReads, name};
 }
 
-void memoryBarrier(vk::CommandBuffer commands, vk::PipelineStageFlags2 from, vk::AccessFlags2 written,
-                   vk::PipelineStageFlags2 to, vk::AccessFlags2 used) {
-    gpu::pipelineBarrier(
-        commands, {},
-        {{.srcStageMask = from, .srcAccessMask = written, .dstStageMask = to, .dstAccessMask = used}});
-}
-
 } // namespace
 
 AtomicPass::AtomicPass(const gpu::Device& device, const Rival& rival, vk::Extent2D extent)
@@ -150,15 +143,16 @@ gpu::Pipeline AtomicPass::makePipeline(const gpu::Device& device, const char* na
 }
 
 void AtomicPass::clear(vk::CommandBuffer commands) const {
-    memoryBarrier(commands, AtomicStage::eFragmentShader | AtomicStage::eCopy,
-                  AtomicAccess::eShaderStorageWrite, AtomicStage::eTransfer, AtomicAccess::eTransferWrite);
+    gpu::memoryBarrier(commands, AtomicStage::eFragmentShader | AtomicStage::eCopy,
+                       AtomicAccess::eShaderStorageWrite, AtomicStage::eTransfer,
+                       AtomicAccess::eTransferWrite);
     commands.fillBuffer(m_keys.handle(), 0, VK_WHOLE_SIZE, static_cast<std::uint32_t>(kNoKey));
     if (hasIdPass()) {
         commands.fillBuffer(m_ids.handle(), 0, VK_WHOLE_SIZE, 0);
     }
-    memoryBarrier(commands, AtomicStage::eTransfer, AtomicAccess::eTransferWrite,
-                  AtomicStage::eFragmentShader,
-                  AtomicAccess::eShaderStorageRead | AtomicAccess::eShaderStorageWrite);
+    gpu::memoryBarrier(commands, AtomicStage::eTransfer, AtomicAccess::eTransferWrite,
+                       AtomicStage::eFragmentShader,
+                       AtomicAccess::eShaderStorageRead | AtomicAccess::eShaderStorageWrite);
 }
 
 void AtomicPass::beginScope(vk::CommandBuffer commands, vk::AttachmentLoadOp load) const {
@@ -182,10 +176,11 @@ void AtomicPass::record(vk::CommandBuffer commands, const FrameDraws& draws) {
     constexpr auto kTestAccess =
         AtomicAccess::eDepthStencilAttachmentRead | AtomicAccess::eDepthStencilAttachmentWrite;
     if (m_rival.prepass) {
-        gpu::pipelineBarrier(commands, {gpu::imageBarrier(m_depth.handle(), vk::ImageAspectFlagBits::eDepth,
-                                                          kTests, AtomicAccess::eDepthStencilAttachmentWrite,
-                                                          kTests, kTestAccess, vk::ImageLayout::eUndefined,
-                                                          vk::ImageLayout::eDepthAttachmentOptimal)});
+        gpu::pipelineBarrier(
+            commands, {gpu::imageBarrier(
+                          m_depth.handle(), vk::ImageAspectFlagBits::eDepth,
+                          {kTests, AtomicAccess::eDepthStencilAttachmentWrite, vk::ImageLayout::eUndefined},
+                          {kTests, kTestAccess, vk::ImageLayout::eDepthAttachmentOptimal})});
     }
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, m_set, {});
     beginScope(commands, vk::AttachmentLoadOp::eClear);
@@ -198,10 +193,10 @@ void AtomicPass::record(vk::CommandBuffer commands, const FrameDraws& draws) {
     if (!hasIdPass()) {
         return;
     }
-    memoryBarrier(commands, AtomicStage::eFragmentShader | kTests,
-                  AtomicAccess::eShaderStorageWrite | AtomicAccess::eDepthStencilAttachmentWrite,
-                  AtomicStage::eFragmentShader | kTests,
-                  AtomicAccess::eShaderStorageRead | AtomicAccess::eShaderStorageWrite | kTestAccess);
+    gpu::memoryBarrier(commands, AtomicStage::eFragmentShader | kTests,
+                       AtomicAccess::eShaderStorageWrite | AtomicAccess::eDepthStencilAttachmentWrite,
+                       AtomicStage::eFragmentShader | kTests,
+                       AtomicAccess::eShaderStorageRead | AtomicAccess::eShaderStorageWrite | kTestAccess);
     beginScope(commands, vk::AttachmentLoadOp::eLoad);
     draws.begin(commands);
     drawBy(m_whose);
@@ -209,8 +204,8 @@ void AtomicPass::record(vk::CommandBuffer commands, const FrameDraws& draws) {
 }
 
 void AtomicPass::recordReadback(vk::CommandBuffer commands) {
-    memoryBarrier(commands, AtomicStage::eFragmentShader, AtomicAccess::eShaderStorageWrite,
-                  AtomicStage::eCopy, AtomicAccess::eTransferRead);
+    gpu::memoryBarrier(commands, AtomicStage::eFragmentShader, AtomicAccess::eShaderStorageWrite,
+                       AtomicStage::eCopy, AtomicAccess::eTransferRead);
     commands.copyBuffer(m_keys.handle(), m_keysOnHost.handle(), vk::BufferCopy{.size = m_keys.size()});
     if (hasIdPass()) {
         commands.copyBuffer(m_ids.handle(), m_idsOnHost.handle(), vk::BufferCopy{.size = m_ids.size()});

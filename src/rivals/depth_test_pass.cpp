@@ -71,14 +71,15 @@ vk::ClearDepthStencilValue DepthTestPass::clearDepth() const {
 
 void DepthTestPass::record(vk::CommandBuffer commands, const FrameDraws& draws) {
     gpu::pipelineBarrier(
-        commands, {gpu::imageBarrier(m_surfaces.handle(), vk::ImageAspectFlagBits::eColor,
-                                     PipelineStage::eCopy | PipelineStage::eColorAttachmentOutput,
-                                     Access::eColorAttachmentWrite, PipelineStage::eColorAttachmentOutput,
-                                     Access::eColorAttachmentWrite, vk::ImageLayout::eUndefined,
-                                     vk::ImageLayout::eColorAttachmentOptimal),
-                   gpu::imageBarrier(m_depth.handle(), vk::ImageAspectFlagBits::eDepth, kTestStages,
-                                     Access::eDepthStencilAttachmentWrite, kTestStages, kTestAccess,
-                                     vk::ImageLayout::eUndefined, vk::ImageLayout::eDepthAttachmentOptimal)});
+        commands,
+        {gpu::imageBarrier(m_surfaces.handle(), vk::ImageAspectFlagBits::eColor,
+                           {PipelineStage::eCopy | PipelineStage::eColorAttachmentOutput,
+                            Access::eColorAttachmentWrite, vk::ImageLayout::eUndefined},
+                           {PipelineStage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
+                            vk::ImageLayout::eColorAttachmentOptimal}),
+         gpu::imageBarrier(m_depth.handle(), vk::ImageAspectFlagBits::eDepth,
+                           {kTestStages, Access::eDepthStencilAttachmentWrite, vk::ImageLayout::eUndefined},
+                           {kTestStages, kTestAccess, vk::ImageLayout::eDepthAttachmentOptimal})});
     const vk::RenderingAttachmentInfo color{.imageView = m_surfaces.view(),
                                             .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
                                             .loadOp = vk::AttachmentLoadOp::eClear,
@@ -109,11 +110,11 @@ void DepthTestPass::record(vk::CommandBuffer commands, const FrameDraws& draws) 
 
 void DepthTestPass::recordReadback(vk::CommandBuffer commands) {
     gpu::pipelineBarrier(
-        commands,
-        {gpu::imageBarrier(m_surfaces.handle(), vk::ImageAspectFlagBits::eColor,
-                           PipelineStage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
-                           PipelineStage::eCopy, Access::eTransferRead,
-                           vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eTransferSrcOptimal)});
+        commands, {gpu::imageBarrier(
+                      m_surfaces.handle(), vk::ImageAspectFlagBits::eColor,
+                      {PipelineStage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
+                       vk::ImageLayout::eColorAttachmentOptimal},
+                      {PipelineStage::eCopy, Access::eTransferRead, vk::ImageLayout::eTransferSrcOptimal})});
     m_readback.record(commands, m_surfaces);
 }
 

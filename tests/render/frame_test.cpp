@@ -422,11 +422,11 @@ TEST_F(FrameTest, ASubmittedFrameIsReachableOnTheDevice) {
     const vk::CommandBuffer commands = pool.next();
     commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     gpu::pipelineBarrier(
-        commands,
-        {gpu::imageBarrier(surfaces.gbuffer.image, vk::ImageAspectFlagBits::eColor,
-                           vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eNone,
-                           vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
-                           vk::ImageLayout(surfaces.gbuffer.layout), vk::ImageLayout::eTransferSrcOptimal)});
+        commands, {gpu::imageBarrier(surfaces.gbuffer.image, vk::ImageAspectFlagBits::eColor,
+                                     {vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eNone,
+                                      vk::ImageLayout(surfaces.gbuffer.layout)},
+                                     {vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
+                                      vk::ImageLayout::eTransferSrcOptimal})});
     const vk::BufferImageCopy all{
         .imageSubresource = {vk::ImageAspectFlagBits::eColor, 0, 0, 1},
         .imageExtent = {surfaces.color.extent.width, surfaces.color.extent.height, 1}};

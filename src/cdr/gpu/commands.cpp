@@ -112,16 +112,14 @@ void runOnce(const Device& device, const std::function<void(vk::CommandBuffer)>&
     waitAndReset(device, *done);
 }
 
-vk::ImageMemoryBarrier2 imageBarrier(vk::Image image, vk::ImageAspectFlags aspect,
-                                     vk::PipelineStageFlags2 srcStage, vk::AccessFlags2 srcAccess,
-                                     vk::PipelineStageFlags2 dstStage, vk::AccessFlags2 dstAccess,
-                                     vk::ImageLayout oldLayout, vk::ImageLayout newLayout) {
-    return {.srcStageMask = srcStage,
-            .srcAccessMask = srcAccess,
-            .dstStageMask = dstStage,
-            .dstAccessMask = dstAccess,
-            .oldLayout = oldLayout,
-            .newLayout = newLayout,
+vk::ImageMemoryBarrier2 imageBarrier(vk::Image image, vk::ImageAspectFlags aspect, const ImageUse& before,
+                                     const ImageUse& after) {
+    return {.srcStageMask = before.stages,
+            .srcAccessMask = before.access,
+            .dstStageMask = after.stages,
+            .dstAccessMask = after.access,
+            .oldLayout = before.layout,
+            .newLayout = after.layout,
             .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
             .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
             .image = image,
@@ -134,6 +132,15 @@ void pipelineBarrier(vk::CommandBuffer commands, const std::vector<vk::ImageMemo
                                .pMemoryBarriers = memory.data(),
                                .imageMemoryBarrierCount = static_cast<std::uint32_t>(images.size()),
                                .pImageMemoryBarriers = images.data()});
+}
+
+void memoryBarrier(vk::CommandBuffer commands, vk::PipelineStageFlags2 stagesBefore, vk::AccessFlags2 written,
+                   vk::PipelineStageFlags2 stagesAfter, vk::AccessFlags2 used) {
+    pipelineBarrier(commands, {},
+                    {{.srcStageMask = stagesBefore,
+                      .srcAccessMask = written,
+                      .dstStageMask = stagesAfter,
+                      .dstAccessMask = used}});
 }
 
 } // namespace cdr::gpu

@@ -53,14 +53,23 @@ void waitForTimeline(const Device& device, vk::Semaphore timeline, std::uint64_t
 /// Records commands once, submits them and waits: for uploads, not for frames.
 void runOnce(const Device& device, const std::function<void(vk::CommandBuffer)>& record);
 
-/// One image barrier in the synchronization2 form.
-vk::ImageMemoryBarrier2 imageBarrier(vk::Image image, vk::ImageAspectFlags aspect,
-                                     vk::PipelineStageFlags2 srcStage, vk::AccessFlags2 srcAccess,
-                                     vk::PipelineStageFlags2 dstStage, vk::AccessFlags2 dstAccess,
-                                     vk::ImageLayout oldLayout, vk::ImageLayout newLayout);
+/// How an image is used: in which stages, how, and in which layout.
+struct ImageUse {
+    vk::PipelineStageFlags2 stages;
+    vk::AccessFlags2 access;
+    vk::ImageLayout layout = vk::ImageLayout::eUndefined;
+};
+
+/// One image barrier in the synchronization2 form, from one use to the next.
+vk::ImageMemoryBarrier2 imageBarrier(vk::Image image, vk::ImageAspectFlags aspect, const ImageUse& before,
+                                     const ImageUse& after);
 
 /// Puts barriers into a command buffer as one dependency.
 void pipelineBarrier(vk::CommandBuffer commands, const std::vector<vk::ImageMemoryBarrier2>& images,
                      const std::vector<vk::MemoryBarrier2>& memory = {});
+
+/// Puts one memory barrier into a command buffer: what was written before is seen by what uses it after.
+void memoryBarrier(vk::CommandBuffer commands, vk::PipelineStageFlags2 stagesBefore, vk::AccessFlags2 written,
+                   vk::PipelineStageFlags2 stagesAfter, vk::AccessFlags2 used);
 
 } // namespace cdr::gpu

@@ -121,16 +121,17 @@ Image uploadImage(const Device& device, vk::Extent2D extent, vk::Format format,
     using Access = vk::AccessFlagBits2;
     runOnce(device, [&](vk::CommandBuffer commands) {
         pipelineBarrier(commands,
-                        {imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eNone,
-                                      Access::eNone, PipelineStage::eCopy, Access::eTransferWrite,
-                                      vk::ImageLayout::eUndefined, vk::ImageLayout::eTransferDstOptimal)});
+                        {imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor,
+                                      {PipelineStage::eNone, Access::eNone, vk::ImageLayout::eUndefined},
+                                      {PipelineStage::eCopy, Access::eTransferWrite,
+                                       vk::ImageLayout::eTransferDstOptimal})});
         commands.copyBufferToImage(staging.handle(), image.handle(), vk::ImageLayout::eTransferDstOptimal,
                                    copies);
-        pipelineBarrier(
-            commands,
-            {imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eCopy,
-                          Access::eTransferWrite, PipelineStage::eFragmentShader, Access::eShaderSampledRead,
-                          vk::ImageLayout::eTransferDstOptimal, vk::ImageLayout::eShaderReadOnlyOptimal)});
+        pipelineBarrier(commands, {imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor,
+                                                {PipelineStage::eCopy, Access::eTransferWrite,
+                                                 vk::ImageLayout::eTransferDstOptimal},
+                                                {PipelineStage::eFragmentShader, Access::eShaderSampledRead,
+                                                 vk::ImageLayout::eShaderReadOnlyOptimal})});
     });
     return image;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/gpu/commands.h>
 #include <cdr/gpu/vulkan_hpp.h>
 
 namespace cdr::render {
@@ -11,5 +12,16 @@ using Access = vk::AccessFlagBits2;
 inline constexpr auto kDepthStages = PipelineStage::eEarlyFragmentTests | PipelineStage::eLateFragmentTests;
 inline constexpr auto kDepthAccess =
     Access::eDepthStencilAttachmentRead | Access::eDepthStencilAttachmentWrite;
+
+/// Uses of images that barriers stand between: written as an attachment, read by fragment shaders, and copied from.
+inline constexpr gpu::ImageUse kDrawnColor{PipelineStage::eColorAttachmentOutput,
+                                           Access::eColorAttachmentWrite,
+                                           vk::ImageLayout::eColorAttachmentOptimal};
+inline constexpr gpu::ImageUse kDrawnDepth{kDepthStages, Access::eDepthStencilAttachmentWrite,
+                                           vk::ImageLayout::eDepthAttachmentOptimal};
+inline constexpr gpu::ImageUse kShaderRead{PipelineStage::eFragmentShader, Access::eShaderSampledRead,
+                                           vk::ImageLayout::eShaderReadOnlyOptimal};
+inline constexpr gpu::ImageUse kCopied{PipelineStage::eAllTransfer, Access::eTransferRead,
+                                       vk::ImageLayout::eTransferSrcOptimal};
 
 } // namespace cdr::render

@@ -16,8 +16,8 @@ constexpr vk::ImageSubresourceLayers kLayers{vk::ImageAspectFlagBits::eColor, 0,
 vk::ImageMemoryBarrier2 barrierBetween(const gpu::Image& image, vk::ImageLayout from, vk::ImageLayout to) {
     constexpr auto kStage = vk::PipelineStageFlagBits2::eAllTransfer;
     return gpu::imageBarrier(
-        image.handle(), vk::ImageAspectFlagBits::eColor, kStage, vk::AccessFlagBits2::eTransferWrite, kStage,
-        vk::AccessFlagBits2::eTransferRead | vk::AccessFlagBits2::eTransferWrite, from, to);
+        image.handle(), vk::ImageAspectFlagBits::eColor, {kStage, vk::AccessFlagBits2::eTransferWrite, from},
+        {kStage, vk::AccessFlagBits2::eTransferRead | vk::AccessFlagBits2::eTransferWrite, to});
 }
 
 } // namespace

@@ -157,17 +157,17 @@ void Presenter::record(vk::CommandBuffer commands, std::size_t slot, const Swapc
     for (const auto& picture : m_pictures) {
         picture->recordUpload(commands, slot);
     }
-    gpu::pipelineBarrier(
-        commands,
-        {gpu::imageBarrier(target.image, vk::ImageAspectFlagBits::eColor, PipelineStage::eAllTransfer,
-                           Access::eNone, PipelineStage::eAllTransfer, Access::eTransferWrite,
-                           vk::ImageLayout::eUndefined, vk::ImageLayout::eTransferDstOptimal)});
+    gpu::pipelineBarrier(commands, {gpu::imageBarrier(target.image, vk::ImageAspectFlagBits::eColor,
+                                                      {PipelineStage::eAllTransfer, Access::eNone,
+                                                       vk::ImageLayout::eUndefined},
+                                                      {PipelineStage::eAllTransfer, Access::eTransferWrite,
+                                                       vk::ImageLayout::eTransferDstOptimal})});
     commands.clearColorImage(target.image, vk::ImageLayout::eTransferDstOptimal, kBackground, kWhole);
-    gpu::pipelineBarrier(
-        commands,
-        {gpu::imageBarrier(target.image, vk::ImageAspectFlagBits::eColor, PipelineStage::eAllTransfer,
-                           Access::eTransferWrite, PipelineStage::eAllTransfer, Access::eTransferWrite,
-                           vk::ImageLayout::eTransferDstOptimal, vk::ImageLayout::eTransferDstOptimal)});
+    gpu::pipelineBarrier(commands, {gpu::imageBarrier(target.image, vk::ImageAspectFlagBits::eColor,
+                                                      {PipelineStage::eAllTransfer, Access::eTransferWrite,
+                                                       vk::ImageLayout::eTransferDstOptimal},
+                                                      {PipelineStage::eAllTransfer, Access::eTransferWrite,
+                                                       vk::ImageLayout::eTransferDstOptimal})});
     const vk::Rect2D area = within(layout.area, m_swapchain->extent());
     const double divider = layout.pictures > 1 ? layout.divider : 1.0;
     m_pictures[0]->recordBlit(commands, target.image, area, 0.0, divider);

@@ -20,24 +20,22 @@ WindowCapture::WindowCapture(const gpu::Device& device, const Swapchain& swapcha
 void WindowCapture::record(vk::CommandBuffer commands, vk::Image image) const {
     using PipelineStage = vk::PipelineStageFlagBits2;
     using Access = vk::AccessFlagBits2;
-    const auto turn = [&](PipelineStage srcStage, Access src, PipelineStage dstStage, Access dst,
-                          vk::ImageLayout from, vk::ImageLayout to) {
-        gpu::pipelineBarrier(commands, {gpu::imageBarrier(image, vk::ImageAspectFlagBits::eColor, srcStage,
-                                                          src, dstStage, dst, from, to)});
+    const auto turn = [&](const gpu::ImageUse& before, const gpu::ImageUse& after) {
+        gpu::pipelineBarrier(commands,
+                             {gpu::imageBarrier(image, vk::ImageAspectFlagBits::eColor, before, after)});
     };
-    turn(PipelineStage::eColorAttachmentOutput, Access::eColorAttachmentWrite, PipelineStage::eCopy,
-         Access::eTransferRead, vk::ImageLayout::ePresentSrcKHR, vk::ImageLayout::eTransferSrcOptimal);
+    constexpr gpu::ImageUse kCopied{PipelineStage::eCopy, Access::eTransferRead,
+                                    vk::ImageLayout::eTransferSrcOptimal};
+    turn({PipelineStage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
+          vk::ImageLayout::ePresentSrcKHR},
+         kCopied);
     commands.copyImageToBuffer(
         image, vk::ImageLayout::eTransferSrcOptimal, m_buffer.handle(),
         vk::BufferImageCopy{.imageSubresource = {vk::ImageAspectFlagBits::eColor, 0, 0, 1},
                             .imageExtent = {m_extent.width, m_extent.height, 1}});
-    turn(PipelineStage::eCopy, Access::eTransferRead, PipelineStage::eCopy, Access::eNone,
-         vk::ImageLayout::eTransferSrcOptimal, vk::ImageLayout::ePresentSrcKHR);
-    gpu::pipelineBarrier(commands, {},
-                         {{.srcStageMask = PipelineStage::eCopy,
-                           .srcAccessMask = Access::eTransferWrite,
-                           .dstStageMask = PipelineStage::eHost,
-                           .dstAccessMask = Access::eHostRead}});
+    turn(kCopied, {PipelineStage::eCopy, Access::eNone, vk::ImageLayout::ePresentSrcKHR});
+    gpu::memoryBarrier(commands, PipelineStage::eCopy, Access::eTransferWrite, PipelineStage::eHost,
+                       Access::eHostRead);
 }
 
 image::ImageRgba8 WindowCapture::fetch() const {

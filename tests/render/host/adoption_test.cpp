@@ -158,14 +158,14 @@ class DeviceEngine : public adoption::Engine {
         using Access = vk::AccessFlagBits2;
         gpu::pipelineBarrier(
             m_commands,
-            {gpu::imageBarrier(m_ids.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eNone,
-                               Access::eNone, PipelineStage::eColorAttachmentOutput,
-                               Access::eColorAttachmentWrite, vk::ImageLayout::eUndefined,
-                               vk::ImageLayout::eColorAttachmentOptimal),
-             gpu::imageBarrier(m_depth.handle(), vk::ImageAspectFlagBits::eDepth, PipelineStage::eNone,
-                               Access::eNone, PipelineStage::eAllGraphics,
-                               Access::eMemoryRead | Access::eMemoryWrite, vk::ImageLayout::eUndefined,
-                               vk::ImageLayout::eDepthAttachmentOptimal)});
+            {gpu::imageBarrier(m_ids.handle(), vk::ImageAspectFlagBits::eColor,
+                               {PipelineStage::eNone, Access::eNone, vk::ImageLayout::eUndefined},
+                               {PipelineStage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
+                                vk::ImageLayout::eColorAttachmentOptimal}),
+             gpu::imageBarrier(m_depth.handle(), vk::ImageAspectFlagBits::eDepth,
+                               {PipelineStage::eNone, Access::eNone, vk::ImageLayout::eUndefined},
+                               {PipelineStage::eAllGraphics, Access::eMemoryRead | Access::eMemoryWrite,
+                                vk::ImageLayout::eDepthAttachmentOptimal})});
     }
 
     const gpu::Device& m_device;

@@ -21,10 +21,12 @@ image::Raster<Pixel> readImage(const gpu::Device& device, VkImage image, VkExten
                            "read image");
     gpu::runOnce(device, [&](vk::CommandBuffer commands) {
         gpu::pipelineBarrier(
-            commands, {gpu::imageBarrier(image, aspect, vk::PipelineStageFlagBits2::eAllCommands,
-                                         vk::AccessFlagBits2::eMemoryWrite, vk::PipelineStageFlagBits2::eCopy,
-                                         vk::AccessFlagBits2::eTransferRead, vk::ImageLayout(layout),
-                                         vk::ImageLayout::eTransferSrcOptimal)});
+            commands,
+            {gpu::imageBarrier(image, aspect,
+                               {vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eMemoryWrite,
+                                vk::ImageLayout(layout)},
+                               {vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
+                                vk::ImageLayout::eTransferSrcOptimal})});
         commands.copyImageToBuffer(image, vk::ImageLayout::eTransferSrcOptimal, copy.handle(),
                                    vk::BufferImageCopy{.imageSubresource = {aspect, 0, 0, 1},
                                                        .imageExtent = {extent.width, extent.height, 1}});

@@ -67,10 +67,10 @@ class SeenSlicesTest : public RenderTest {
                      const std::vector<SlicePixels>& picture) {
         using render::Access;
         gpu::pipelineBarrier(
-            commands,
-            {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, render::kDepthStages,
-                               Access::eNone, render::kDepthStages, render::kDepthAccess,
-                               vk::ImageLayout::eUndefined, vk::ImageLayout::eDepthAttachmentOptimal)});
+            commands, {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth,
+                                         {render::kDepthStages, Access::eNone, vk::ImageLayout::eUndefined},
+                                         {render::kDepthStages, render::kDepthAccess,
+                                          vk::ImageLayout::eDepthAttachmentOptimal})});
         const vk::RenderingAttachmentInfo attachment{.imageView = depth.view(),
                                                      .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
                                                      .loadOp = vk::AttachmentLoadOp::eClear,
@@ -83,12 +83,12 @@ class SeenSlicesTest : public RenderTest {
                 vk::ClearRect{.rect = part.area, .layerCount = 1});
         }
         commands.endRendering();
-        gpu::pipelineBarrier(
-            commands,
-            {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, render::kDepthStages,
-                               Access::eDepthStencilAttachmentWrite, render::kDepthStages,
-                               Access::eDepthStencilAttachmentRead, vk::ImageLayout::eDepthAttachmentOptimal,
-                               vk::ImageLayout::eDepthAttachmentOptimal)});
+        gpu::pipelineBarrier(commands,
+                             {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth,
+                                                {render::kDepthStages, Access::eDepthStencilAttachmentWrite,
+                                                 vk::ImageLayout::eDepthAttachmentOptimal},
+                                                {render::kDepthStages, Access::eDepthStencilAttachmentRead,
+                                                 vk::ImageLayout::eDepthAttachmentOptimal})});
     }
 
     /// Pixel i of the first row, if commands of slice i are not skipped.

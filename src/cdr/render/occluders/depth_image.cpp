@@ -18,9 +18,9 @@ std::size_t occluderCopyBytes(vk::Extent2D extent) {
 
 void beginOccluders(vk::CommandBuffer primary, const gpu::Image& depth, vk::RenderingFlags flags) {
     gpu::pipelineBarrier(
-        primary, {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, PipelineStage::eCopy,
-                                    Access::eNone, kDepthStages, kDepthAccess, vk::ImageLayout::eUndefined,
-                                    vk::ImageLayout::eDepthAttachmentOptimal)});
+        primary, {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth,
+                                    {PipelineStage::eCopy, Access::eNone, vk::ImageLayout::eUndefined},
+                                    {kDepthStages, kDepthAccess, vk::ImageLayout::eDepthAttachmentOptimal})});
     const vk::RenderingAttachmentInfo attachment{.imageView = depth.view(),
                                                  .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
                                                  .loadOp = vk::AttachmentLoadOp::eClear,
@@ -33,11 +33,10 @@ void beginOccluders(vk::CommandBuffer primary, const gpu::Image& depth, vk::Rend
 }
 
 void copyOccluders(vk::CommandBuffer primary, const gpu::Image& depth, vk::Buffer copy) {
-    gpu::pipelineBarrier(
-        primary,
-        {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, kDepthStages,
-                           Access::eDepthStencilAttachmentWrite, PipelineStage::eCopy, Access::eTransferRead,
-                           vk::ImageLayout::eDepthAttachmentOptimal, vk::ImageLayout::eTransferSrcOptimal)});
+    gpu::pipelineBarrier(primary,
+                         {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, kDrawnDepth,
+                                            {PipelineStage::eCopy, Access::eTransferRead,
+                                             vk::ImageLayout::eTransferSrcOptimal})});
     const auto& [width, height] = depth.options().extent;
     primary.copyImageToBuffer(
         depth.handle(), vk::ImageLayout::eTransferSrcOptimal, copy,

@@ -53,11 +53,6 @@ gpu::Buffer makeBuffer(const gpu::Device& device, std::size_t bytes, const char*
     return {device, bytes, vk::BufferUsageFlagBits::eStorageBuffer | usage, gpu::MemoryUse::deviceOnly, name};
 }
 
-vk::MemoryBarrier2 orderOf(vk::PipelineStageFlags2 first, vk::AccessFlags2 written,
-                           vk::PipelineStageFlags2 then, vk::AccessFlags2 used) {
-    return {.srcStageMask = first, .srcAccessMask = written, .dstStageMask = then, .dstAccessMask = used};
-}
-
 constexpr auto kUsed = Access::eShaderStorageRead | Access::eShaderStorageWrite;
 
 } // namespace
@@ -167,10 +162,8 @@ void DeviceOcclusion::prepare(const FrameView& view, std::size_t instances, Slot
 
 void DeviceOcclusion::begin(vk::CommandBuffer primary) const {
     // Frames before saw other instances, and read the tiles and the copy.
-    gpu::pipelineBarrier(
-        primary, {},
-        {orderOf(PipelineStage::eComputeShader, Access::eShaderStorageWrite,
-                 PipelineStage::eComputeShader | PipelineStage::eCopy, kUsed | Access::eTransferWrite)});
+    gpu::memoryBarrier(primary, PipelineStage::eComputeShader, Access::eShaderStorageWrite,
+                       PipelineStage::eComputeShader | PipelineStage::eCopy, kUsed | Access::eTransferWrite);
 }
 
 void DeviceOcclusion::draw(vk::CommandBuffer primary, const Slot& slot,
@@ -183,17 +176,15 @@ void DeviceOcclusion::draw(vk::CommandBuffer primary, const Slot& slot,
     }
     primary.endRendering();
     copyOccluders(primary, m_depth, m_copy.handle());
-    gpu::pipelineBarrier(
-        primary, {},
-        {orderOf(PipelineStage::eCopy, Access::eTransferWrite, PipelineStage::eComputeShader, kUsed)});
+    gpu::memoryBarrier(primary, PipelineStage::eCopy, Access::eTransferWrite, PipelineStage::eComputeShader,
+                       kUsed);
     primary.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *m_layout, kOcclusionSet, slot.set, {});
     const Grid tiles = tilesOf(m_extent);
     const auto reduce = [&](vk::Pipeline pipeline, const Grid& grid) {
         primary.bindPipeline(vk::PipelineBindPoint::eCompute, pipeline);
         primary.dispatch(partsOf(grid.size(), kReduceInvocations), 1, 1);
-        gpu::pipelineBarrier(primary, {},
-                             {orderOf(PipelineStage::eComputeShader, Access::eShaderStorageWrite,
-                                      PipelineStage::eComputeShader, kUsed)});
+        gpu::memoryBarrier(primary, PipelineStage::eComputeShader, Access::eShaderStorageWrite,
+                           PipelineStage::eComputeShader, kUsed);
     };
     reduce(*m_reduce, tiles);
     reduce(*m_reduceSquares, tiles.coarser(shaders::kSquareSide));

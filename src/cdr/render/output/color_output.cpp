@@ -35,22 +35,20 @@ void convertPicture(vk::CommandBuffer primary, const gpu::Image& picture, const 
 } // namespace
 
 void recordColorOutput(vk::CommandBuffer primary, const gpu::Image& picture, const SurfaceImage& into) {
-    const auto barrier = [&](PipelineStage srcStage, vk::AccessFlags2 srcAccess, PipelineStage dstStage,
-                             vk::AccessFlags2 dstAccess, vk::ImageLayout before, vk::ImageLayout after) {
+    constexpr gpu::ImageUse kWritten{PipelineStage::eAllTransfer, Access::eTransferWrite,
+                                     vk::ImageLayout::eTransferDstOptimal};
+    const auto barrier = [&](const gpu::ImageUse& before, const gpu::ImageUse& after) {
         gpu::pipelineBarrier(primary,
-                             {gpu::imageBarrier(into.image, vk::ImageAspectFlagBits::eColor, srcStage,
-                                                srcAccess, dstStage, dstAccess, before, after)});
+                             {gpu::imageBarrier(into.image, vk::ImageAspectFlagBits::eColor, before, after)});
     };
-    barrier(PipelineStage::eAllCommands, Access::eMemoryWrite, PipelineStage::eAllTransfer,
-            Access::eTransferWrite, vk::ImageLayout::eUndefined, vk::ImageLayout::eTransferDstOptimal);
+    barrier({PipelineStage::eAllCommands, Access::eMemoryWrite}, kWritten);
     if (vk::Format(into.format) == picture.options().format) {
         copyPicture(primary, picture, into);
     } else {
         convertPicture(primary, picture, into);
     }
-    barrier(PipelineStage::eAllTransfer, Access::eTransferWrite, PipelineStage::eAllCommands,
-            Access::eMemoryRead | Access::eMemoryWrite, vk::ImageLayout::eTransferDstOptimal,
-            vk::ImageLayout(into.layout));
+    barrier(kWritten, {PipelineStage::eAllCommands, Access::eMemoryRead | Access::eMemoryWrite,
+                       vk::ImageLayout(into.layout)});
 }
 
 } // namespace cdr::render

@@ -52,11 +52,10 @@ DepthOutput::Inputs DepthOutput::makeInputs(const gpu::Image& gbuffer, const Sha
 
 void DepthOutput::record(vk::CommandBuffer primary, const Inputs& inputs, const HostDepth& into) const {
     m_device.beginLabel(primary, "host depth");
-    gpu::pipelineBarrier(
-        primary,
-        {gpu::imageBarrier(into.image.image, vk::ImageAspectFlagBits::eDepth, PipelineStage::eAllCommands,
-                           Access::eMemoryWrite, kDepthStages, Access::eDepthStencilAttachmentWrite,
-                           vk::ImageLayout::eUndefined, vk::ImageLayout::eDepthAttachmentOptimal)});
+    gpu::pipelineBarrier(primary, {gpu::imageBarrier(into.image.image, vk::ImageAspectFlagBits::eDepth,
+                                                     {PipelineStage::eAllCommands, Access::eMemoryWrite,
+                                                      vk::ImageLayout::eUndefined},
+                                                     kDrawnDepth)});
     const vk::RenderingAttachmentInfo depth{.imageView = into.image.view,
                                             .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
                                             .loadOp = vk::AttachmentLoadOp::eDontCare,
@@ -69,11 +68,9 @@ void DepthOutput::record(vk::CommandBuffer primary, const Inputs& inputs, const 
     primary.draw(3, 1, 0, 0);
     primary.endRendering();
     gpu::pipelineBarrier(
-        primary,
-        {gpu::imageBarrier(into.image.image, vk::ImageAspectFlagBits::eDepth, kDepthStages,
-                           Access::eDepthStencilAttachmentWrite, PipelineStage::eAllCommands,
-                           Access::eMemoryRead | Access::eMemoryWrite,
-                           vk::ImageLayout::eDepthAttachmentOptimal, vk::ImageLayout(into.image.layout))});
+        primary, {gpu::imageBarrier(into.image.image, vk::ImageAspectFlagBits::eDepth, kDrawnDepth,
+                                    {PipelineStage::eAllCommands, Access::eMemoryRead | Access::eMemoryWrite,
+                                     vk::ImageLayout(into.image.layout)})});
     m_device.endLabel(primary);
 }
 

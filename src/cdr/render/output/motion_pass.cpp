@@ -113,11 +113,7 @@ void MotionPass::record(vk::CommandBuffer primary, const Inputs& inputs) const {
         gpu::pipelineBarrier(primary, {chainBarrier(m_image)});
         m_deformed.record(primary, inputs.m_deformed, inputs.m_inputs.set(), m_image);
     }
-    gpu::pipelineBarrier(
-        primary, {gpu::imageBarrier(
-                     m_image.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eColorAttachmentOutput,
-                     Access::eColorAttachmentWrite, PipelineStage::eAllTransfer, Access::eTransferRead,
-                     vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eTransferSrcOptimal)});
+    gpu::pipelineBarrier(primary, {copyBarrier(m_image, kDrawnColor)});
     m_device.endLabel(primary);
 }
 

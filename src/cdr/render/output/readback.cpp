@@ -23,11 +23,8 @@ void Readback::record(vk::CommandBuffer primary, const gpu::Image& image) const 
 }
 
 void recordHostBarrier(vk::CommandBuffer primary) {
-    gpu::pipelineBarrier(primary, {},
-                         {{.srcStageMask = vk::PipelineStageFlagBits2::eCopy,
-                           .srcAccessMask = vk::AccessFlagBits2::eTransferWrite,
-                           .dstStageMask = vk::PipelineStageFlagBits2::eHost,
-                           .dstAccessMask = vk::AccessFlagBits2::eHostRead}});
+    gpu::memoryBarrier(primary, vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferWrite,
+                       vk::PipelineStageFlagBits2::eHost, vk::AccessFlagBits2::eHostRead);
 }
 
 } // namespace cdr::render

@@ -67,12 +67,7 @@ void Picture::finish(vk::CommandBuffer primary) const {
     if (m_keepsLinear) {
         gpu::pipelineBarrier(primary, {copyBarrier(m_lit->image)});
     }
-    gpu::pipelineBarrier(
-        primary,
-        {gpu::imageBarrier(encoded().handle(), vk::ImageAspectFlagBits::eColor,
-                           PipelineStage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
-                           PipelineStage::eAllTransfer, Access::eTransferRead,
-                           vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eTransferSrcOptimal)});
+    gpu::pipelineBarrier(primary, {copyBarrier(encoded(), kDrawnColor)});
     m_device.endLabel(primary);
 }
 

@@ -65,11 +65,8 @@ void SeenSlices::record(vk::CommandBuffer primary, const Slot& slot, std::span<c
     primary.endRendering();
     primary.copyQueryPoolResults(*slot.queries, 0, count, slot.counts.handle(), 0, kCountBytes,
                                  vk::QueryResultFlagBits::eWait);
-    gpu::pipelineBarrier(primary, {},
-                         {{.srcStageMask = PipelineStage::eCopy,
-                           .srcAccessMask = Access::eTransferWrite,
-                           .dstStageMask = PipelineStage::eConditionalRenderingEXT,
-                           .dstAccessMask = Access::eConditionalRenderingReadEXT}});
+    gpu::memoryBarrier(primary, PipelineStage::eCopy, Access::eTransferWrite,
+                       PipelineStage::eConditionalRenderingEXT, Access::eConditionalRenderingReadEXT);
 }
 
 void SeenSlices::begin(vk::CommandBuffer primary, const Slot& slot, std::size_t slice) {

@@ -91,33 +91,6 @@ vk::Extent2D extentOf(std::span<const ShadowMapPart> parts) {
     return extent;
 }
 
-/// From shaders that read both images to attachments.
-void handToAttachments(vk::CommandBuffer primary, const gpu::Image& depth, const gpu::Image& slope) {
-    using Layout = vk::ImageLayout;
-    gpu::pipelineBarrier(
-        primary, {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth,
-                                    PipelineStage::eFragmentShader, Access::eNone, kDepthStages, kDepthAccess,
-                                    Layout::eUndefined, Layout::eDepthAttachmentOptimal),
-                  gpu::imageBarrier(slope.handle(), vk::ImageAspectFlagBits::eColor,
-                                    PipelineStage::eFragmentShader, Access::eNone,
-                                    PipelineStage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
-                                    Layout::eUndefined, Layout::eColorAttachmentOptimal)});
-}
-
-/// And back.
-void handToShaders(vk::CommandBuffer primary, const gpu::Image& depth, const gpu::Image& slope) {
-    using Layout = vk::ImageLayout;
-    gpu::pipelineBarrier(
-        primary, {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, kDepthStages,
-                                    Access::eDepthStencilAttachmentWrite, PipelineStage::eFragmentShader,
-                                    Access::eShaderSampledRead, Layout::eDepthAttachmentOptimal,
-                                    Layout::eShaderReadOnlyOptimal),
-                  gpu::imageBarrier(slope.handle(), vk::ImageAspectFlagBits::eColor,
-                                    PipelineStage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
-                                    PipelineStage::eFragmentShader, Access::eShaderSampledRead,
-                                    Layout::eColorAttachmentOptimal, Layout::eShaderReadOnlyOptimal)});
-}
-
 } // namespace
 
 ShadowMap::ShadowMap(const gpu::Device& device, const gpu::SetLayout& textures, std::uint32_t side)
@@ -131,11 +104,19 @@ ShadowMap::ShadowMap(const gpu::Device& device, const gpu::SetLayout& textures, 
 
 void ShadowMap::record(vk::CommandBuffer primary, std::span<const ShadowMapPart> parts,
                        const CasterDraws& draws) const {
-    handToAttachments(primary, m_depth, m_slope);
+    constexpr gpu::ImageUse kBefore{PipelineStage::eFragmentShader, Access::eNone,
+                                    vk::ImageLayout::eUndefined};
+    constexpr gpu::ImageUse kDepthUse{kDepthStages, kDepthAccess, vk::ImageLayout::eDepthAttachmentOptimal};
+    gpu::pipelineBarrier(
+        primary,
+        {gpu::imageBarrier(m_depth.handle(), vk::ImageAspectFlagBits::eDepth, kBefore, kDepthUse),
+         gpu::imageBarrier(m_slope.handle(), vk::ImageAspectFlagBits::eColor, kBefore, kDrawnColor)});
     if (!parts.empty()) { // a scope must cover some texels
         draw(primary, parts, draws);
     }
-    handToShaders(primary, m_depth, m_slope);
+    gpu::pipelineBarrier(primary, {gpu::imageBarrier(m_depth.handle(), vk::ImageAspectFlagBits::eDepth,
+                                                     kDrawnDepth, kShaderRead),
+                                   readBarrier(m_slope)});
 }
 
 void ShadowMap::draw(vk::CommandBuffer primary, std::span<const ShadowMapPart> parts,

@@ -24,8 +24,9 @@ gpu::ImageOptions sliceOptions(vk::Extent2D extent) {
 
 vk::ImageMemoryBarrier2 sliceBarrier(const gpu::Image& depth, vk::AccessFlags2 before, vk::AccessFlags2 after,
                                      vk::ImageLayout layoutBefore) {
-    return gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, kDepthStages, before,
-                             kDepthStages, after, layoutBefore, vk::ImageLayout::eDepthAttachmentOptimal);
+    return gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth,
+                             {kDepthStages, before, layoutBefore},
+                             {kDepthStages, after, vk::ImageLayout::eDepthAttachmentOptimal});
 }
 
 } // namespace

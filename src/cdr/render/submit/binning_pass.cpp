@@ -68,18 +68,8 @@ shaders::InstanceLook lookOf(const DrawSource& source) {
 
 /// Until the scene's buffers are as they were written last, and nothing reads them.
 void awaitScene(vk::CommandBuffer commands, vk::PipelineStageFlags2 stages, vk::AccessFlags2 access) {
-    gpu::pipelineBarrier(commands, {},
-                         {{.srcStageMask = PipelineStage::eComputeShader | PipelineStage::eCopy,
-                           .srcAccessMask = Access::eTransferWrite | Access::eShaderStorageWrite,
-                           .dstStageMask = stages,
-                           .dstAccessMask = access}});
-}
-
-vk::MemoryBarrier2 barrier(vk::PipelineStageFlags2 stages, vk::AccessFlags2 access) {
-    return {.srcStageMask = PipelineStage::eComputeShader,
-            .srcAccessMask = Access::eShaderStorageWrite,
-            .dstStageMask = stages,
-            .dstAccessMask = access};
+    gpu::memoryBarrier(commands, PipelineStage::eComputeShader | PipelineStage::eCopy,
+                       Access::eTransferWrite | Access::eShaderStorageWrite, stages, access);
 }
 
 } // namespace
@@ -363,22 +353,22 @@ void BinningPass::requireGroups(std::size_t cascades) const {
 
 void BinningPass::record(vk::CommandBuffer commands, Kept kept, std::size_t cascades,
                          const std::vector<vk::DescriptorSet>& sets) const {
-    const auto next =
-        barrier(PipelineStage::eComputeShader, Access::eShaderStorageRead | Access::eShaderStorageWrite);
+    constexpr auto kUsed = Access::eShaderStorageRead | Access::eShaderStorageWrite;
     m_device.beginLabel(commands, "cull and bin");
     commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *m_layout, 0, sets, {});
-    const auto dispatch = [&](vk::Pipeline pipeline, std::uint64_t groups, const vk::MemoryBarrier2& after) {
+    const auto dispatch = [&](vk::Pipeline pipeline, std::uint64_t groups, vk::PipelineStageFlags2 readers,
+                              vk::AccessFlags2 access) {
         commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipeline);
         commands.dispatch(static_cast<std::uint32_t>(groups), 1, 1);
-        gpu::pipelineBarrier(commands, {}, {after});
+        gpu::memoryBarrier(commands, PipelineStage::eComputeShader, Access::eShaderStorageWrite, readers,
+                           access);
     };
-    dispatch(*m_count[static_cast<std::size_t>(kept)], blocks(), next);
-    dispatch(*m_scan, 1, next);
-    dispatch(*m_fill, blocks(), next);
-    dispatch(
-        *m_commands, listGroups(cascades),
-        barrier(PipelineStage::eDrawIndirect | PipelineStage::eVertexAttributeInput | PipelineStage::eHost,
-                Access::eIndirectCommandRead | Access::eVertexAttributeRead | Access::eHostRead));
+    dispatch(*m_count[static_cast<std::size_t>(kept)], blocks(), PipelineStage::eComputeShader, kUsed);
+    dispatch(*m_scan, 1, PipelineStage::eComputeShader, kUsed);
+    dispatch(*m_fill, blocks(), PipelineStage::eComputeShader, kUsed);
+    dispatch(*m_commands, listGroups(cascades),
+             PipelineStage::eDrawIndirect | PipelineStage::eVertexAttributeInput | PipelineStage::eHost,
+             Access::eIndirectCommandRead | Access::eVertexAttributeRead | Access::eHostRead);
     m_device.endLabel(commands);
 }
 

@@ -1,5 +1,4 @@
 #include <cdr/gpu/commands.h>
-#include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/render/targets/zero_fill.h>
 
@@ -10,7 +9,9 @@ namespace cdr::render {
 
 namespace {
 
-constexpr auto kColorAccess = Access::eColorAttachmentRead | Access::eColorAttachmentWrite;
+constexpr gpu::ImageUse kAttachedColor{PipelineStage::eColorAttachmentOutput,
+                                       Access::eColorAttachmentRead | Access::eColorAttachmentWrite,
+                                       vk::ImageLayout::eColorAttachmentOptimal};
 
 /// Barriers only take whole formats, so a stencil plane that comes along is transitioned too.
 vk::ImageAspectFlags depthAspects(const gpu::Image& depth) {
@@ -26,6 +27,20 @@ vk::AttachmentLoadOp loadOf(const GBufferScope& scope) {
     return scope.zeroFill != nullptr ? vk::AttachmentLoadOp::eDontCare : vk::AttachmentLoadOp::eClear;
 }
 
+/// Makes the images of a scope attachments. @param colorBarrier of the colours. @param depthLayout of depth before
+void handOver(vk::CommandBuffer commands, const GBufferScope& scope,
+              vk::ImageMemoryBarrier2 (*colorBarrier)(const gpu::Image&), vk::ImageLayout depthLayout) {
+    std::vector<vk::ImageMemoryBarrier2> barriers{
+        colorBarrier(scope.gbuffer),
+        gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth),
+                          {kDepthStages, Access::eDepthStencilAttachmentWrite, depthLayout},
+                          {kDepthStages, kDepthAccess, vk::ImageLayout::eAttachmentOptimal})};
+    if (scope.emission != nullptr) {
+        barriers.push_back(colorBarrier(*scope.emission));
+    }
+    gpu::pipelineBarrier(commands, barriers);
+}
+
 vk::ClearColorValue clearValueOf(const glm::vec4& color) {
     return std::array{color.r, color.g, color.b, color.a};
 }
@@ -37,10 +52,10 @@ const gpu::Image* marksOf(const gpu::Image& depth, const gpu::Image& surfaces) {
 }
 
 vk::ImageMemoryBarrier2 marksBarrier(const gpu::Image& marks) {
-    return gpu::imageBarrier(marks.handle(), depthAspects(marks), kDepthStages,
-                             Access::eDepthStencilAttachmentWrite, kDepthStages,
-                             Access::eDepthStencilAttachmentRead, vk::ImageLayout::eAttachmentOptimal,
-                             vk::ImageLayout::eAttachmentOptimal);
+    return gpu::imageBarrier(
+        marks.handle(), depthAspects(marks),
+        {kDepthStages, Access::eDepthStencilAttachmentWrite, vk::ImageLayout::eAttachmentOptimal},
+        {kDepthStages, Access::eDepthStencilAttachmentRead, vk::ImageLayout::eAttachmentOptimal});
 }
 
 vk::RenderingAttachmentInfo colorAttachment(vk::ImageView view, vk::AttachmentLoadOp load,
@@ -56,62 +71,34 @@ vk::ImageMemoryBarrier2 attachBarrier(const gpu::Image& gbuffer) {
     // The last frame's was shaded from or copied, and nobody need have read it at all.
     constexpr auto kUsers =
         PipelineStage::eColorAttachmentOutput | PipelineStage::eFragmentShader | PipelineStage::eAllTransfer;
-    return gpu::imageBarrier(gbuffer.handle(), vk::ImageAspectFlagBits::eColor, kUsers,
-                             Access::eColorAttachmentWrite, PipelineStage::eColorAttachmentOutput,
-                             kColorAccess, vk::ImageLayout::eUndefined,
-                             vk::ImageLayout::eColorAttachmentOptimal);
+    return gpu::imageBarrier(gbuffer.handle(), vk::ImageAspectFlagBits::eColor,
+                             {kUsers, Access::eColorAttachmentWrite, vk::ImageLayout::eUndefined},
+                             kAttachedColor);
 }
 
 vk::ImageMemoryBarrier2 chainBarrier(const gpu::Image& gbuffer) {
-    return gpu::imageBarrier(
-        gbuffer.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eColorAttachmentOutput,
-        Access::eColorAttachmentWrite, PipelineStage::eColorAttachmentOutput, kColorAccess,
-        vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eColorAttachmentOptimal);
+    return gpu::imageBarrier(gbuffer.handle(), vk::ImageAspectFlagBits::eColor, kDrawnColor, kAttachedColor);
 }
 
 vk::ImageMemoryBarrier2 readBarrier(const gpu::Image& gbuffer) {
-    return gpu::imageBarrier(
-        gbuffer.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eColorAttachmentOutput,
-        Access::eColorAttachmentWrite, PipelineStage::eFragmentShader, Access::eShaderSampledRead,
-        vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eShaderReadOnlyOptimal);
+    return gpu::imageBarrier(gbuffer.handle(), vk::ImageAspectFlagBits::eColor, kDrawnColor, kShaderRead);
 }
 
-vk::ImageMemoryBarrier2 copyBarrier(const gpu::Image& image) {
-    return gpu::imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor, PipelineStage::eFragmentShader,
-                             Access::eShaderSampledRead, PipelineStage::eAllTransfer, Access::eTransferRead,
-                             vk::ImageLayout::eShaderReadOnlyOptimal, vk::ImageLayout::eTransferSrcOptimal);
+vk::ImageMemoryBarrier2 copyBarrier(const gpu::Image& image, const gpu::ImageUse& before) {
+    return gpu::imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor, before, kCopied);
 }
 
 void waitForHostReads(vk::CommandBuffer primary) {
-    gpu::pipelineBarrier(primary, {},
-                         {{.srcStageMask = PipelineStage::eAllCommands,
-                           .srcAccessMask = Access::eNone,
-                           .dstStageMask = PipelineStage::eColorAttachmentOutput,
-                           .dstAccessMask = Access::eNone}});
+    gpu::memoryBarrier(primary, PipelineStage::eAllCommands, Access::eNone,
+                       PipelineStage::eColorAttachmentOutput, Access::eNone);
 }
 
 void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope) {
-    std::vector<vk::ImageMemoryBarrier2> barriers{
-        attachBarrier(scope.gbuffer),
-        gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
-                          Access::eDepthStencilAttachmentWrite, kDepthStages, kDepthAccess,
-                          vk::ImageLayout::eUndefined, vk::ImageLayout::eAttachmentOptimal)};
-    if (scope.emission != nullptr) {
-        barriers.push_back(attachBarrier(*scope.emission));
-    }
-    gpu::pipelineBarrier(primary, barriers);
+    handOver(primary, scope, attachBarrier, vk::ImageLayout::eUndefined);
 }
 
 void chainGBufferScopes(vk::CommandBuffer commands, const GBufferScope& scope) {
-    std::vector<vk::ImageMemoryBarrier2> barriers{
-        chainBarrier(scope.gbuffer),
-        gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
-                          Access::eDepthStencilAttachmentWrite, kDepthStages, kDepthAccess,
-                          vk::ImageLayout::eAttachmentOptimal, vk::ImageLayout::eAttachmentOptimal)};
-    if (scope.emission != nullptr) {
-        barriers.push_back(chainBarrier(*scope.emission));
-    }
-    gpu::pipelineBarrier(commands, barriers);
+    handOver(commands, scope, chainBarrier, vk::ImageLayout::eAttachmentOptimal);
 }
 
 void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk::RenderingFlags flags) {

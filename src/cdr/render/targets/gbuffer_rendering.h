@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/vulkan_hpp.h>
+#include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer.h>
 
 #include <glm/glm.hpp>
@@ -37,8 +38,8 @@ vk::ImageMemoryBarrier2 chainBarrier(const gpu::Image& gbuffer);
 /// Hands a colour attachment that a rendering scope wrote to fragment shaders that read it.
 vk::ImageMemoryBarrier2 readBarrier(const gpu::Image& gbuffer);
 
-/// Hands an image that fragment shaders read to copies.
-vk::ImageMemoryBarrier2 copyBarrier(const gpu::Image& image);
+/// Hands an image that fragment shaders read, or that a rendering scope wrote, to copies.
+vk::ImageMemoryBarrier2 copyBarrier(const gpu::Image& image, const gpu::ImageUse& before = kShaderRead);
 
 /// Lets fragments be tested against marks that a rendering scope made.
 vk::ImageMemoryBarrier2 marksBarrier(const gpu::Image& marks);

@@ -36,13 +36,7 @@ vk::ImageMemoryBarrier2 FragmentCounter::nextScope() const {
 }
 
 void FragmentCounter::recordReadback(vk::CommandBuffer primary) const {
-    gpu::pipelineBarrier(
-        primary,
-        {gpu::imageBarrier(m_image.handle(), vk::ImageAspectFlagBits::eColor,
-                           vk::PipelineStageFlagBits2::eColorAttachmentOutput,
-                           vk::AccessFlagBits2::eColorAttachmentWrite, vk::PipelineStageFlagBits2::eCopy,
-                           vk::AccessFlagBits2::eTransferRead, vk::ImageLayout::eColorAttachmentOptimal,
-                           vk::ImageLayout::eTransferSrcOptimal)});
+    gpu::pipelineBarrier(primary, {copyBarrier(m_image, kDrawnColor)});
     m_copy.record(primary, m_image);
 }
 

@@ -92,27 +92,19 @@ void FragmentList::makeNodes(std::uint64_t fragments) {
 }
 
 void FragmentList::recordClear(vk::CommandBuffer primary) const {
-    gpu::pipelineBarrier(primary, {},
-                         {{.srcStageMask = PipelineStage::eFragmentShader | PipelineStage::eTransfer,
-                           .srcAccessMask = Access::eShaderStorageWrite,
-                           .dstStageMask = PipelineStage::eTransfer,
-                           .dstAccessMask = Access::eTransferWrite}});
+    gpu::memoryBarrier(primary, PipelineStage::eFragmentShader | PipelineStage::eTransfer,
+                       Access::eShaderStorageWrite, PipelineStage::eTransfer, Access::eTransferWrite);
     primary.fillBuffer(m_heads.handle(), 0, VK_WHOLE_SIZE, shaders::kNoNode);
     primary.fillBuffer(m_count.handle(), 0, VK_WHOLE_SIZE, 0);
-    gpu::pipelineBarrier(primary, {},
-                         {{.srcStageMask = PipelineStage::eTransfer,
-                           .srcAccessMask = Access::eTransferWrite,
-                           .dstStageMask = PipelineStage::eFragmentShader,
-                           .dstAccessMask = Access::eShaderStorageRead | Access::eShaderStorageWrite}});
+    gpu::memoryBarrier(primary, PipelineStage::eTransfer, Access::eTransferWrite,
+                       PipelineStage::eFragmentShader,
+                       Access::eShaderStorageRead | Access::eShaderStorageWrite);
 }
 
 void FragmentList::recordCount(vk::CommandBuffer primary) const {
     primary.copyBuffer(m_count.handle(), m_readCount.handle(), {{0, 0, sizeof(std::uint32_t)}});
-    gpu::pipelineBarrier(primary, {},
-                         {{.srcStageMask = PipelineStage::eTransfer,
-                           .srcAccessMask = Access::eTransferWrite,
-                           .dstStageMask = PipelineStage::eHost,
-                           .dstAccessMask = Access::eHostRead}});
+    gpu::memoryBarrier(primary, PipelineStage::eTransfer, Access::eTransferWrite, PipelineStage::eHost,
+                       Access::eHostRead);
 }
 
 std::uint32_t FragmentList::count() const {

@@ -69,16 +69,12 @@ void SortedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& fram
 }
 
 void SortedBlend::recordNext(vk::CommandBuffer primary, const TranslucentFrame& frame) {
-    std::vector<vk::ImageMemoryBarrier2> images;
     if (frame.counter != nullptr) {
-        images.push_back(frame.counter->nextScope());
+        gpu::pipelineBarrier(primary, {frame.counter->nextScope()});
     }
     constexpr auto kLists = Access::eShaderStorageRead | Access::eShaderStorageWrite;
-    gpu::pipelineBarrier(primary, images,
-                         {{.srcStageMask = PipelineStage::eFragmentShader,
-                           .srcAccessMask = kLists,
-                           .dstStageMask = PipelineStage::eFragmentShader,
-                           .dstAccessMask = kLists}});
+    gpu::memoryBarrier(primary, PipelineStage::eFragmentShader, kLists, PipelineStage::eFragmentShader,
+                       kLists);
 }
 
 void SortedBlend::recordDraws(vk::CommandBuffer primary, const TranslucentFrame& frame,

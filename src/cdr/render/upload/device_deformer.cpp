@@ -56,18 +56,6 @@ std::uint64_t groupsOf(const shaders::DeformPush& push) {
     return (invocationsOf(push) + shaders::kDeformBlock - 1) / shaders::kDeformBlock;
 }
 
-/// What earlier frames read, and what was written before.
-const vk::MemoryBarrier2 kBeforeDeforming{
-    .srcStageMask = Stage::eVertexAttributeInput | Stage::eComputeShader | Stage::eAllTransfer,
-    .srcAccessMask = Touch::eShaderStorageWrite | Touch::eTransferWrite,
-    .dstStageMask = Stage::eComputeShader,
-    .dstAccessMask = Touch::eShaderStorageRead | Touch::eShaderStorageWrite};
-const vk::MemoryBarrier2 kAfterDeforming{.srcStageMask = Stage::eComputeShader,
-                                         .srcAccessMask = Touch::eShaderStorageWrite,
-                                         .dstStageMask = Stage::eVertexAttributeInput | Stage::eAllTransfer,
-                                         .dstAccessMask = Touch::eVertexAttributeRead | Touch::eTransferRead |
-                                                          Touch::eTransferWrite};
-
 } // namespace
 
 DeviceDeformer::Slot::Slot(const gpu::Device& device)
@@ -220,14 +208,19 @@ void DeviceDeformer::run(std::span<const DeformJob> jobs, const Into& into,
     slot.commands.reset();
     const vk::CommandBuffer commands = gpu::beginOnce(slot.commands);
     before(commands);
-    gpu::pipelineBarrier(commands, {}, {kBeforeDeforming});
+    // What earlier frames read, and what was written before.
+    gpu::memoryBarrier(commands, Stage::eVertexAttributeInput | Stage::eComputeShader | Stage::eAllTransfer,
+                       Touch::eShaderStorageWrite | Touch::eTransferWrite, Stage::eComputeShader,
+                       Touch::eShaderStorageRead | Touch::eShaderStorageWrite);
     commands.bindPipeline(vk::PipelineBindPoint::eCompute, *m_pipeline);
     for (std::size_t i = 0; i < jobs.size(); ++i) {
         if (m_uploaded.at(jobs[i].mesh).push.vertices > 0) {
             record(commands, slot.sets[i], {slot.poses.handle(), firsts[i]}, jobs[i], into);
         }
     }
-    gpu::pipelineBarrier(commands, {}, {kAfterDeforming});
+    gpu::memoryBarrier(commands, Stage::eComputeShader, Touch::eShaderStorageWrite,
+                       Stage::eVertexAttributeInput | Stage::eAllTransfer,
+                       Touch::eVertexAttributeRead | Touch::eTransferRead | Touch::eTransferWrite);
     commands.end();
     gpu::submit(m_device, {&commands, 1}, *slot.done);
     slot.isPending = true;

@@ -35,18 +35,12 @@ void LastVertices::record(vk::CommandBuffer commands, const SceneMeshes& meshes)
     if (m_copies.empty()) {
         return;
     }
-    gpu::pipelineBarrier(
-        commands, {},
-        {{.srcStageMask = Stage::eVertexAttributeInput | Stage::eComputeShader | Stage::eCopy,
-          .srcAccessMask = Touch::eShaderStorageWrite | Touch::eTransferWrite,
-          .dstStageMask = Stage::eCopy,
-          .dstAccessMask = Touch::eTransferRead | Touch::eTransferWrite}});
+    gpu::memoryBarrier(commands, Stage::eVertexAttributeInput | Stage::eComputeShader | Stage::eCopy,
+                       Touch::eShaderStorageWrite | Touch::eTransferWrite, Stage::eCopy,
+                       Touch::eTransferRead | Touch::eTransferWrite);
     commands.copyBuffer(meshes.vertices().handle(), m_buffer.handle(), m_copies);
-    gpu::pipelineBarrier(commands, {},
-                         {{.srcStageMask = Stage::eCopy,
-                           .srcAccessMask = Touch::eTransferWrite,
-                           .dstStageMask = Stage::eVertexAttributeInput,
-                           .dstAccessMask = Touch::eVertexAttributeRead}});
+    gpu::memoryBarrier(commands, Stage::eCopy, Touch::eTransferWrite, Stage::eVertexAttributeInput,
+                       Touch::eVertexAttributeRead);
 }
 
 std::optional<std::size_t> LastVertices::firstOf(std::uint32_t mesh) const {
