@@ -11,6 +11,15 @@ constexpr std::uint32_t kLeafItems = 4;
 
 } // namespace
 
+std::array<glm::dvec3, 8> Box::corners() const {
+    std::array<glm::dvec3, 8> all;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i] = {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
+                  (i & 4) != 0 ? high.z : low.z};
+    }
+    return all;
+}
+
 int Box::longestAxis() const {
     const glm::dvec3 sides = high - low;
     return sides.x >= sides.y && sides.x >= sides.z ? 0 : sides.y >= sides.z ? 1 : 2;

@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -23,9 +24,15 @@ struct Box {
         low = glm::min(low, box.low);
         high = glm::max(high, box.high);
     }
+    /// A sphere.
+    void add(const glm::dvec3& centre, double radius) {
+        low = glm::min(low, centre - radius);
+        high = glm::max(high, centre + radius);
+    }
     bool isEmpty() const { return low.x > high.x; }
     /// The origin where it is empty.
     glm::dvec3 centre() const { return isEmpty() ? glm::dvec3(0.0) : (low + high) * 0.5; }
+    std::array<glm::dvec3, 8> corners() const;
     double diagonal() const { return glm::distance(low, high); }
     /// 0, 1 or 2: the axis of the longest side, the first of equals.
     int longestAxis() const;

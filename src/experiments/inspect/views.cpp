@@ -1,8 +1,9 @@
 #include "views.h"
 
+#include <cdr/scene/box_tree.h>
+
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 
 namespace cdr::experiments {
@@ -10,15 +11,13 @@ namespace cdr::experiments {
 namespace {
 
 glm::dvec3 middleOf(const scene::Instances& instances) {
-    glm::dvec3 lower(std::numeric_limits<double>::infinity());
-    glm::dvec3 upper(-std::numeric_limits<double>::infinity());
+    scene::Box box;
     for (std::size_t i = 0; i < instances.size(); ++i) {
         if (instances.radius[i] >= 0.0f) {
-            lower = glm::min(lower, instances.position(i) - static_cast<double>(instances.radius[i]));
-            upper = glm::max(upper, instances.position(i) + static_cast<double>(instances.radius[i]));
+            box.add(instances.position(i), static_cast<double>(instances.radius[i]));
         }
     }
-    return 0.5 * (lower + upper);
+    return 0.5 * (box.low + box.high); // not a number where there are none
 }
 
 } // namespace

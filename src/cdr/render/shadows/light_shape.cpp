@@ -1,9 +1,9 @@
 #include <cdr/render/shadows/light_shape.h>
+#include <cdr/scene/box_tree.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace cdr::render {
 
@@ -31,13 +31,11 @@ double greatestOnEdge(const glm::dvec3& axis, double x, double lowY, double high
 
 /// Of points, to a box around corners.
 double distanceTo(const std::array<glm::dvec3, 8>& corners, const glm::dvec3& point) {
-    glm::dvec3 low(std::numeric_limits<double>::infinity());
-    glm::dvec3 high(-std::numeric_limits<double>::infinity());
+    scene::Box box;
     for (const glm::dvec3& corner : corners) {
-        low = glm::min(low, corner);
-        high = glm::max(high, corner);
+        box.add(corner);
     }
-    return glm::distance(point, glm::clamp(point, low, high));
+    return glm::distance(point, glm::clamp(point, box.low, box.high));
 }
 
 } // namespace

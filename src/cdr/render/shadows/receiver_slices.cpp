@@ -1,4 +1,5 @@
 #include <cdr/render/shadows/receiver_slices.h>
+#include <cdr/scene/box_tree.h>
 
 #include <algorithm>
 #include <bit>
@@ -10,26 +11,8 @@ namespace cdr::render {
 
 namespace {
 
-struct Box {
-    glm::dvec3 low{std::numeric_limits<double>::infinity()};
-    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-
-    void add(const glm::dvec3& centre, double radius) {
-        low = glm::min(low, centre - radius);
-        high = glm::max(high, centre + radius);
-    }
-    std::array<glm::dvec3, 8> corners() const {
-        std::array<glm::dvec3, 8> all;
-        for (int i = 0; i < 8; ++i) {
-            all[static_cast<std::size_t>(i)] = {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
-                                                (i & 4) != 0 ? high.z : low.z};
-        }
-        return all;
-    }
-};
-
-Box boxAround(std::span<const SeenSphere> spheres) {
-    Box box;
+scene::Box boxAround(std::span<const SeenSphere> spheres) {
+    scene::Box box;
     for (const SeenSphere& sphere : spheres) {
         box.add(sphere.centre, sphere.radius);
     }
@@ -51,15 +34,15 @@ std::array<glm::dvec3, 8> cornersOf(const scene::Camera& camera, const scene::Fr
 /// Where the surfaces of a slice are: both in its part of the frustum and in the box around its spheres. Each of the two is
 /// taken as a box along the camera's axes.
 void placeReceivers(const scene::Camera& camera, ReceiverSlice& slice) {
-    Box view;
-    Box boxes;
+    scene::Box view;
+    scene::Box boxes;
     const auto along = [&](const glm::dvec3& corner) {
         return glm::dvec3(glm::dot(camera.right, corner), glm::dot(camera.up, corner),
                           glm::dot(camera.back, corner));
     };
     for (std::size_t i = 0; i < slice.view.size(); ++i) {
-        view.add(along(slice.view[i]), 0.0);
-        boxes.add(along(slice.boxes[i]), 0.0);
+        view.add(along(slice.view[i]));
+        boxes.add(along(slice.boxes[i]));
     }
     const glm::dvec3 low = glm::max(view.low, boxes.low);
     const glm::dvec3 high = glm::max(glm::min(view.high, boxes.high), low);

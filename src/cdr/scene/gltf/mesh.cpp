@@ -7,6 +7,8 @@
 #include "materials/tangents.h"
 #include "triangles.h"
 
+#include <cdr/scene/box_tree.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,17 +44,15 @@ void requireFinite(const glm::vec3& position, std::uint32_t index, const std::st
 
 /// The sides of the box of what is drawn.
 glm::dvec3 sidesOf(std::span<const SolidEnds> solids, const Accessor& positions, const std::string& where) {
-    glm::dvec3 low(std::numeric_limits<double>::infinity());
-    glm::dvec3 high(-low);
+    Box box;
     for (const SolidEnds& ends : solids) {
         for (const std::uint32_t index : {ends.first, ends.second}) {
             const glm::vec3 position(positions.vector(index));
             requireFinite(position, index, where);
-            low = glm::min(low, glm::dvec3(position));
-            high = glm::max(high, glm::dvec3(position));
+            box.add(glm::dvec3(position));
         }
     }
-    return solids.empty() ? glm::dvec3(0.0) : high - low;
+    return solids.empty() ? glm::dvec3(0.0) : box.high - box.low;
 }
 
 std::uint8_t toUnorm8(float value) {

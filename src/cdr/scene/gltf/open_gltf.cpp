@@ -7,6 +7,7 @@
 #include <cdr/platform/worker_pool.h>
 #include <cdr/scene/animation/node_camera.h>
 #include <cdr/scene/animation/scene_animation.h>
+#include <cdr/scene/box_tree.h>
 #include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/gltf/import_progress.h>
 #include <cdr/scene/gltf/open_gltf.h>
@@ -45,13 +46,11 @@ Sphere boundingSphere(const Instances& instances) {
     if (instances.size() == 0) {
         return {};
     }
-    glm::dvec3 low(INFINITY);
-    glm::dvec3 high(-INFINITY);
+    Box box;
     for (std::size_t i = 0; i < instances.size(); ++i) {
-        low = glm::min(low, instances.position(i) - glm::dvec3(instances.radius[i]));
-        high = glm::max(high, instances.position(i) + glm::dvec3(instances.radius[i]));
+        box.add(instances.position(i), static_cast<double>(instances.radius[i]));
     }
-    Sphere sphere{.centre = 0.5 * (low + high), .radius = 0.0};
+    Sphere sphere{.centre = box.centre(), .radius = 0.0};
     for (std::size_t i = 0; i < instances.size(); ++i) {
         sphere.radius = std::max(sphere.radius, glm::distance(sphere.centre, instances.position(i)) +
                                                     static_cast<double>(instances.radius[i]));

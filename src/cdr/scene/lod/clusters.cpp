@@ -1,3 +1,4 @@
+#include <cdr/scene/box_tree.h>
 #include <cdr/scene/lod/cluster_errors.h>
 #include <cdr/scene/lod/cluster_groups.h>
 #include <cdr/scene/lod/clusters.h>
@@ -154,13 +155,12 @@ class TreeBuilder {
 
   private:
     static ClusterSphere sphereOver(std::span<const ClusterSphere> spheres) {
-        glm::dvec3 low(std::numeric_limits<double>::infinity());
-        glm::dvec3 high = -low;
+        Box box;
         for (const ClusterSphere& sphere : spheres) {
-            low = glm::min(low, glm::dvec3(sphere.centre - sphere.radius));
-            high = glm::max(high, glm::dvec3(sphere.centre + sphere.radius));
+            box.add(glm::dvec3(sphere.centre - sphere.radius));
+            box.add(glm::dvec3(sphere.centre + sphere.radius));
         }
-        const glm::vec3 centre(0.5 * (low + high));
+        const glm::vec3 centre(box.centre());
         double radius = 0.0;
         for (const ClusterSphere& sphere : spheres) {
             radius = std::max(radius, glm::distance(glm::dvec3(centre), glm::dvec3(sphere.centre)) +

@@ -1,26 +1,23 @@
 #include "framing.h"
 
+#include <cdr/scene/box_tree.h>
 #include <cdr/scene/frustum.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace cdr::viewer {
 
 Ball ballOf(const scene::Instances& instances, std::uint32_t object) {
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    glm::dvec3 low(kFar);
-    glm::dvec3 high(-kFar);
+    scene::Box box;
     for (std::size_t i = 0; i < instances.size(); ++i) {
         if (instances.object[i] == object) {
-            low = glm::min(low, instances.position(i) - static_cast<double>(instances.radius[i]));
-            high = glm::max(high, instances.position(i) + static_cast<double>(instances.radius[i]));
+            box.add(instances.position(i), static_cast<double>(instances.radius[i]));
         }
     }
-    if (low.x > high.x) {
+    if (box.isEmpty()) {
         return {};
     }
-    Ball ball{.centre = 0.5 * (low + high)};
+    Ball ball{.centre = box.centre()};
     for (std::size_t i = 0; i < instances.size(); ++i) {
         if (instances.object[i] == object) {
             ball.radius = std::max(ball.radius,
