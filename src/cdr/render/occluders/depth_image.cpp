@@ -2,6 +2,7 @@
 #include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/render/occluders/depth_image.h>
 #include <cdr/render/stages.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 
 namespace cdr::render {
 
@@ -21,15 +22,8 @@ void beginOccluders(vk::CommandBuffer primary, const gpu::Image& depth, vk::Rend
         primary, {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth,
                                     {PipelineStage::eCopy, Access::eNone, vk::ImageLayout::eUndefined},
                                     {kDepthStages, kDepthAccess, vk::ImageLayout::eDepthAttachmentOptimal})});
-    const vk::RenderingAttachmentInfo attachment{.imageView = depth.view(),
-                                                 .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
-                                                 .loadOp = vk::AttachmentLoadOp::eClear,
-                                                 .storeOp = vk::AttachmentStoreOp::eStore,
-                                                 .clearValue = vk::ClearDepthStencilValue{.depth = 0.0f}};
-    primary.beginRendering({.flags = flags,
-                            .renderArea = {{0, 0}, depth.options().extent},
-                            .layerCount = 1,
-                            .pDepthAttachment = &attachment});
+    const auto attachment = depthAttachment(depth.view(), vk::AttachmentLoadOp::eClear);
+    beginRendering(primary, depth.options().extent, {}, &attachment, nullptr, flags);
 }
 
 void copyOccluders(vk::CommandBuffer primary, const gpu::Image& depth, vk::Buffer copy) {

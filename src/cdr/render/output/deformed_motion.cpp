@@ -65,10 +65,7 @@ void DeformedMotion::record(vk::CommandBuffer primary, const DeformedDraws& draw
                             const gpu::Image& into) const {
     const auto color = colorAttachment(into.view(), vk::AttachmentLoadOp::eLoad);
     const vk::Extent2D extent = into.options().extent;
-    primary.beginRendering({.renderArea = {{0, 0}, extent},
-                            .layerCount = 1,
-                            .colorAttachmentCount = 1,
-                            .pColorAttachments = &color});
+    beginRendering(primary, extent, {&color, 1});
     gpu::bindFullscreenPipeline(primary, *m_pipeline, extent);
     primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, set, {});
     primary.bindIndexBuffer(draws.indices, 0, vk::IndexType::eUint32);

@@ -1,6 +1,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/shadows/seen_slices.h>
 #include <cdr/render/stages.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/fullscreen_vert.h>
 
 namespace cdr::render {
@@ -50,12 +51,9 @@ void SeenSlices::record(vk::CommandBuffer primary, const Slot& slot, std::span<c
     }
     const vk::Extent2D extent = depth.options().extent;
     primary.resetQueryPool(*slot.queries, 0, count);
-    const vk::RenderingAttachmentInfo attachment{.imageView = depth.view(),
-                                                 .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
-                                                 .loadOp = vk::AttachmentLoadOp::eLoad,
-                                                 .storeOp = vk::AttachmentStoreOp::eNone};
-    primary.beginRendering(
-        {.renderArea = {{0, 0}, extent}, .layerCount = 1, .pDepthAttachment = &attachment});
+    const auto attachment =
+        depthAttachment(depth.view(), vk::AttachmentLoadOp::eLoad, vk::AttachmentStoreOp::eNone);
+    beginRendering(primary, extent, {}, &attachment);
     gpu::bindFullscreenPipeline(primary, *m_pipeline, extent);
     for (std::uint32_t i = 0; i < count; ++i) {
         primary.beginQuery(*slot.queries, i, {});

@@ -122,16 +122,8 @@ void ShadowMap::record(vk::CommandBuffer primary, std::span<const ShadowMapPart>
 void ShadowMap::draw(vk::CommandBuffer primary, std::span<const ShadowMapPart> parts,
                      const CasterDraws& draws) const {
     const auto slope = colorAttachment(m_slope.view(), vk::AttachmentLoadOp::eClear);
-    const vk::RenderingAttachmentInfo depth{.imageView = m_depth.view(),
-                                            .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
-                                            .loadOp = vk::AttachmentLoadOp::eClear,
-                                            .storeOp = vk::AttachmentStoreOp::eStore,
-                                            .clearValue = vk::ClearDepthStencilValue{.depth = 0.0f}};
-    primary.beginRendering({.renderArea = {{0, 0}, extentOf(parts)},
-                            .layerCount = 1,
-                            .colorAttachmentCount = 1,
-                            .pColorAttachments = &slope,
-                            .pDepthAttachment = &depth});
+    const auto depth = depthAttachment(m_depth.view(), vk::AttachmentLoadOp::eClear);
+    beginRendering(primary, extentOf(parts), {&slope, 1}, &depth);
     for (const ShadowMapPart& part : parts) {
         const vk::Extent2D size = part.view.size;
         primary.setViewport(0, vk::Viewport{static_cast<float>(part.corner.x),

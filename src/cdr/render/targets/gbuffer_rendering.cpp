@@ -67,6 +67,28 @@ vk::RenderingAttachmentInfo colorAttachment(vk::ImageView view, vk::AttachmentLo
             .clearValue = clear};
 }
 
+vk::RenderingAttachmentInfo depthAttachment(vk::ImageView view, vk::AttachmentLoadOp load,
+                                            vk::AttachmentStoreOp store) {
+    return {.imageView = view,
+            .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
+            .loadOp = load,
+            .storeOp = store,
+            .clearValue = vk::ClearDepthStencilValue{.depth = 0.0f}};
+}
+
+void beginRendering(vk::CommandBuffer commands, vk::Extent2D extent,
+                    std::span<const vk::RenderingAttachmentInfo> colors,
+                    const vk::RenderingAttachmentInfo* depth, const vk::RenderingAttachmentInfo* stencil,
+                    vk::RenderingFlags flags) {
+    commands.beginRendering({.flags = flags,
+                             .renderArea = {{0, 0}, extent},
+                             .layerCount = 1,
+                             .colorAttachmentCount = static_cast<std::uint32_t>(colors.size()),
+                             .pColorAttachments = colors.data(),
+                             .pDepthAttachment = depth,
+                             .pStencilAttachment = stencil});
+}
+
 vk::ImageMemoryBarrier2 attachBarrier(const gpu::Image& gbuffer) {
     // The last frame's was shaded from or copied, and nobody need have read it at all.
     constexpr auto kUsers =
@@ -120,13 +142,8 @@ void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk:
                                                                           : vk::AttachmentLoadOp::eClear,
                                               .storeOp = vk::AttachmentStoreOp::eStore};
     const bool marks = marksOf(scope.depth, scope.gbuffer) != nullptr;
-    primary.beginRendering({.flags = flags,
-                            .renderArea = {{0, 0}, scope.gbuffer.options().extent},
-                            .layerCount = 1,
-                            .colorAttachmentCount = static_cast<std::uint32_t>(colors.size()),
-                            .pColorAttachments = colors.data(),
-                            .pDepthAttachment = &depth,
-                            .pStencilAttachment = marks ? &stencil : nullptr});
+    beginRendering(primary, scope.gbuffer.options().extent, colors, &depth, marks ? &stencil : nullptr,
+                   flags);
     if (scope.keepsColors || scope.zeroFill == nullptr) {
         return;
     }

@@ -6,6 +6,8 @@
 
 #include <glm/glm.hpp>
 
+#include <span>
+
 namespace cdr::render {
 
 class DepthClear;
@@ -29,6 +31,17 @@ const gpu::Image* marksOf(const gpu::Image& depth, const gpu::Image& surfaces);
 /// A colour attachment that is kept when its rendering scope ends.
 vk::RenderingAttachmentInfo colorAttachment(vk::ImageView view, vk::AttachmentLoadOp load,
                                             const vk::ClearValue& clear = {});
+
+/// A depth attachment, without a stencil plane. @param load what clears, clears to 0.
+vk::RenderingAttachmentInfo depthAttachment(vk::ImageView view, vk::AttachmentLoadOp load,
+                                            vk::AttachmentStoreOp store = vk::AttachmentStoreOp::eStore);
+
+/// Begins a rendering scope over all of its attachments.
+/// @param depth null: there is none; as `stencil`. @param flags whether draws follow in secondaries or in line.
+void beginRendering(vk::CommandBuffer commands, vk::Extent2D extent,
+                    std::span<const vk::RenderingAttachmentInfo> colors,
+                    const vk::RenderingAttachmentInfo* depth = nullptr,
+                    const vk::RenderingAttachmentInfo* stencil = nullptr, vk::RenderingFlags flags = {});
 
 /// Makes a G-buffer a colour attachment, waiting for the passes and copies of the renderer that used it before in this queue.
 /// Contents are lost. What a host may have read needs waitForHostReads() before.

@@ -19,10 +19,7 @@ FragmentCounter::FragmentCounter(const gpu::Device& device, vk::Extent2D extent)
 void FragmentCounter::begin(vk::CommandBuffer primary) const {
     gpu::pipelineBarrier(primary, {attachBarrier(m_image)});
     const auto cleared = colorAttachment(m_image.view(), vk::AttachmentLoadOp::eClear);
-    primary.beginRendering({.renderArea = {{0, 0}, m_image.options().extent},
-                            .layerCount = 1,
-                            .colorAttachmentCount = 1,
-                            .pColorAttachments = &cleared});
+    beginRendering(primary, m_image.options().extent, {&cleared, 1});
     primary.endRendering();
     gpu::pipelineBarrier(primary, {nextScope()});
 }

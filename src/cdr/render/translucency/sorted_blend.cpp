@@ -84,10 +84,7 @@ void SortedBlend::recordDraws(vk::CommandBuffer primary, const TranslucentFrame&
         attachments.push_back(frame.counter->attachment());
     }
     const vk::Extent2D extent = frame.lit.options().extent;
-    primary.beginRendering({.renderArea = {{0, 0}, extent},
-                            .layerCount = 1,
-                            .colorAttachmentCount = static_cast<std::uint32_t>(attachments.size()),
-                            .pColorAttachments = attachments.data()});
+    beginRendering(primary, extent, attachments);
     primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, m_pipelines.layout(), 1,
                                {frame.surroundings, list.set()}, {});
     for (std::size_t range = 0; range < frame.draws.ranges(); ++range) {

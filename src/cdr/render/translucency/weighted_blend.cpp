@@ -118,10 +118,7 @@ void WeightedBlend::recordSum(vk::CommandBuffer primary, const TranslucentFrame&
     }
     const vk::Extent2D extent = m_sum.options().extent;
     gpu::pipelineBarrier(primary, before);
-    primary.beginRendering({.renderArea = {{0, 0}, extent},
-                            .layerCount = 1,
-                            .colorAttachmentCount = static_cast<std::uint32_t>(attachments.size()),
-                            .pColorAttachments = attachments.data()});
+    beginRendering(primary, extent, attachments);
     primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, m_pipelines.layout(), 1, frame.surroundings,
                                {});
     frame.draws.record(primary, sum.range, m_pipelines, extent, 0, sum.slice);
