@@ -1,6 +1,5 @@
 #include "require_length.h"
 
-#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
 #include <cdr/render/effects.h>
 
@@ -9,31 +8,6 @@
 #include <cmath>
 
 namespace cdr::render {
-
-namespace {
-
-constexpr base::EnumNames<Antialias, kAntialiases.size()> kNames{"antialiasing", {"none", "edges"}};
-
-constexpr base::EnumNames<ToneMap, kToneMaps.size()> kToneMapNames{"tone mapping",
-                                                                   {"scene", "none", "neutral"}};
-
-} // namespace
-
-std::string_view nameOf(ToneMap toneMap) {
-    return kToneMapNames.nameOf(toneMap);
-}
-
-ToneMap parseToneMap(std::string_view name) {
-    return kToneMapNames.parse(name);
-}
-
-std::string_view nameOf(Antialias antialias) {
-    return kNames.nameOf(antialias);
-}
-
-Antialias parseAntialias(std::string_view name) {
-    return kNames.parse(name);
-}
 
 double Fog::extinction() const {
     constexpr double kMinContrast = 0.02;

@@ -1,4 +1,3 @@
-#include <cdr/base/enum_names.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/render/geometry/layers.h>
@@ -29,10 +28,6 @@
 namespace cdr::render {
 
 namespace {
-
-/// By Batching.
-constexpr base::EnumNames<Batching, kBatchings.size()> kNames{"batching",
-                                                              {"per-object", "push-constants", "instanced"}};
 
 /// A triangle may span the share e of its distance. Then a logarithm set at its vertices errs by up to e^2 / 8
 /// of that distance in between. 2 % keeps that below the overlap of cascades (1e-4), so no triangle opens a
@@ -140,14 +135,6 @@ std::vector<vk::VertexInputAttributeDescription> placeAttributes() {
 }
 
 } // namespace
-
-std::string_view nameOf(Batching batching) {
-    return kNames.nameOf(batching);
-}
-
-Batching parseBatching(std::string_view name) {
-    return kNames.parse(name);
-}
 
 GeometryPipelines::GeometryPipelines(const gpu::Device& device, const GpuScene& scene,
                                      const GeometryOptions& options)
