@@ -28,7 +28,7 @@ struct SlotInputs {
     std::optional<TranslucentPass::Slot> translucent; ///< where the scene has blended materials
     std::optional<ShadowPass::Slot> shadows;          ///< where lights cast them
     FocusInputs focus;                                ///< where the lens has one
-    std::optional<DepthOutput::Inputs> depthOutput;   ///< once a host asked for depth
+    std::optional<PassInputs> depthOutput;            ///< once a host asked for depth
     std::optional<MotionPass::Inputs> motion;         ///< where it is worked out
 };
 

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cdr/gpu/pipeline.h>
+#include <cdr/gpu/memory.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/host_frame.h>
+#include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/render/shading/shading_pass.h>
-
-#include <utility>
 
 namespace cdr::render {
 
@@ -18,24 +17,14 @@ class DepthOutput {
     explicit DepthOutput(const gpu::Device& device);
 
     /// What one frame in flight reads.
-    class Inputs {
-        friend class DepthOutput;
-        Inputs(vk::UniqueDescriptorPool pool, vk::DescriptorSet set) : m_pool(std::move(pool)), m_set(set) {}
-
-        vk::UniqueDescriptorPool m_pool;
-        vk::DescriptorSet m_set;
-    };
-    Inputs makeInputs(const gpu::Image& gbuffer, const ShadingInputs& shading) const;
+    PassInputs makeInputs(const gpu::Image& gbuffer, const ShadingInputs& shading) const;
 
     /// Reads the G-buffer in shader read layout, and leaves the host's image in the layout that it names.
-    void record(vk::CommandBuffer primary, const Inputs& inputs, const HostDepth& into) const;
+    void record(vk::CommandBuffer primary, const PassInputs& inputs, const HostDepth& into) const;
 
   private:
     const gpu::Device& m_device;
-    vk::UniqueSampler m_sampler;
-    gpu::SetLayout m_setLayout;
-    gpu::PipelineLayout m_layout;
-    gpu::Pipeline m_pipeline;
+    FullscreenPass m_pass;
 };
 
 } // namespace cdr::render

@@ -3,6 +3,7 @@
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/fullscreen_vert.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -18,8 +19,14 @@ std::vector<vk::PushConstantRange> pushRanges(std::uint32_t bytes) {
                       : std::vector<vk::PushConstantRange>{{.stageFlags = kStage, .size = bytes}};
 }
 
-bool testsDepth(const FullscreenPassOptions& options) {
-    return options.depth != vk::Format::eUndefined;
+bool writesDepth(const FullscreenPassOptions& options) {
+    return options.writtenDepth != vk::Format::eUndefined;
+}
+
+std::vector<vk::Format> colorFormatsOf(const FullscreenPassOptions& options) {
+    std::vector<vk::Format> formats{options.format, options.formatBeside};
+    std::erase(formats, vk::Format::eUndefined);
+    return formats;
 }
 
 vk::ImageView viewOf(const gpu::Image* image) {
@@ -60,13 +67,12 @@ FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOp
            .fragmentSpirv = options.fragmentSpirv,
            .constants = options.constants,
            .layout = m_layout,
-           .colorFormats = options.formatBeside == vk::Format::eUndefined
-                               ? std::vector{options.format}
-                               : std::vector{options.format, options.formatBeside},
-           .depthFormat = testsDepth(options) ? options.depth : options.marks,
+           .colorFormats = colorFormatsOf(options),
+           .depthFormat =
+               std::max({options.depth, options.writtenDepth, options.marks}), // one at most is there
            .stencil = options.marks != vk::Format::eUndefined ? gpu::Stencil::testsMarks : gpu::Stencil::none,
-           .writesDepth = false,
-           .depthCompare = vk::CompareOp::eEqual,
+           .writesDepth = writesDepth(options),
+           .depthCompare = writesDepth(options) ? vk::CompareOp::eAlways : vk::CompareOp::eEqual,
            .blend = options.blend})) {}
 
 PassInputs FullscreenPass::makeInputs() const {
@@ -83,17 +89,11 @@ void FullscreenPass::record(vk::CommandBuffer primary, std::span<const Draw> dra
                                               .imageLayout = vk::ImageLayout::eAttachmentOptimal,
                                               .loadOp = vk::AttachmentLoadOp::eLoad,
                                               .storeOp = vk::AttachmentStoreOp::eDontCare};
-    const vk::RenderingAttachmentInfo depth{.imageView = viewOf(scope.depth),
-                                            .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
-                                            .loadOp = vk::AttachmentLoadOp::eLoad,
-                                            .storeOp = vk::AttachmentStoreOp::eNone};
+    const auto depth =
+        depthAttachment(viewOf(scope.depth), vk::AttachmentLoadOp::eLoad, vk::AttachmentStoreOp::eNone);
     const vk::Extent2D extent = scope.into.options().extent;
-    primary.beginRendering({.renderArea = {{0, 0}, extent},
-                            .layerCount = 1,
-                            .colorAttachmentCount = scope.beside != nullptr ? 2u : 1u,
-                            .pColorAttachments = colors.data(),
-                            .pDepthAttachment = scope.depth != nullptr ? &depth : nullptr,
-                            .pStencilAttachment = scope.marks != nullptr ? &stencil : nullptr});
+    beginRendering(primary, extent, std::span(colors).first(scope.beside != nullptr ? 2 : 1),
+                   scope.depth != nullptr ? &depth : nullptr, scope.marks != nullptr ? &stencil : nullptr);
     gpu::bindFullscreenPipeline(primary, *m_pipeline, extent);
     for (const Draw& draw : draws) {
         recordDraw(primary, draw, extent);
@@ -106,6 +106,10 @@ void FullscreenPass::recordDraw(vk::CommandBuffer primary, const Draw& draw, vk:
     primary.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(extent.width),
                                         static_cast<float>(extent.height), draw.depth, draw.depth});
     primary.setScissor(0, draw.area.value_or(vk::Rect2D{{0, 0}, extent}));
+    drawTriangle(primary, draw);
+}
+
+void FullscreenPass::drawTriangle(vk::CommandBuffer primary, const Draw& draw) const {
     primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, draw.set, {});
     if (!draw.push.empty()) {
         primary.pushConstants<std::byte>(*m_layout, kStage, 0, draw.push);
@@ -117,6 +121,15 @@ void FullscreenPass::record(vk::CommandBuffer primary, const PassInputs& inputs,
                             const gpu::Image& into) const {
     const Draw draw{.set = inputs.set()};
     record(primary, {&draw, 1}, {.into = into});
+}
+
+void FullscreenPass::recordDepth(vk::CommandBuffer primary, const Draw& draw, vk::ImageView into,
+                                 vk::Extent2D extent) const {
+    const auto depth = depthAttachment(into, vk::AttachmentLoadOp::eDontCare);
+    beginRendering(primary, extent, {}, &depth);
+    gpu::bindFullscreenPipeline(primary, *m_pipeline, extent);
+    drawTriangle(primary, draw);
+    primary.endRendering();
 }
 
 } // namespace cdr::render

@@ -31,6 +31,8 @@ struct FullscreenPassOptions {
         vk::Format::eUndefined; ///< of a depth attachment with marks; with one, only marked pixels are drawn
     vk::Format depth =
         vk::Format::eUndefined; ///< of a depth attachment; with one, a draw shades pixels of its depth only
+    vk::Format writtenDepth = vk::Format::
+        eUndefined; ///< of a pass that writes the depth of each pixel and no colours: recordDepth()
     vk::Filter filter = vk::Filter::eNearest; ///< of images that are not fetched texel by texel
 };
 
@@ -89,9 +91,13 @@ class FullscreenPass {
     void record(vk::CommandBuffer primary, std::span<const Draw> draws, const Scope& scope) const;
     /// The same with one draw that overwrites every pixel.
     void record(vk::CommandBuffer primary, const PassInputs& inputs, const gpu::Image& into) const;
+    /// One draw that overwrites the depth of every pixel. @param into a depth attachment
+    void recordDepth(vk::CommandBuffer primary, const Draw& draw, vk::ImageView into,
+                     vk::Extent2D extent) const;
 
   private:
     void recordDraw(vk::CommandBuffer primary, const Draw& draw, vk::Extent2D extent) const;
+    void drawTriangle(vk::CommandBuffer primary, const Draw& draw) const;
 
     const gpu::Device& m_device;
     std::vector<vk::DescriptorType> m_bindings;

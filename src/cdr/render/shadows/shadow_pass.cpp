@@ -30,13 +30,16 @@ gpu::ImageOptions maskOptions(vk::Extent2D extent) {
                      vk::ImageUsageFlagBits::eTransferSrc};
 }
 
+std::vector<vk::DescriptorType> receiverBindings(const gpu::Image& gbuffer) {
+    return isVisibilityBuffer(gbuffer) ? std::vector{kImage, kBuffer, kTexels, kImage, kImage}
+                                       : std::vector{kImage, kBuffer, kImage, kImage};
+}
+
 FullscreenPassOptions receiverOptions(const gpu::Image& gbuffer, AnchorForm anchors) {
-    const bool facets = isVisibilityBuffer(gbuffer);
     return {.name = "shadow receivers",
             .vertexSpirv = kFlatAnchorsVert,
-            .fragmentSpirv = facets ? gpu::Spirv(kReceiverFacetsFrag) : kReceiverFrag,
-            .bindings = facets ? std::vector{kImage, kBuffer, kTexels, kImage, kImage}
-                               : std::vector{kImage, kBuffer, kImage, kImage},
+            .fragmentSpirv = isVisibilityBuffer(gbuffer) ? gpu::Spirv(kReceiverFacetsFrag) : kReceiverFrag,
+            .bindings = receiverBindings(gbuffer),
             .format = kMaskFormat,
             .constants = {static_cast<std::uint32_t>(anchors)},
             .pushBytes = sizeof(shaders::ReceiverPush),
@@ -70,7 +73,7 @@ ShadowPass::ShadowPass(const gpu::Device& device, const DrawnScene& scene, const
       m_receivers(ByCascades<FullscreenPass>::make(
           depth::isAnchored(mapping),
           [&](AnchorForm anchors) { return FullscreenPass(device, receiverOptions(gbuffer, anchors)); })),
-      m_slices(device, gbuffer, m_receivers.few.setLayout(), mapping) {
+      m_slices(device, gbuffer, receiverBindings(gbuffer), mapping) {
     if (device.info().hasConditionalRendering) {
         m_seen.emplace(device);
     }

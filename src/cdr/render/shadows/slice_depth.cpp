@@ -7,13 +7,12 @@
 #include <cdr/shaders/slice_frag.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace cdr::render {
 
 namespace {
-
-constexpr auto kSliceStage = vk::ShaderStageFlagBits::eFragment;
 
 gpu::ImageOptions sliceOptions(vk::Extent2D extent) {
     return {.extent = extent,
@@ -31,23 +30,20 @@ vk::ImageMemoryBarrier2 sliceBarrier(const gpu::Image& depth, vk::AccessFlags2 b
 
 } // namespace
 
-SliceDepth::SliceDepth(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::SetLayout& setLayout,
-                       depth::Mapping mapping)
-    : m_layout(gpu::makePipelineLayout(
-          device, {{setLayout}, {{.stageFlags = kSliceStage, .size = sizeof(shaders::SlicePush)}}},
-          "shadow slice layout")),
-      m_pipelines(ByCascades<gpu::Pipeline>::make(
+SliceDepth::SliceDepth(const gpu::Device& device, const gpu::Image& gbuffer,
+                       const std::vector<vk::DescriptorType>& bindings, depth::Mapping mapping)
+    : m_passes(ByCascades<FullscreenPass>::make(
           depth::isAnchored(mapping),
           [&](AnchorForm anchors) {
-              return gpu::makeGraphicsPipeline(
+              return FullscreenPass(
                   device,
                   {.name = "shadow slices",
                    .vertexSpirv = kFlatAnchorsVert,
                    .fragmentSpirv = isVisibilityBuffer(gbuffer) ? gpu::Spirv(kSliceFacetsFrag) : kSliceFrag,
+                   .bindings = bindings,
                    .constants = {static_cast<std::uint32_t>(anchors)},
-                   .layout = m_layout,
-                   .depthFormat = kFormat,
-                   .depthCompare = vk::CompareOp::eAlways});
+                   .pushBytes = sizeof(shaders::SlicePush),
+                   .writtenDepth = kFormat});
           })),
       m_depth(device, sliceOptions(gbuffer.options().extent), "shadow slices") {}
 
@@ -56,17 +52,8 @@ void SliceDepth::record(vk::CommandBuffer primary, vk::DescriptorSet set, const 
     gpu::pipelineBarrier(primary,
                          {sliceBarrier(m_depth, Access::eDepthStencilAttachmentRead,
                                        Access::eDepthStencilAttachmentWrite, vk::ImageLayout::eUndefined)});
-    const vk::RenderingAttachmentInfo depth{.imageView = m_depth.view(),
-                                            .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
-                                            .loadOp = vk::AttachmentLoadOp::eDontCare,
-                                            .storeOp = vk::AttachmentStoreOp::eStore};
-    const vk::Extent2D extent = m_depth.options().extent;
-    primary.beginRendering({.renderArea = {{0, 0}, extent}, .layerCount = 1, .pDepthAttachment = &depth});
-    gpu::bindFullscreenPipeline(primary, *m_pipelines.of(cascades), extent);
-    primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, set, {});
-    primary.pushConstants<shaders::SlicePush>(*m_layout, kSliceStage, 0, push);
-    primary.draw(3, 1, 0, 0);
-    primary.endRendering();
+    m_passes.of(cascades).recordDepth(primary, {.set = set, .push = std::as_bytes(std::span(&push, 1))},
+                                      m_depth.view(), m_depth.options().extent);
     gpu::pipelineBarrier(primary, {sliceBarrier(m_depth, Access::eDepthStencilAttachmentWrite,
                                                 Access::eDepthStencilAttachmentRead,
                                                 vk::ImageLayout::eDepthAttachmentOptimal)});

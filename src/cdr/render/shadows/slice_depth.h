@@ -2,15 +2,16 @@
 
 #include <cdr/depth/mapping.h>
 #include <cdr/gpu/memory.h>
-#include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/shading/anchor_form.h>
+#include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/render/shadows/receiver_slices.h>
 #include <cdr/render/shadows/shadows.h>
 #include <cdr/shaders/shadows_shared.h>
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace cdr::render {
 
@@ -19,9 +20,9 @@ namespace cdr::render {
 class SliceDepth {
   public:
     /// @param gbuffer or the visibility buffer.
-    /// @param setLayout whose first bindings are those of seen.glsl.
-    SliceDepth(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::SetLayout& setLayout,
-               depth::Mapping mapping);
+    /// @param bindings of the set that it reads; the first are those of seen.glsl.
+    SliceDepth(const gpu::Device& device, const gpu::Image& gbuffer,
+               const std::vector<vk::DescriptorType>& bindings, depth::Mapping mapping);
 
     /// Reads the G-buffer in the shader read layout. Leaves image() a depth attachment.
     /// @param cascades of the frame.
@@ -33,8 +34,7 @@ class SliceDepth {
     static std::uint64_t predictBytes(const gpu::Device& device, vk::Extent2D extent);
 
   private:
-    gpu::PipelineLayout m_layout;
-    ByCascades<gpu::Pipeline> m_pipelines;
+    ByCascades<FullscreenPass> m_passes;
     gpu::Image m_depth;
 };
 
