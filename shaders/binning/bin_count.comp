@@ -11,12 +11,9 @@
 layout(local_size_x = 256) in;
 
 uint landingOf(InstanceSphere sphere) {
-    precise double dx = sphere.x - view.position[0];
-    precise double dy = sphere.y - view.position[1];
-    precise double dz = sphere.z - view.position[2];
     double w = viewDistance(sphere);
-    precise double vx = dx * view.right[0] + dy * view.right[1] + dz * view.right[2] - w * view.centreX;
-    precise double vy = dx * view.up[0] + dy * view.up[1] + dz * view.up[2] - w * view.centreY;
+    precise double vx = along(view.right, sphere) - w * view.centreX;
+    precise double vy = along(view.up, sphere) - w * view.centreY;
     precise double sideX = w * view.sinX - abs(vx) * view.cosX;
     precise double sideY = w * view.sinY - abs(vy) * view.cosY;
     double depth = min(w - view.nearView, view.farView - w);

@@ -16,19 +16,11 @@ vec3 turned(double axis[3], InstanceLook look) {
     return row;
 }
 
-double along(double axis[3], InstanceSphere sphere) {
-    precise double dx = sphere.x - view.position[0];
-    precise double dy = sphere.y - view.position[1];
-    precise double dz = sphere.z - view.position[2];
-    precise double sum = axis[0] * dx + axis[1] * dy + axis[2] * dz;
-    return sum;
-}
-
 void writeRecords(uint instance, uint landing) {
     InstanceSphere sphere = spheres[instance];
     InstanceLook look = looks[instance];
     MaterialRecord material = materials[look.material];
-    precise double ahead = along(view.ahead, sphere);
+    precise double ahead = viewDistance(sphere);
     DrawRecord record;
     record.right = vec4(turned(view.right, look), float(along(view.right, sphere)));
     record.up = vec4(turned(view.up, look), float(along(view.up, sphere)));

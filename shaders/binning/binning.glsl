@@ -21,13 +21,16 @@ layout(set = 0, binding = 11, std430) writeonly buffer Commands { IndirectComman
 layout(set = 0, binding = 12, std430) writeonly buffer Counts { uint commandCounts[]; }; // by bucket, then group
 layout(set = 0, binding = 13, std430) buffer Result { BinningResult result; };
 
-double viewDistance(InstanceSphere sphere) {
+// How far along an axis of the camera an instance lies.
+double along(double axis[3], InstanceSphere sphere) {
     precise double dx = sphere.x - view.position[0];
     precise double dy = sphere.y - view.position[1];
     precise double dz = sphere.z - view.position[2];
-    precise double w = dx * view.ahead[0] + dy * view.ahead[1] + dz * view.ahead[2];
-    return w;
+    precise double sum = dx * axis[0] + dy * axis[1] + dz * axis[2];
+    return sum;
 }
+
+double viewDistance(InstanceSphere sphere) { return along(view.ahead, sphere); }
 
 uint bucketCount() { return 2u * view.cascades; }
 

@@ -34,14 +34,9 @@ bool hidesAll(uvec4 pixels, uint side, uint first, uint columns, double nearestV
 
 bool isHidden(InstanceSphere sphere) {
     const double kRim = 1.0lf; // pixels
-    double dx = sphere.x - view.position[0];
-    double dy = sphere.y - view.position[1];
-    double dz = sphere.z - view.position[2];
-    double x = dx * view.right[0] + dy * view.right[1] + dz * view.right[2];
-    double y = dx * view.up[0] + dy * view.up[1] + dz * view.up[2];
     double w = viewDistance(sphere);
-    x -= w * view.centreX;
-    y -= w * view.centreY;
+    double x = along(view.right, sphere) - w * view.centreX;
+    double y = along(view.up, sphere) - w * view.centreY;
     double radius = double(sphere.radius);
     double near = w - radius;
     double far = w + radius;
