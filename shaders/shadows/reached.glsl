@@ -1,5 +1,5 @@
-// Whether a light reaches a surface, by a map of it. Define the maps' images first:
-// float mapDepthAt(ivec2) and vec3 mapSlopeAt(ivec2).
+// Whether a light reaches a surface, by a map of it. Define MAP_SET and MAP_BINDING first, of two images: a map's depth and
+// its slope.
 #ifndef CDR_SHADERS_REACHED_GLSL
 #define CDR_SHADERS_REACHED_GLSL
 
@@ -7,6 +7,9 @@
 
 #include "shadows/receiver.glsl"
 #include "shadows/shadows_shared.h"
+
+layout(set = MAP_SET, binding = MAP_BINDING) uniform sampler2D mapDepth;
+layout(set = MAP_SET, binding = MAP_BINDING + 1) uniform sampler2D mapSlope;
 
 const float kRounding = 1.0 / 2097152.0; // of what a place and a depth are made from
 const float kHalf = 1.0 / 1024.0;        // of a number kept as a half
@@ -32,7 +35,7 @@ vec2 texelsAt(ReceiverPush map, vec2 inView) {
 
 // How many texels the surface at a texel of the map lies before the receiver's depth.
 float texelsBefore(ReceiverPush map, ivec2 texel, float z, float perTexel) {
-    precise float texels = (mapDepthAt(map.mapCorner + texel) - z) / perTexel;
+    precise float texels = (texelFetch(mapDepth, map.mapCorner + texel, 0).r - z) / perTexel;
     return texels;
 }
 
@@ -94,7 +97,7 @@ bool isReached(ReceiverPush map, Receiver receiver, vec2 ray) {
     // iterations of a loop that no pixel of a group needs, but not branches.
     [[dont_unroll]] for (int i = 0; i < 4; ++i) {
         ivec2 texel = corner + (nearest ^ ivec2(i & 1, i >> 1));
-        vec3 caster = mapSlopeAt(map.mapCorner + texel);
+        vec3 caster = texelFetch(mapSlope, map.mapCorner + texel, 0).xyz;
         float gapHere = gapAt(map, texel, inMap, z, perTexel, caster);
         if (i == 0) {
             gap = gapHere;

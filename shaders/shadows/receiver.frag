@@ -9,19 +9,15 @@
 // maps say counts, so 1 is said of all else. The depth test lets only pixels of the map's slice come here (slice.frag).
 layout(push_constant) uniform Push { ReceiverPush push; };
 
+#define MAP_SET 0
 #ifdef FACETS
-layout(set = 0, binding = 3) uniform sampler2D mapDepth;
-layout(set = 0, binding = 4) uniform sampler2D mapSlope;
+#define MAP_BINDING 3
 #else
-layout(set = 0, binding = 2) uniform sampler2D mapDepth;
-layout(set = 0, binding = 3) uniform sampler2D mapSlope;
+#define MAP_BINDING 2
 #endif
+#include "shadows/reached.glsl"
 
 layout(location = 0) out vec4 outReached;
-
-float mapDepthAt(ivec2 texel) { return texelFetch(mapDepth, texel, 0).r; }
-vec3 mapSlopeAt(ivec2 texel) { return texelFetch(mapSlope, texel, 0).xyz; }
-#include "shadows/reached.glsl"
 
 void main() {
     vec2 ray = rayHere();

@@ -22,10 +22,8 @@ layout(push_constant) uniform Push {
     TranslucentPush push;
     TranslucentSlice slice;
 };
-layout(set = 1, binding = 2) uniform sampler2D mapDepth;
-layout(set = 1, binding = 3) uniform sampler2D mapSlope;
-float mapDepthAt(ivec2 texel) { return texelFetch(mapDepth, texel, 0).r; }
-vec3 mapSlopeAt(ivec2 texel) { return texelFetch(mapSlope, texel, 0).xyz; }
+#define MAP_SET 1
+#define MAP_BINDING 2
 #include "shadows/reached.glsl"
 layout(set = 1, binding = 4, std430) readonly buffer Maps { ReceiverPush maps[]; };
 #else
