@@ -100,15 +100,14 @@ AtomicPass::AtomicPass(const gpu::Device& device, const Rival& rival, vk::Extent
                                      {hasIdPass() ? std::vector{kStorage, kStorage} : std::vector{kStorage},
                                       vk::ShaderStageFlagBits::eFragment},
                                      "rival buffers")),
-      m_pool(gpu::makeDescriptorPool(device, 1, 2, {kStorage})),
-      m_set(gpu::allocateSet(device, *m_pool, *m_setLayout)),
+      m_set(device, m_setLayout),
       m_layout(gpu::makePipelineLayout(device, {{m_setLayout}, {FrameDraws::pushRange()}}, "rival layout")) {
-    gpu::writeBufferBinding(device, m_set, 0, kStorage, m_keys.handle());
+    m_set.setBuffer(0, m_keys);
     const std::uint32_t depthUse = rival.prepass ? shaders::kDepthSieves : shaders::kDepthNone;
     if (hasIdPass()) {
         m_ids = makePixels(device, extent, sizeof(std::uint32_t), "rival ids");
         m_idsOnHost = hostCopyOf(device, m_ids, "rival ids on the host");
-        gpu::writeBufferBinding(device, m_set, 1, kStorage, m_ids.handle());
+        m_set.setBuffer(1, m_ids);
         m_whose = makePipeline(device, "rival", idsSpirvOf(rival), depthUse);
     }
     if (rival.prepass) {
@@ -182,7 +181,7 @@ void AtomicPass::record(vk::CommandBuffer commands, const FrameDraws& draws) {
                           {kTests, AtomicAccess::eDepthStencilAttachmentWrite, vk::ImageLayout::eUndefined},
                           {kTests, kTestAccess, vk::ImageLayout::eDepthAttachmentOptimal})});
     }
-    commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, m_set, {});
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, *m_set, {});
     beginScope(commands, vk::AttachmentLoadOp::eClear);
     draws.begin(commands);
     if (m_rival.prepass) {

@@ -36,8 +36,7 @@ class AtomicPass final : public VisibilityPass {
     gpu::Buffer m_keysOnHost;
     gpu::Image m_depth; ///< empty without a prepass
     gpu::SetLayout m_setLayout;
-    vk::UniqueDescriptorPool m_pool;
-    vk::DescriptorSet m_set;
+    gpu::DescriptorSet m_set;
     gpu::PipelineLayout m_layout;
     gpu::Pipeline m_prepass;
     gpu::Pipeline m_nearest;

@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/gpu/memory.h>
 #include <cdr/gpu/pipeline.h>
 
 #include <fmt/format.h>
@@ -201,11 +202,6 @@ vk::UniqueDescriptorSetLayout createSetLayout(const Device& device, const SetLay
             {.bindingCount = static_cast<std::uint32_t>(bindings.size()), .pBindings = bindings.data()});
 }
 
-void writeOne(const Device& device, vk::WriteDescriptorSet what) {
-    what.descriptorCount = 1;
-    vk::Device(device.handle()).updateDescriptorSets(what, {});
-}
-
 } // namespace
 
 void keepPipelines(const Device& device) {
@@ -238,11 +234,12 @@ PipelineLayout makePipelineLayout(const Device& device, const PipelineLayoutOpti
 }
 
 SetLayout makeSetLayout(const Device& device, const SetLayoutOptions& options, const std::string& name) {
-    return SetLayout(pipelineObjects(device).setLayouts.get(options, [&](const auto& wanted) {
+    const auto made = pipelineObjects(device).setLayouts.get(options, [&](const auto& wanted) {
         vk::UniqueDescriptorSetLayout layout = createSetLayout(device, wanted);
         device.setName(*layout, name);
         return layout;
-    }));
+    });
+    return {made, options.types};
 }
 
 void requireGroups(const Device& device, std::uint64_t groups, const std::string& what) {
@@ -263,11 +260,11 @@ void bindFullscreenPipeline(vk::CommandBuffer commands, vk::Pipeline pipeline, v
     commands.setFrontFace(vk::FrontFace::eCounterClockwise);
 }
 
-vk::UniqueDescriptorPool makeDescriptorPool(const Device& device, std::uint32_t sets, std::uint32_t perSet,
-                                            const std::vector<vk::DescriptorType>& types) {
+vk::UniqueDescriptorPool makeDescriptorPool(const Device& device, const SetLayout& layout,
+                                            std::uint32_t sets) {
     std::vector<vk::DescriptorPoolSize> sizes;
-    for (const vk::DescriptorType type : types) {
-        sizes.push_back({.type = type, .descriptorCount = sets * perSet});
+    for (const vk::DescriptorType type : layout.types) {
+        sizes.push_back({.type = type, .descriptorCount = sets});
     }
     return vk::Device(device.handle())
         .createDescriptorPoolUnique({.maxSets = sets,
@@ -275,29 +272,40 @@ vk::UniqueDescriptorPool makeDescriptorPool(const Device& device, std::uint32_t 
                                      .pPoolSizes = sizes.data()});
 }
 
-vk::DescriptorSet allocateSet(const Device& device, vk::DescriptorPool pool, vk::DescriptorSetLayout layout) {
+vk::DescriptorSet allocateSet(const Device& device, vk::DescriptorPool pool, const SetLayout& layout) {
+    const vk::DescriptorSetLayout handle = *layout;
     return vk::Device(device.handle())
-        .allocateDescriptorSets({.descriptorPool = pool, .descriptorSetCount = 1, .pSetLayouts = &layout})
+        .allocateDescriptorSets({.descriptorPool = pool, .descriptorSetCount = 1, .pSetLayouts = &handle})
         .front();
 }
 
-void writeBufferBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
-                        vk::DescriptorType type, vk::Buffer buffer) {
-    const vk::DescriptorBufferInfo info{.buffer = buffer, .range = VK_WHOLE_SIZE};
-    writeOne(device, {.dstSet = set, .dstBinding = binding, .descriptorType = type, .pBufferInfo = &info});
+DescriptorSet::DescriptorSet(const Device& device, const SetLayout& layout)
+    : m_device(&device),
+      m_types(layout.types),
+      m_pool(makeDescriptorPool(device, layout, 1)),
+      m_set(allocateSet(device, *m_pool, layout)) {}
+
+void DescriptorSet::write(std::uint32_t binding, vk::WriteDescriptorSet what) const {
+    what.dstSet = m_set;
+    what.dstBinding = binding;
+    what.descriptorCount = 1;
+    what.descriptorType = m_types.at(binding);
+    vk::Device(m_device->handle()).updateDescriptorSets(what, {});
 }
 
-void writeTexelBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
-                       vk::DescriptorType type, vk::BufferView texels) {
-    writeOne(device,
-             {.dstSet = set, .dstBinding = binding, .descriptorType = type, .pTexelBufferView = &texels});
+void DescriptorSet::setBuffer(std::uint32_t binding, const Buffer& buffer) const {
+    const vk::DescriptorBufferInfo info{.buffer = buffer.handle(), .range = VK_WHOLE_SIZE};
+    write(binding, {.pBufferInfo = &info});
 }
 
-void writeImageBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
-                       vk::DescriptorType type, vk::ImageView view, vk::Sampler sampler) {
+void DescriptorSet::setTexels(std::uint32_t binding, vk::BufferView texels) const {
+    write(binding, {.pTexelBufferView = &texels});
+}
+
+void DescriptorSet::setImage(std::uint32_t binding, vk::ImageView view, vk::Sampler sampler) const {
     const vk::DescriptorImageInfo info{
         .sampler = sampler, .imageView = view, .imageLayout = vk::ImageLayout::eShaderReadOnlyOptimal};
-    writeOne(device, {.dstSet = set, .dstBinding = binding, .descriptorType = type, .pImageInfo = &info});
+    write(binding, {.pImageInfo = &info});
 }
 
 } // namespace cdr::gpu

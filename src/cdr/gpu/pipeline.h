@@ -12,6 +12,8 @@
 
 namespace cdr::gpu {
 
+class Buffer;
+
 /// A shader in SPIR-V.
 struct Spirv {
     std::vector<std::uint32_t> words;
@@ -36,7 +38,11 @@ struct SetLayoutOptions {
 /// Shared by all that were made from equal options.
 struct SetLayout : Shared<vk::UniqueDescriptorSetLayout> {
     SetLayout() = default;
-    explicit SetLayout(Shared shared) : Shared(std::move(shared)) {}
+    SetLayout(Shared shared, std::vector<vk::DescriptorType> bound)
+        : Shared(std::move(shared)),
+          types(std::move(bound)) {}
+
+    std::vector<vk::DescriptorType> types; ///< as SetLayoutOptions has them
 };
 
 /// What the layout of pipelines is made from.
@@ -134,18 +140,34 @@ PipelineLayout makePipelineLayout(const Device& device, const PipelineLayoutOpti
 /// @param name as of makePipelineLayout().
 SetLayout makeSetLayout(const Device& device, const SetLayoutOptions& options, const std::string& name);
 
-/// A pool with room for `sets` descriptor sets that hold `perSet` of each descriptor type named.
-vk::UniqueDescriptorPool makeDescriptorPool(const Device& device, std::uint32_t sets, std::uint32_t perSet,
-                                            const std::vector<vk::DescriptorType>& types);
+/// A pool with room for so many sets of a layout.
+vk::UniqueDescriptorPool makeDescriptorPool(const Device& device, const SetLayout& layout,
+                                            std::uint32_t sets);
 
-vk::DescriptorSet allocateSet(const Device& device, vk::DescriptorPool pool, vk::DescriptorSetLayout layout);
+vk::DescriptorSet allocateSet(const Device& device, vk::DescriptorPool pool, const SetLayout& layout);
 
-/// Points a binding at a whole buffer, at a view of a buffer's texels, or at an image that shaders read.
-void writeBufferBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
-                        vk::DescriptorType type, vk::Buffer buffer);
-void writeTexelBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
-                       vk::DescriptorType type, vk::BufferView texels);
-void writeImageBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
-                       vk::DescriptorType type, vk::ImageView view, vk::Sampler sampler);
+/// A descriptor set in a pool of its own. Nothing is bound at first.
+class DescriptorSet {
+  public:
+    DescriptorSet() = default;
+    /// The device must outlive it.
+    DescriptorSet(const Device& device, const SetLayout& layout);
+
+    /// The null handle where there is none.
+    vk::DescriptorSet operator*() const { return m_set; }
+
+    /// Points a binding at a whole buffer, at a view of a buffer's texels, or at an image that shaders read.
+    void setBuffer(std::uint32_t binding, const Buffer& buffer) const;
+    void setTexels(std::uint32_t binding, vk::BufferView texels) const;
+    void setImage(std::uint32_t binding, vk::ImageView view, vk::Sampler sampler) const;
+
+  private:
+    void write(std::uint32_t binding, vk::WriteDescriptorSet what) const;
+
+    const Device* m_device = nullptr;
+    std::vector<vk::DescriptorType> m_types; ///< by binding
+    vk::UniqueDescriptorPool m_pool;
+    vk::DescriptorSet m_set;
+};
 
 } // namespace cdr::gpu

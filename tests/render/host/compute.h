@@ -17,14 +17,12 @@ namespace cdr::render_test {
 template <typename Made, typename Constants, typename Item>
 std::vector<Made> compute(const gpu::Device& device, const char* shader, std::span<const Constants> constants,
                           std::span<const Item> items, std::size_t count) {
-    using Type = vk::DescriptorType;
-    const std::vector<Type> bindings(3, Type::eStorageBuffer);
+    const std::vector bindings(3, vk::DescriptorType::eStorageBuffer);
     const auto setLayout =
         gpu::makeSetLayout(device, {bindings, vk::ShaderStageFlagBits::eCompute}, "compute");
     const auto layout = gpu::makePipelineLayout(device, {{setLayout}, {}}, "compute");
     const auto pipeline = gpu::makeComputePipeline(device, {"compute", readSpirv(shader), layout});
-    const auto pool = gpu::makeDescriptorPool(device, 1, 1, bindings);
-    const vk::DescriptorSet set = gpu::allocateSet(device, *pool, *setLayout);
+    const gpu::DescriptorSet set(device, setLayout);
     constexpr auto kUsage = vk::BufferUsageFlagBits::eStorageBuffer;
     const gpu::Buffer first(device, constants.size_bytes(), kUsage, gpu::MemoryUse::hostWrites, "constants");
     const gpu::Buffer second(device, items.size_bytes(), kUsage, gpu::MemoryUse::hostWrites, "items");
@@ -34,12 +32,12 @@ std::vector<Made> compute(const gpu::Device& device, const char* shader, std::sp
     std::memcpy(second.mapped(), items.data(), items.size_bytes());
     first.flush();
     second.flush();
-    gpu::writeBufferBinding(device, set, 0, Type::eStorageBuffer, first.handle());
-    gpu::writeBufferBinding(device, set, 1, Type::eStorageBuffer, second.handle());
-    gpu::writeBufferBinding(device, set, 2, Type::eStorageBuffer, out.handle());
+    set.setBuffer(0, first);
+    set.setBuffer(1, second);
+    set.setBuffer(2, out);
     gpu::runOnce(device, [&](vk::CommandBuffer commands) {
         commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
-        commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, set, {});
+        commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, *set, {});
         commands.dispatch(static_cast<std::uint32_t>((count + 63) / 64), 1, 1);
         gpu::pipelineBarrier(commands, {},
                              {{.srcStageMask = vk::PipelineStageFlagBits2::eComputeShader,

@@ -38,17 +38,16 @@ class DecodeTest : public RenderTest {
         const auto layout = gpu::makePipelineLayout(
             device(), {{setLayout}, {{.stageFlags = kStage, .size = sizeof(anchors)}}}, "decode");
         const auto pipeline = gpu::makeComputePipeline(device(), {"decode", readSpirv(shader), layout});
-        const auto pool = gpu::makeDescriptorPool(device(), 1, 1, bindings);
-        const vk::DescriptorSet set = gpu::allocateSet(device(), *pool, *setLayout);
+        const gpu::DescriptorSet set(device(), setLayout);
         image::Raster<Decoded> decoded(gbuffer.extent.width, gbuffer.extent.height);
         const gpu::Buffer values(device(), decoded.pixels.size() * sizeof(Decoded),
                                  vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryUse::hostReads,
                                  "decoded");
-        gpu::writeImageBinding(device(), set, 0, Type::eSampledImage, gbuffer.view, {});
-        gpu::writeBufferBinding(device(), set, 1, Type::eStorageBuffer, values.handle());
+        set.setImage(0, gbuffer.view, {});
+        set.setBuffer(1, values);
         run([&](vk::CommandBuffer commands) {
             commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
-            commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, set, {});
+            commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, *set, {});
             commands.pushConstants<decltype(anchors)>(*layout, kStage, 0, anchors);
             commands.dispatch((decoded.width + 7) / 8, (decoded.height + 7) / 8, 1);
             gpu::pipelineBarrier(commands, {},

@@ -207,10 +207,8 @@ SceneTextures::Uploaded SceneTextures::upload(const scene::Texture& texture, con
     Uploaded uploaded{.image = gpu::uploadImage(m_device, {levels.front().width, levels.front().height},
                                                 format, bytes, name),
                       .sampler = samplerOf(texture),
-                      .pool = gpu::makeDescriptorPool(m_device, 1, 1, {kTextureType}),
-                      .set = {}};
-    uploaded.set = gpu::allocateSet(m_device, *uploaded.pool, *m_baseColorLayout);
-    gpu::writeImageBinding(m_device, uploaded.set, 0, kTextureType, uploaded.image.view(), uploaded.sampler);
+                      .set = {m_device, m_baseColorLayout}};
+    uploaded.set.setImage(0, uploaded.image.view(), uploaded.sampler);
     return uploaded;
 }
 
@@ -262,7 +260,7 @@ void SceneTextures::followMaterials(const scene::Scene& scene, const Changed& ch
                                     gpu::Retired& retired) {
     const std::vector<bool> isOther = flagsOf(changed, scene.materials.size());
     for (; m_details.size() > scene.materials.size(); m_details.pop_back()) {
-        if (m_details.back().set) {
+        if (*m_details.back().set) {
             retired.add(std::move(m_details.back()));
         }
     }
@@ -281,7 +279,7 @@ void SceneTextures::followMaterials(const scene::Scene& scene, const Changed& ch
             uploadTexturesOf(scene, material, workers);
         }
         Detail made = scene::hasDetail(material) ? makeDetail(material, std::move(packed)) : Detail{};
-        if (Detail before = std::exchange(m_details[i], std::move(made)); before.set) {
+        if (Detail before = std::exchange(m_details[i], std::move(made)); *before.set) {
             retired.add(std::move(before));
         }
     }
@@ -292,11 +290,9 @@ SceneTextures::Detail SceneTextures::makeDetail(const scene::Material& material,
     Detail made{.packed = std::move(packed),
                 .record = {m_device, sizeof(shaders::DetailRecord), vk::BufferUsageFlagBits::eUniformBuffer,
                            gpu::MemoryUse::hostWrites, "detail of " + material.name},
-                .pool = gpu::makeDescriptorPool(m_device, 1, 4, kDetailTypes),
-                .set = {}};
+                .set = {m_device, m_detailLayout}};
     made.record.as<shaders::DetailRecord>(1).front() = recordOf(material);
     made.record.flush();
-    made.set = gpu::allocateSet(m_device, *made.pool, *m_detailLayout);
     std::uint32_t binding = 0;
     for (const DetailPart& part : kDetailParts) {
         const auto& use = material.detail.*part.use;
@@ -308,20 +304,18 @@ SceneTextures::Detail SceneTextures::makeDetail(const scene::Material& material,
         } else if (use) {
             texture = &*m_textures[use->texture];
         }
-        gpu::writeImageBinding(m_device, made.set, binding++, kTextureType, texture->image.view(),
-                               texture->sampler);
+        made.set.setImage(binding++, texture->image.view(), texture->sampler);
     }
-    gpu::writeBufferBinding(m_device, made.set, binding, vk::DescriptorType::eUniformBuffer,
-                            made.record.handle());
+    made.set.setBuffer(binding, made.record);
     return made;
 }
 
 vk::DescriptorSet SceneTextures::baseColorSet(const scene::Scene& scene, std::size_t material) const {
     const std::optional<std::uint32_t>& texture = scene.materials[material].baseColorTexture;
     if (const auto& packed = m_details[material].packed) {
-        return packed->base->set;
+        return *packed->base->set;
     }
-    return texture ? m_textures[*texture]->set : m_white.set;
+    return texture ? *m_textures[*texture]->set : *m_white.set;
 }
 
 std::uint32_t SceneTextures::detailParts(const scene::Scene& scene, std::size_t material) const {

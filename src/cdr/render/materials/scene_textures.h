@@ -46,7 +46,7 @@ class SceneTextures {
     /// detailPartsOf() it, and whether it is drawn from packed textures.
     std::uint32_t detailParts(const scene::Scene& scene, std::size_t material) const;
     /// Null for a material without detail.
-    vk::DescriptorSet detailSet(std::size_t material) const { return m_details[material].set; }
+    vk::DescriptorSet detailSet(std::size_t material) const { return *m_details[material].set; }
 
     /// Of all textures that materials read, with their levels.
     static std::uint64_t predictBytes(const scene::Scene& scene);
@@ -55,8 +55,7 @@ class SceneTextures {
     struct Uploaded {
         gpu::Image image;
         vk::Sampler sampler; ///< of m_samplers
-        vk::UniqueDescriptorPool pool;
-        vk::DescriptorSet set;
+        gpu::DescriptorSet set;
     };
     /// The textures of a material that isPackable().
     struct Packed {
@@ -67,8 +66,7 @@ class SceneTextures {
     struct Detail {
         std::optional<Packed> packed; ///< nothing: each texture is read by itself
         gpu::Buffer record;
-        vk::UniqueDescriptorPool pool;
-        vk::DescriptorSet set;
+        gpu::DescriptorSet set;
     };
     /// Threads that make levels, started for large textures alone: starting them takes time too.
     struct Workers;

@@ -110,11 +110,10 @@ DeviceOcclusion::Slot DeviceOcclusion::makeSlot() const {
     Slot slot{.view = gpu::Buffer(m_device, sizeof(shaders::OccluderView),
                                   vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryUse::hostWrites,
                                   "occluder view"),
-              .descriptors = gpu::makeDescriptorPool(m_device, 1, kBuffers, {kBufferType})};
-    slot.set = gpu::allocateSet(m_device, *slot.descriptors, *m_setLayout);
-    gpu::writeBufferBinding(m_device, slot.set, 0, kBufferType, slot.view.handle());
-    gpu::writeBufferBinding(m_device, slot.set, 2, kBufferType, m_copy.handle());
-    gpu::writeBufferBinding(m_device, slot.set, 3, kBufferType, m_tiles.handle());
+              .set = {m_device, m_setLayout}};
+    slot.set.setBuffer(0, slot.view);
+    slot.set.setBuffer(2, m_copy);
+    slot.set.setBuffer(3, m_tiles);
     return slot;
 }
 
@@ -134,7 +133,7 @@ void DeviceOcclusion::prepare(const FrameView& view, std::size_t instances, Slot
     provideSeen(instances);
     if (slot.seen != m_seen) { // frames in flight keep the old one
         slot.seen = m_seen;
-        gpu::writeBufferBinding(m_device, slot.set, 1, kBufferType, m_seen->handle());
+        slot.set.setBuffer(1, *m_seen);
     }
     const double leastPixels = m_hasSeen ? visibility::kMinOccluder : visibility::kMinFirstOccluder;
     const OrderMargin margin(m_technique, view);
@@ -178,7 +177,7 @@ void DeviceOcclusion::draw(vk::CommandBuffer primary, const Slot& slot,
     copyOccluders(primary, m_depth, m_copy.handle());
     gpu::memoryBarrier(primary, PipelineStage::eCopy, Access::eTransferWrite, PipelineStage::eComputeShader,
                        kUsed);
-    primary.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *m_layout, kOcclusionSet, slot.set, {});
+    primary.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *m_layout, kOcclusionSet, *slot.set, {});
     const Grid tiles = tilesOf(m_extent);
     const auto reduce = [&](vk::Pipeline pipeline, const Grid& grid) {
         primary.bindPipeline(vk::PipelineBindPoint::eCompute, pipeline);

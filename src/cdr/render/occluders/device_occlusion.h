@@ -26,8 +26,7 @@ class DeviceOcclusion {
     struct Slot {
         gpu::Buffer view;
         std::shared_ptr<const gpu::Buffer> seen{}; ///< a bit for each instance, of all slots
-        vk::UniqueDescriptorPool descriptors;
-        vk::DescriptorSet set{};
+        gpu::DescriptorSet set;
     };
     Slot makeSlot() const;
     /// Writes what the passes read. The slot's last frame must have finished.

@@ -43,8 +43,8 @@ void DepthOutput::record(vk::CommandBuffer primary, const PassInputs& inputs, co
                                                       vk::ImageLayout::eUndefined},
                                                      kDrawnDepth)});
     const shaders::HostDepthPush push = termsOf(into);
-    m_pass.recordDepth(primary, {.set = inputs.set(), .push = std::as_bytes(std::span(&push, 1))},
-                       into.image.view, {into.image.extent.width, into.image.extent.height});
+    m_pass.recordDepth(primary, {.set = *inputs, .push = std::as_bytes(std::span(&push, 1))}, into.image.view,
+                       {into.image.extent.width, into.image.extent.height});
     gpu::pipelineBarrier(
         primary, {gpu::imageBarrier(into.image.image, vk::ImageAspectFlagBits::eDepth, kDrawnDepth,
                                     {PipelineStage::eAllCommands, Access::eMemoryRead | Access::eMemoryWrite,

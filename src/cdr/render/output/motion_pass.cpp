@@ -111,7 +111,7 @@ void MotionPass::record(vk::CommandBuffer primary, const Inputs& inputs) const {
     m_pass.record(primary, inputs.m_inputs, m_image);
     if (!inputs.m_deformed.draws.empty()) {
         gpu::pipelineBarrier(primary, {chainBarrier(m_image)});
-        m_deformed.record(primary, inputs.m_deformed, inputs.m_inputs.set(), m_image);
+        m_deformed.record(primary, inputs.m_deformed, *inputs.m_inputs, m_image);
     }
     gpu::pipelineBarrier(primary, {copyBarrier(m_image, kDrawnColor)});
     m_device.endLabel(primary);

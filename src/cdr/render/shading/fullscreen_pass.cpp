@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace cdr::render {
 
@@ -35,22 +34,12 @@ vk::ImageView viewOf(const gpu::Image* image) {
 
 } // namespace
 
-void PassInputs::setImage(std::uint32_t binding, const gpu::Image& image) {
-    gpu::writeImageBinding(*m_device, m_set, binding, vk::DescriptorType::eCombinedImageSampler, image.view(),
-                           m_sampler);
-}
-
-void PassInputs::setBuffer(std::uint32_t binding, const gpu::Buffer& buffer) {
-    gpu::writeBufferBinding(*m_device, m_set, binding, vk::DescriptorType::eStorageBuffer, buffer.handle());
-}
-
-void PassInputs::setTexels(std::uint32_t binding, vk::BufferView texels) {
-    gpu::writeTexelBinding(*m_device, m_set, binding, vk::DescriptorType::eUniformTexelBuffer, texels);
+void PassInputs::setImage(std::uint32_t binding, const gpu::Image& image) const {
+    DescriptorSet::setImage(binding, image.view(), m_sampler);
 }
 
 FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOptions& options)
     : m_device(device),
-      m_bindings(options.bindings),
       m_sampler(vk::Device(device.handle())
                     .createSamplerUnique({.magFilter = options.filter,
                                           .minFilter = options.filter,
@@ -76,9 +65,7 @@ FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOp
            .blend = options.blend})) {}
 
 PassInputs FullscreenPass::makeInputs() const {
-    vk::UniqueDescriptorPool pool = gpu::makeDescriptorPool(m_device, 1, 1, m_bindings);
-    const vk::DescriptorSet set = gpu::allocateSet(m_device, *pool, *m_setLayout);
-    return {m_device, *m_sampler, std::move(pool), set};
+    return {m_device, m_setLayout, *m_sampler};
 }
 
 void FullscreenPass::record(vk::CommandBuffer primary, std::span<const Draw> draws,
@@ -119,7 +106,7 @@ void FullscreenPass::drawTriangle(vk::CommandBuffer primary, const Draw& draw) c
 
 void FullscreenPass::record(vk::CommandBuffer primary, const PassInputs& inputs,
                             const gpu::Image& into) const {
-    const Draw draw{.set = inputs.set()};
+    const Draw draw{.set = *inputs};
     record(primary, {&draw, 1}, {.into = into});
 }
 

@@ -9,7 +9,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace cdr::render {
@@ -37,28 +36,19 @@ struct FullscreenPassOptions {
 };
 
 /// The descriptors a FullscreenPass reads in one draw.
-class PassInputs {
+class PassInputs : public gpu::DescriptorSet {
   public:
     PassInputs() = default;
 
     /// Points a binding at an image that will be in the shader read layout.
-    void setImage(std::uint32_t binding, const gpu::Image& image);
-    void setBuffer(std::uint32_t binding, const gpu::Buffer& buffer);
-    void setTexels(std::uint32_t binding, vk::BufferView texels);
-    vk::DescriptorSet set() const { return m_set; }
+    void setImage(std::uint32_t binding, const gpu::Image& image) const;
 
   private:
     friend class FullscreenPass;
-    PassInputs(const gpu::Device& device, vk::Sampler sampler, vk::UniqueDescriptorPool pool,
-               vk::DescriptorSet set)
-        : m_device(&device),
-          m_sampler(sampler),
-          m_pool(std::move(pool)),
-          m_set(set) {}
-    const gpu::Device* m_device = nullptr;
+    PassInputs(const gpu::Device& device, const gpu::SetLayout& layout, vk::Sampler sampler)
+        : DescriptorSet(device, layout),
+          m_sampler(sampler) {}
     vk::Sampler m_sampler; ///< the pass' own
-    vk::UniqueDescriptorPool m_pool;
-    vk::DescriptorSet m_set;
 };
 
 /// A pass whose fragment shader covers a whole picture.
@@ -100,7 +90,6 @@ class FullscreenPass {
     void drawTriangle(vk::CommandBuffer primary, const Draw& draw) const;
 
     const gpu::Device& m_device;
-    std::vector<vk::DescriptorType> m_bindings;
     vk::UniqueSampler m_sampler;
     gpu::SetLayout m_setLayout;
     gpu::PipelineLayout m_layout;

@@ -232,7 +232,7 @@ void ShadingPass::begin(vk::CommandBuffer primary, const ShadingInputs& inputs) 
 
 void ShadingPass::record(vk::CommandBuffer primary, const ShadingInputs& inputs) {
     m_device.beginLabel(primary, "shading");
-    const FullscreenPass::Draw draw{.set = inputs.m_inputs.set()};
+    const FullscreenPass::Draw draw{.set = *inputs.m_inputs};
     const glm::vec3& background = inputs.m_background;
     // Where marks leave background out, it is what the clear makes it.
     const auto load =

@@ -144,7 +144,7 @@ std::vector<LightView> ShadowPass::viewsOf(const scene::PointLight& light, const
 
 void ShadowPass::record(vk::CommandBuffer primary, const Slot& slot) const {
     m_device.beginLabel(primary, "shadows");
-    m_slices.record(primary, slot.inputs.set(), slot.slices, slot.cascades);
+    m_slices.record(primary, *slot.inputs, slot.slices, slot.cascades);
     if (m_seen) {
         m_seen->record(primary, *slot.seen, slot.pixels, m_slices.image());
     }
@@ -174,7 +174,7 @@ void ShadowPass::recordView(vk::CommandBuffer primary, const Slot& slot, std::si
     const ShadowMapPart whole{.view = view, .index = index};
     m_map.record(primary, {&whole, 1}, slot.casters);
     const SlicePixels& pixels = slot.pixels[view.slice];
-    const FullscreenPass::Draw draw{.set = slot.inputs.set(),
+    const FullscreenPass::Draw draw{.set = *slot.inputs,
                                     .push = std::as_bytes(std::span(&slot.receivers[index].push, 1)),
                                     .depth = pixels.depth,
                                     .area = pixels.area};

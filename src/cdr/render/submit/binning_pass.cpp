@@ -310,10 +310,9 @@ bool BinningPass::copyChanges(const Changes& changes, Copies& copies) const {
     return !stager.isEmpty() || !changes.instances.empty();
 }
 
-void BinningPass::bindScene(vk::DescriptorSet set, const SceneBuffers& buffers) const {
+void BinningPass::bindScene(const gpu::DescriptorSet& set, const SceneBuffers& buffers) {
     for (std::uint32_t i = 0; i < kSceneBuffers; ++i) {
-        gpu::writeBufferBinding(m_device, set, 1 + i, vk::DescriptorType::eStorageBuffer,
-                                buffers[i].handle());
+        set.setBuffer(1 + i, buffers[i]);
     }
 }
 

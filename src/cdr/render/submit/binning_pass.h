@@ -55,7 +55,7 @@ class BinningPass {
     /// @return whether Copies::buffers are others than before.
     bool follow(Copies& copies);
     /// Points the bindings of the scene's buffers at them.
-    void bindScene(vk::DescriptorSet set, const SceneBuffers& buffers) const;
+    static void bindScene(const gpu::DescriptorSet& set, const SceneBuffers& buffers);
     /// Copies what follow() staged.
     void recordCopies(vk::CommandBuffer commands, const Copies& copies) const;
     /// Which instances in the frustum are binned.

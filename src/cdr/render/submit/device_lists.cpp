@@ -12,7 +12,6 @@ namespace cdr::render {
 
 namespace {
 
-constexpr auto kStorage = vk::DescriptorType::eStorageBuffer;
 constexpr std::uint32_t kFirstList = 1 + BinningPass::kSceneBuffers;
 constexpr std::uint32_t kResult = BinningPass::kBindings - 1;
 
@@ -61,11 +60,10 @@ DeviceLists::DeviceLists(const gpu::Device& device, const BinningPass& binning)
              gpu::MemoryUse::hostWrites, "binning view"),
       m_result(device, sizeof(shaders::BinningResult), vk::BufferUsageFlagBits::eStorageBuffer,
                gpu::MemoryUse::hostReads, "binning result"),
-      m_descriptors(gpu::makeDescriptorPool(device, 1, BinningPass::kBindings, {kStorage})),
-      m_set(gpu::allocateSet(device, *m_descriptors, *binning.layout())),
+      m_set(device, binning.layout()),
       m_draws{.commands = {}, .counts = {}, .runs = 0, .groups = {}, .records = {}} {
-    gpu::writeBufferBinding(device, m_set, 0, kStorage, m_view.handle());
-    gpu::writeBufferBinding(device, m_set, kResult, kStorage, m_result.handle());
+    m_set.setBuffer(0, m_view);
+    m_set.setBuffer(kResult, m_result);
     growRecords(m_binning.instances());
 }
 
@@ -84,8 +82,7 @@ void DeviceLists::grow(List list, std::size_t bytes) {
                     vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer |
                         vk::BufferUsageFlagBits::eVertexBuffer,
                     gpu::MemoryUse::deviceOnly, "gpu-driven list");
-    gpu::writeBufferBinding(m_device, m_set, kFirstList + static_cast<std::uint32_t>(list), kStorage,
-                            m_lists[list].handle());
+    m_set.setBuffer(kFirstList + static_cast<std::uint32_t>(list), m_lists[list]);
 }
 
 void DeviceLists::growRecords(std::size_t draws) {

@@ -17,7 +17,7 @@ class DeviceLists {
     /// Once the passes ran. Null where records had too little room, which they now have.
     const shaders::BinningResult* settle();
 
-    vk::DescriptorSet set() const { return m_set; }
+    const gpu::DescriptorSet& set() const { return m_set; }
     const GeometryPass::IndirectDraws& draws() const { return m_draws; }
 
   private:
@@ -32,8 +32,7 @@ class DeviceLists {
     gpu::Buffer m_result;
     std::array<gpu::Buffer, kLists> m_lists; ///< bindings from kFirstList on
     std::size_t m_recordCapacity = 0;
-    vk::UniqueDescriptorPool m_descriptors;
-    vk::DescriptorSet m_set;
+    gpu::DescriptorSet m_set;
     GeometryPass::IndirectDraws m_draws;
 };
 

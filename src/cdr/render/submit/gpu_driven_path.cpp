@@ -22,9 +22,9 @@ GpuDrivenPath::GpuDrivenPath(const gpu::Device& device, BinningPass& binning, co
 
 void GpuDrivenPath::bin(const FrameView& view, const visibility::VisibleCells&, FrameStats&) {
     if (m_binning.follow(m_copies)) {
-        m_binning.bindScene(m_lists.set(), *m_copies.buffers);
+        BinningPass::bindScene(m_lists.set(), *m_copies.buffers);
         if (m_first) {
-            m_binning.bindScene(m_first->set(), *m_copies.buffers);
+            BinningPass::bindScene(m_first->set(), *m_copies.buffers);
         }
     }
     const depth::Mapping mapping = m_pass.pipelines().mapping();
@@ -45,15 +45,15 @@ void GpuDrivenPath::begin(const FrameView& view, const HostCommands& host) {
     }
     m_binning.recordCopies(m_primary, m_copies);
     if (!m_first) {
-        m_binning.record(m_primary, BinningPass::Kept::all, view.cascades.size(), {m_lists.set()});
+        m_binning.record(m_primary, BinningPass::Kept::all, view.cascades.size(), {*m_lists.set()});
         return;
     }
     m_occlusion->begin(m_primary);
     m_binning.record(m_primary, BinningPass::Kept::occluders, view.cascades.size(),
-                     {m_first->set(), m_occlusionSlot.set});
+                     {*m_first->set(), *m_occlusionSlot.set});
     m_occlusion->draw(m_primary, m_occlusionSlot, m_first->draws(), view);
     m_binning.record(m_primary, BinningPass::Kept::shown, view.cascades.size(),
-                     {m_lists.set(), m_occlusionSlot.set});
+                     {*m_lists.set(), *m_occlusionSlot.set});
 }
 
 void GpuDrivenPath::drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) {

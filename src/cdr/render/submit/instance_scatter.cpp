@@ -28,9 +28,7 @@ InstanceScatter::InstanceScatter(const gpu::Device& device)
       m_pipeline(gpu::makeComputePipeline(device, {"scatter", gpu::Spirv(kScatterComp), m_layout})) {}
 
 InstanceScatter::Slot InstanceScatter::makeSlot() const {
-    Slot slot{.pool = gpu::makeDescriptorPool(m_device, 1, kChangesBindings, {kChangesType})};
-    slot.set = gpu::allocateSet(m_device, *slot.pool, *m_setLayout);
-    return slot;
+    return {.set = {m_device, m_setLayout}};
 }
 
 std::size_t InstanceScatter::most() const {
@@ -58,14 +56,14 @@ void InstanceScatter::stage(const Changes& changes, const Buffers& buffers, Slot
         staged[i] = {changes.spheres[instance], changes.looks[instance], instance, 0};
     }
     slot.changes.flush();
-    gpu::writeBufferBinding(m_device, slot.set, 0, kChangesType, slot.changes.handle());
-    gpu::writeBufferBinding(m_device, slot.set, 1, kChangesType, buffers.spheres.handle());
-    gpu::writeBufferBinding(m_device, slot.set, 2, kChangesType, buffers.looks.handle());
+    slot.set.setBuffer(0, slot.changes);
+    slot.set.setBuffer(1, buffers.spheres);
+    slot.set.setBuffer(2, buffers.looks);
 }
 
 void InstanceScatter::record(vk::CommandBuffer commands, const Slot& slot) const {
     commands.bindPipeline(vk::PipelineBindPoint::eCompute, *m_pipeline);
-    commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *m_layout, 0, slot.set, {});
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *m_layout, 0, *slot.set, {});
     commands.pushConstants<std::uint32_t>(*m_layout, vk::ShaderStageFlagBits::eCompute, 0, slot.count);
     commands.dispatch((slot.count + kChangesPerGroup - 1) / kChangesPerGroup, 1, 1);
 }

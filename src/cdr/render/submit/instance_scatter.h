@@ -18,8 +18,7 @@ class InstanceScatter {
 
     /// One frame slot's changes, and where they go.
     struct Slot {
-        vk::UniqueDescriptorPool pool;
-        vk::DescriptorSet set{};
+        gpu::DescriptorSet set;
         gpu::Buffer changes{};
         std::uint32_t count = 0;
     };

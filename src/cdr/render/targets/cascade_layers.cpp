@@ -150,7 +150,7 @@ void CascadeLayers::mergeLayers(vk::CommandBuffer primary, std::span<const shade
         if (m_layers[layer].emission != nullptr) {
             barriers.push_back(readBarrier(*m_layers[layer].emission));
         }
-        draws.push_back({.set = m_layers[layer].source.set()});
+        draws.push_back({.set = *m_layers[layer].source});
         if (m_options.occlusionRadius > 0.0) {
             draws.back().push = std::as_bytes(layers.subspan(layer, 1));
         }

@@ -164,7 +164,7 @@ void FocusLayers::mergeGBuffers(vk::CommandBuffer primary) const {
     std::vector<vk::ImageMemoryBarrier2> barriers{attachBarrier(m_merged)};
     for (const Drawn& drawn : m_drawn) {
         barriers.push_back(readBarrier(drawn.layer->gbuffer));
-        draws.push_back({.set = drawn.layer->merged.set(), .push = std::as_bytes(std::span(&size, 1))});
+        draws.push_back({.set = *drawn.layer->merged, .push = std::as_bytes(std::span(&size, 1))});
     }
     gpu::pipelineBarrier(primary, barriers);
     m_merge.record(primary, draws, {.into = m_merged, .load = vk::AttachmentLoadOp::eClear});
@@ -179,7 +179,7 @@ void FocusLayers::light(vk::CommandBuffer primary, const ShadingInputs& shading,
     std::vector<vk::ImageMemoryBarrier2> barriers{readBarrier(m_merged), attachBarrier(m_into)};
     for (const Drawn& drawn : m_drawn) {
         barriers.push_back(readBarrier(drawn.layer->lit));
-        draws.push_back({.set = drawn.layer->laid.set(), .push = std::as_bytes(std::span(&size, 1))});
+        draws.push_back({.set = *drawn.layer->laid, .push = std::as_bytes(std::span(&size, 1))});
     }
     gpu::pipelineBarrier(primary, barriers);
     m_compose.record(primary, draws,
@@ -202,7 +202,7 @@ void FocusLayers::lightLayers(vk::CommandBuffer primary, const ShadingInputs& sh
             found->second.setImage(0, drawn.layer->gbuffer);
             found->second.setBuffer(1, shading.lights());
         }
-        const FullscreenPass::Draw draw{.set = found->second.set(),
+        const FullscreenPass::Draw draw{.set = *found->second,
                                         .push = std::as_bytes(std::span(&drawn.fade, 1))};
         m_light.record(primary, {&draw, 1}, {.into = drawn.layer->lit});
     }

@@ -14,7 +14,6 @@ namespace {
 
 using Usage = vk::BufferUsageFlagBits;
 
-constexpr auto kStorage = vk::DescriptorType::eStorageBuffer;
 constexpr std::uint64_t kNodeBytes = sizeof(shaders::FragmentNode);
 
 std::uint64_t pixelsOf(vk::Extent2D extent) {
@@ -65,10 +64,9 @@ FragmentList::FragmentList(const gpu::Device& device, const gpu::SetLayout& layo
               "fragment count"),
       m_readCount(device, sizeof(std::uint32_t), Usage::eTransferDst, gpu::MemoryUse::hostReads,
                   "fragment count, copied"),
-      m_pool(gpu::makeDescriptorPool(device, 1, kBindings, {kStorage})),
-      m_set(gpu::allocateSet(device, *m_pool, *layout)) {
-    gpu::writeBufferBinding(device, m_set, 0, kStorage, m_heads.handle());
-    gpu::writeBufferBinding(device, m_set, 2, kStorage, m_count.handle());
+      m_set(device, layout) {
+    m_set.setBuffer(0, m_heads);
+    m_set.setBuffer(2, m_count);
     makeNodes(std::clamp<std::uint64_t>(mostFragments(), 1, pixelsOf(extent)));
 }
 
@@ -88,7 +86,7 @@ void FragmentList::makeNodes(std::uint64_t fragments) {
     m_nodes = gpu::Buffer(m_device, bytes, Usage::eStorageBuffer, gpu::MemoryUse::deviceOnly,
                           "fragment list nodes");
     m_capacity = static_cast<std::uint32_t>(fragments);
-    gpu::writeBufferBinding(m_device, m_set, 1, kStorage, m_nodes.handle());
+    m_set.setBuffer(1, m_nodes);
 }
 
 void FragmentList::recordClear(vk::CommandBuffer primary) const {

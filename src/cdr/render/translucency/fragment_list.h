@@ -23,7 +23,7 @@ class FragmentList {
     FragmentList(const gpu::Device& device, const gpu::SetLayout& layout, vk::Extent2D extent,
                  std::uint64_t maxBytes);
 
-    vk::DescriptorSet set() const { return m_set; }
+    vk::DescriptorSet set() const { return *m_set; }
     std::uint32_t capacity() const { return m_capacity; } ///< fragments; 0 after grow() threw
     std::uint64_t bytes() const { return m_heads.size() + m_nodes.size(); }
 
@@ -52,8 +52,7 @@ class FragmentList {
     gpu::Buffer m_count;     ///< every fragment adds to it, so it stays on the device
     gpu::Buffer m_readCount; ///< a copy
     std::uint32_t m_capacity = 0;
-    vk::UniqueDescriptorPool m_pool;
-    vk::DescriptorSet m_set;
+    gpu::DescriptorSet m_set;
 };
 
 } // namespace cdr::render

@@ -68,11 +68,10 @@ TranslucentPass::TranslucentPass(const gpu::Device& device, const DrawnScene& sc
 
 TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) const {
     Slot slot{.draws = TranslucentDraws(m_device, m_scene),
-              .pool = gpu::makeDescriptorPool(m_device, 1, 1, surroundingBindings(m_shadows)),
+              .surroundings = {m_device, m_surroundingsLayout},
               .revision = 0};
-    slot.surroundings = gpu::allocateSet(m_device, *slot.pool, *m_surroundingsLayout);
-    gpu::writeImageBinding(m_device, slot.surroundings, 0, kImage, m_gbuffer.view(), *m_sampler);
-    gpu::writeBufferBinding(m_device, slot.surroundings, 1, kBuffer, shading.lights().handle());
+    slot.surroundings.setImage(0, m_gbuffer.view(), *m_sampler);
+    slot.surroundings.setBuffer(1, shading.lights());
     if (m_shadows.isOn()) {
         slot.shadows.emplace(m_device, m_scene, m_shadows);
     }
@@ -110,7 +109,7 @@ void TranslucentPass::record(vk::CommandBuffer primary, Slot& slot) const {
         m_counter->begin(primary);
     }
     const TranslucentFrame frame{.draws = slot.draws,
-                                 .surroundings = slot.surroundings,
+                                 .surroundings = *slot.surroundings,
                                  .lit = m_lit,
                                  .counter = m_counter.get(),
                                  .shadows = slot.shadows ? &*slot.shadows : nullptr};

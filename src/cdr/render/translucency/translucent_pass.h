@@ -20,8 +20,7 @@ class TranslucentPass {
     /// What one frame slot owns.
     struct Slot {
         TranslucentDraws draws;
-        vk::UniqueDescriptorPool pool;
-        vk::DescriptorSet surroundings{};            ///< of TranslucentFrame
+        gpu::DescriptorSet surroundings;             ///< of TranslucentFrame
         std::optional<TranslucentShadows> shadows{}; ///< where surfaces receive them
         std::optional<FragmentList> list{};          ///< when sorting
         std::optional<ListRefusal> refusal{};        ///< why this frame is not sorted, though it was to be

@@ -139,12 +139,10 @@ void TranslucentShadows::growReceivers() {
     }
 }
 
-void TranslucentShadows::bind(vk::DescriptorSet set, std::uint32_t first, vk::Sampler sampler) const {
-    constexpr auto kImage = vk::DescriptorType::eCombinedImageSampler;
-    gpu::writeImageBinding(m_device, set, first, kImage, m_map.depth().view(), sampler);
-    gpu::writeImageBinding(m_device, set, first + 1, kImage, m_map.slope().view(), sampler);
-    gpu::writeBufferBinding(m_device, set, first + 2, vk::DescriptorType::eStorageBuffer,
-                            m_receivers.handle());
+void TranslucentShadows::bind(const gpu::DescriptorSet& set, std::uint32_t first, vk::Sampler sampler) const {
+    set.setImage(first, m_map.depth().view(), sampler);
+    set.setImage(first + 1, m_map.slope().view(), sampler);
+    set.setBuffer(first + 2, m_receivers);
 }
 
 void TranslucentShadows::recordMaps(vk::CommandBuffer primary, const shaders::TranslucentSlice& slice) const {

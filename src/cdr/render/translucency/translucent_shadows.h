@@ -29,7 +29,7 @@ class TranslucentShadows {
     void prepare(const FrameView& view, const visibility::VisibleList& seen, std::uint32_t subPixelBits,
                  platform::WorkerPool& workers);
     /// Points the set's bindings from `first` on at the map's two images and at the receivers. After each prepare().
-    void bind(vk::DescriptorSet set, std::uint32_t first, vk::Sampler sampler) const;
+    void bind(const gpu::DescriptorSet& set, std::uint32_t first, vk::Sampler sampler) const;
 
     /// Half-open ranges of view distances, nearest first, that hold each distance once. At least one.
     std::span<const shaders::TranslucentSlice> slices() const { return m_slices; }

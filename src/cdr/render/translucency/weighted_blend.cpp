@@ -79,7 +79,7 @@ void WeightedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& fr
         m_device.beginLabel(primary, fmt::format("translucent, cascade {}", range).c_str());
         recordSums(primary, frame, range);
         gpu::pipelineBarrier(primary, {readBarrier(m_sum), readBarrier(m_weight), chainBarrier(frame.lit)});
-        const FullscreenPass::Draw sums{.set = m_sums.set()};
+        const FullscreenPass::Draw sums{.set = *m_sums};
         m_resolve.record(primary, {&sums, 1}, {.into = frame.lit, .load = vk::AttachmentLoadOp::eLoad});
         m_device.endLabel(primary);
     }

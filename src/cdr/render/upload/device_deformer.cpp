@@ -158,10 +158,9 @@ void DeviceDeformer::provideSets(Slot& slot, std::size_t jobs) const {
         return;
     }
     slot.sets.clear();
-    slot.pool = gpu::makeDescriptorPool(m_device, static_cast<std::uint32_t>(jobs), kDeformBuffers,
-                                        {vk::DescriptorType::eStorageBuffer});
+    slot.pool = gpu::makeDescriptorPool(m_device, m_setLayout, static_cast<std::uint32_t>(jobs));
     while (slot.sets.size() < jobs) {
-        slot.sets.push_back(gpu::allocateSet(m_device, *slot.pool, *m_setLayout));
+        slot.sets.push_back(gpu::allocateSet(m_device, *slot.pool, m_setLayout));
     }
 }
 
