@@ -71,9 +71,7 @@ void lightRepairs(const scene::Scene& scene, std::span<const Shape> shapes, cons
         repair.color = encode(finished(backgroundAlong(scene, camera.position, ray), finish));
         std::vector<SurfaceHit> hits;
         for (const VisibleInstance& instance : byObject.at(repair.id)) {
-            const PixelRect& pixels = instance.pixels;
-            if (repair.x >= pixels.left && repair.x < pixels.right && repair.y >= pixels.top &&
-                repair.y < pixels.bottom) {
+            if (instance.pixels.contains(repair.x, repair.y)) {
                 appendHits(scene, textures, instance, {x, y, slopes.step}, {camera.nearView, camera.farView},
                            hits);
             }

@@ -47,8 +47,7 @@ struct View {
 std::vector<SurfaceHit> hitsAt(const View& view, std::uint32_t x, std::uint32_t y) {
     std::vector<SurfaceHit> hits;
     for (const VisibleInstance& instance : view.instances) {
-        const PixelRect& pixels = instance.pixels;
-        if (x >= pixels.left && x < pixels.right && y >= pixels.top && y < pixels.bottom) {
+        if (instance.pixels.contains(x, y)) {
             appendHits(view.scene, view.textures, instance,
                        {view.slopes.x[x], view.slopes.y[y], view.slopes.step},
                        {view.camera.nearView, view.camera.farView}, hits);

@@ -12,11 +12,6 @@ namespace {
 /// Texels, levels and the weights between texels have 8 bits each on a device.
 constexpr double kAlphaError = 4.0 / 255.0;
 
-Triangle triangleOf(const scene::Mesh& mesh, std::uint32_t first) {
-    return {mesh.vertices[mesh.indices[first]].position, mesh.vertices[mesh.indices[first + 1]].position,
-            mesh.vertices[mesh.indices[first + 2]].position};
-}
-
 /// A ray that is cast at a masked instance.
 struct MaskedRay {
     const scene::Scene& scene;
@@ -30,19 +25,13 @@ struct MaskedRay {
         return scene.materials[scene.instances.material[masked.instance]];
     }
     /// Where the ray passes the mesh. Weights are taken from there, as TriangleBvh::nearest() does.
-    double shift() const {
-        return -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
-    }
+    double shift() const { return ray.shiftTo(glm::dvec3(0.0)); }
 };
-
-ObjectRay from(const ObjectRay& ray, double shift) {
-    return {ray.origin + shift * ray.direction, ray.direction};
-}
 
 /// For a mesh that has no tree of triangles: a box, which has few.
 double nearestOfAll(const MaskedRay& cast, const TriangleBvh::Keeps& keeps) {
     const scene::Mesh& mesh = cast.mesh();
-    const ShearedRay sheared(from(cast.ray, cast.shift()));
+    const ShearedRay sheared(cast.ray.from(cast.shift()));
     double best = kNoHit;
     for (std::uint32_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
         const double hit = cast.shift() + sheared.meet(triangleOf(mesh, first), cast.masked.sides);
@@ -98,7 +87,8 @@ MaskedHit nearestKept(const scene::Scene& scene, const TruthTextures& textures, 
     const MaskedRay cast{scene, textures, masked, wide.ray, range};
     const double shift = cast.shift();
     const auto weights = [&](const Triangle& triangle, const glm::dvec3& aside) {
-        return ShearedRay(from({wide.ray.origin + aside, wide.ray.direction}, shift)).weights(triangle);
+        const ObjectRay ray{wide.ray.origin + aside, wide.ray.direction};
+        return ShearedRay(ray.from(shift)).weights(triangle);
     };
     return nearestKept(cast, [&](const Triangle& triangle) {
         return CornerWeights{weights(triangle, glm::dvec3(0.0)), weights(triangle, wide.right),

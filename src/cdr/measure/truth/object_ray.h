@@ -29,6 +29,13 @@ inline Sidedness sidednessOf(const scene::Material& material) {
 struct ObjectRay {
     glm::dvec3 origin;
     glm::dvec3 direction; ///< not of unit length
+
+    /// Where it passes a point most closely.
+    double shiftTo(const glm::dvec3& point) const {
+        return glm::dot(point - origin, direction) / glm::dot(direction, direction);
+    }
+    /// The same ray, begun there.
+    ObjectRay from(double shift) const { return {origin + shift * direction, direction}; }
 };
 
 /// The closed interval of view distances in which a surface is visible.

@@ -19,6 +19,9 @@ struct PixelRect {
     std::uint32_t bottom = 0;
 
     bool empty() const { return left >= right || top >= bottom; }
+    bool contains(std::uint32_t x, std::uint32_t y) const {
+        return x >= left && x < right && y >= top && y < bottom;
+    }
     bool operator==(const PixelRect&) const = default;
 };
 

@@ -71,13 +71,11 @@ void appendHits(const scene::Scene& scene, const TruthTextures& textures, const 
         glm::transpose(invertBasis(instances.basis[visible.instance])->worldToObject);
     // Start where the ray passes the mesh, as TriangleBvh::nearest() does.
     const ObjectRay ray = visible.camera.ray(pixel.slopeX, pixel.slopeY);
-    const double shift = -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
-    const ShearedRay sheared({ray.origin + shift * ray.direction, ray.direction});
+    const double shift = ray.shiftTo(glm::dvec3(0.0));
+    const ShearedRay sheared(ray.from(shift));
     const std::size_t first = hits.size();
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const Triangle triangle{mesh.vertices[mesh.indices[i]].position,
-                                mesh.vertices[mesh.indices[i + 1]].position,
-                                mesh.vertices[mesh.indices[i + 2]].position};
+        const Triangle triangle = triangleOf(mesh, i);
         const double hit = shift + sheared.meet(triangle, visible.sides);
         if (!(hit < kNoHit) || !range.holds(hit)) {
             continue;

@@ -8,7 +8,7 @@ CornerWeights weightsOf(const Triangle& triangle, const PlacedCamera& camera, co
                         double shift) {
     const auto weights = [&](double right, double up) {
         const ObjectRay ray = camera.ray(pixel.slopeX + right * pixel.step, pixel.slopeY + up * pixel.step);
-        return ShearedRay({ray.origin + shift * ray.direction, ray.direction}).weights(triangle);
+        return ShearedRay(ray.from(shift)).weights(triangle);
     };
     return {weights(0.0, 0.0), weights(0.5, 0.0), weights(-0.5, 0.0), weights(0.0, -0.5), weights(0.0, 0.5)};
 }

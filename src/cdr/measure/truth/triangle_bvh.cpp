@@ -130,9 +130,8 @@ double TriangleBvh::nearestOf(const ObjectRay& ray, Sidedness sides, const ViewR
     }
     // Start where the ray passes the mesh: the subtraction of far-away coordinates then rounds once per ray,
     // and not once per corner.
-    const double shift =
-        glm::dot(m_centre - ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
-    const ObjectRay local{ray.origin + shift * ray.direction, ray.direction};
+    const double shift = ray.shiftTo(m_centre);
+    const ObjectRay local = ray.from(shift);
     // The slack keeps hits exactly at the range's ends for the exact test of each triangle.
     const double slack = 1e-15 * (std::abs(shift) + range.farView);
     Walk walk(local, range.nearView - shift - slack, range.farView - shift + slack);

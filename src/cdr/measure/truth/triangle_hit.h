@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/measure/truth/object_ray.h>
+#include <cdr/scene/mesh.h>
 
 #include <glm/glm.hpp>
 
@@ -12,6 +13,12 @@ namespace cdr::measure {
 
 /// A triangle's corners in object space, counter-clockwise seen from its front.
 using Triangle = std::array<glm::vec3, 3>;
+
+/// @param first of the triangle's indices.
+inline Triangle triangleOf(const scene::Mesh& mesh, std::size_t first) {
+    return {mesh.vertices[mesh.indices[first]].position, mesh.vertices[mesh.indices[first + 1]].position,
+            mesh.vertices[mesh.indices[first + 2]].position};
+}
 
 /// Intersects a ray with triangles, after Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection" (2013).
 /// Space is sheared so that the ray is an axis, and three edge functions decide in 2D.
