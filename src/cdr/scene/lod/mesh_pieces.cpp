@@ -1,9 +1,9 @@
-#include <cdr/scene/box_tree.h>
 #include <cdr/scene/lod/mesh_pieces.h>
 #include <cdr/scene/lod/triangle_clusters.h>
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -18,9 +18,7 @@ constexpr std::size_t kTrianglesPerPiece = 8;
 /// texture coordinate are one point.
 std::vector<std::uint32_t> pointsOf(const SourceMesh& source) {
     std::vector<std::uint32_t> order(source.vertices.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        order[i] = static_cast<std::uint32_t>(i);
-    }
+    std::iota(order.begin(), order.end(), 0u);
     const auto key = [&](std::uint32_t i) {
         const glm::dvec3 position = source.positionOf(i);
         return std::array{position.x, position.y, position.z};
@@ -118,12 +116,8 @@ std::vector<TriangleCluster> clustersOf(const SourceMesh& source, double radius)
     return clusterTriangles(source, radius, most);
 }
 
-/// From the middle of float32 vertices to a vertex at least the piece's size from the source's origin is a float32 without
-/// rounding.
-glm::dvec3 originOf(const glm::dvec3& low, const glm::dvec3& high) {
-    return (low + high) * 0.5;
-}
-
+/// Each about the middle of its box: from there to a float32 vertex at least the piece's size from the source's origin is a
+/// float32 without rounding.
 std::vector<MeshPiece> makePieces(const SourceMesh& source, std::vector<TriangleCluster> clusters) {
     PieceMaker maker(source);
     if (clusters.size() > 1) {
@@ -132,8 +126,7 @@ std::vector<MeshPiece> makePieces(const SourceMesh& source, std::vector<Triangle
     std::vector<MeshPiece> pieces;
     for (const TriangleCluster& cluster : clusters) {
         const std::string suffix = clusters.size() > 1 ? " piece " + std::to_string(pieces.size()) : "";
-        pieces.push_back(
-            maker.make(cluster.triangles, originOf(cluster.low, cluster.high), source.name + suffix));
+        pieces.push_back(maker.make(cluster.triangles, cluster.bounds.centre(), source.name + suffix));
     }
     return pieces;
 }
@@ -185,7 +178,7 @@ std::vector<MeshPiece> cutIntoPieces(SourceMesh&& source, double radius) {
     const Box box = boxOf(source);
     std::vector<MeshPiece> pieces;
     if (0.5 * box.diagonal() <= radius && isInOrderOfUse(source)) {
-        pieces.push_back(takeWhole(std::move(source), originOf(box.low, box.high)));
+        pieces.push_back(takeWhole(std::move(source), box.centre()));
     } else {
         pieces = makePieces(source, clustersOf(source, radius));
         source = {};

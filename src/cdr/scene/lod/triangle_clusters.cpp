@@ -1,4 +1,3 @@
-#include <cdr/scene/box_tree.h>
 #include <cdr/scene/lod/triangle_clusters.h>
 
 #include <algorithm>
@@ -42,13 +41,10 @@ class Clusterer {
     }
 
   private:
-    glm::dvec3 corner(std::uint32_t triangle, std::size_t i) const {
-        return m_source.positionOf(m_source.indices[std::size_t{3} * triangle + i]);
-    }
     Box boxOf(std::uint32_t triangle) const {
         Box box;
         for (std::size_t i = 0; i < 3; ++i) {
-            box.add(corner(triangle, i));
+            box.add(m_source.positionOf(m_source.indices[std::size_t{3} * triangle + i]));
         }
         return box;
     }
@@ -58,13 +54,11 @@ class Clusterer {
     }
 
     TriangleCluster bounded(std::vector<std::uint32_t> triangles) const {
-        Box box;
-        for (const std::uint32_t triangle : triangles) {
-            for (std::size_t i = 0; i < 3; ++i) {
-                box.add(corner(triangle, i));
-            }
+        TriangleCluster cluster{.triangles = std::move(triangles)};
+        for (const std::uint32_t triangle : cluster.triangles) {
+            cluster.bounds.add(boxOf(triangle));
         }
-        return {.triangles = std::move(triangles), .low = box.low, .high = box.high};
+        return cluster;
     }
 
     std::vector<std::uint32_t> takeUpper(std::vector<std::uint32_t>& triangles, int axis,

@@ -1,8 +1,7 @@
 #pragma once
 
+#include <cdr/scene/box_tree.h>
 #include <cdr/scene/lod/mesh_pieces.h>
-
-#include <glm/glm.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -13,11 +12,9 @@ namespace cdr::scene {
 /// Triangles that lie together.
 struct TriangleCluster {
     std::vector<std::uint32_t> triangles; ///< ascending; triangle t is the indices 3t to 3t + 2
-    glm::dvec3 low{0.0};                  ///< bounds of their corners
-    glm::dvec3 high{0.0};
+    Box bounds{};                         ///< of their corners
 
-    /// Half the diagonal of the bounds.
-    double radius() const { return 0.5 * glm::distance(low, high); }
+    double radius() const { return 0.5 * bounds.diagonal(); }
 };
 
 /// Sorts triangles into clusters and cuts the widest first. It ends when each fits a sphere of `radius`, when
