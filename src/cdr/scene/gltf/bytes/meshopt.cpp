@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
-#include <utility>
+#include <string_view>
 
 namespace cdr::scene::gltf {
 
@@ -19,30 +19,17 @@ using Mode = MeshoptView::Mode;
 
 constexpr std::size_t kMaxVertexBytes = 256;
 
+// In the order of their enumerations.
+constexpr std::array<std::string_view, 3> kModes{"ATTRIBUTES", "TRIANGLES", "INDICES"};
+constexpr std::array<std::string_view, 4> kFilters{"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"};
+
 template <typename Enum, std::size_t Count>
-Enum named(const std::array<std::pair<const char*, Enum>, Count>& names, const std::string& name,
+Enum named(const std::array<std::string_view, Count>& names, const std::string& name,
            const std::string& where) {
-    for (const auto& [known, value] : names) {
-        if (name == known) {
-            return value;
-        }
+    if (const auto value = valueOf<Enum>(names, name)) {
+        return *value;
     }
     refuse("{}: {} has no '{}'", where, kMeshopt, oneLine(name, kMaxNameLength));
-}
-
-Mode modeOf(const json& extension, const std::string& where) {
-    constexpr std::array<std::pair<const char*, Mode>, 3> kModes{
-        {{"ATTRIBUTES", Mode::attributes}, {"TRIANGLES", Mode::triangles}, {"INDICES", Mode::indices}}};
-    return named(kModes, stringMember(extension, "mode").value_or(""), where);
-}
-
-MeshoptFilter filterOf(const json& extension, const std::string& where) {
-    constexpr std::array<std::pair<const char*, MeshoptFilter>, 4> kFilters{
-        {{"NONE", MeshoptFilter::none},
-         {"OCTAHEDRAL", MeshoptFilter::octahedral},
-         {"QUATERNION", MeshoptFilter::quaternion},
-         {"EXPONENTIAL", MeshoptFilter::exponential}}};
-    return named(kFilters, stringMember(extension, "filter").value_or("NONE"), where);
 }
 
 bool isStrideRight(const MeshoptView& view) {
@@ -81,14 +68,14 @@ MeshoptView readMeshoptView(const json& extension, std::size_t bytes, const std:
     const auto number = [&](const char* key) {
         return static_cast<std::size_t>(requiredIndex(extension, key, where));
     };
-    const MeshoptView view{.buffer = requiredIndex(extension, "buffer", where),
-                           .offset =
-                               static_cast<std::size_t>(indexMember(extension, "byteOffset").value_or(0)),
-                           .length = number("byteLength"),
-                           .stride = number("byteStride"),
-                           .count = number("count"),
-                           .mode = modeOf(extension, where),
-                           .filter = filterOf(extension, where)};
+    const MeshoptView view{
+        .buffer = requiredIndex(extension, "buffer", where),
+        .offset = static_cast<std::size_t>(indexMember(extension, "byteOffset").value_or(0)),
+        .length = number("byteLength"),
+        .stride = number("byteStride"),
+        .count = number("count"),
+        .mode = named<Mode>(kModes, stringMember(extension, "mode").value_or(""), where),
+        .filter = named<MeshoptFilter>(kFilters, stringMember(extension, "filter").value_or("NONE"), where)};
     if (!isStrideRight(view) || (view.mode != Mode::attributes && view.filter != MeshoptFilter::none)) {
         refuse("{}: {} has no elements of {} bytes in that mode and filter", where, kMeshopt, view.stride);
     }
