@@ -297,25 +297,14 @@ void MeshImporter::addVertices(SourceMesh& mesh, const Attributes& attributes,
     const std::vector<std::uint32_t> order =
         readingOrder(indices, bytesApartInFile({attributes.position, attributes.normal, attributes.uv,
                                                 attributes.color, attributes.secondUv, attributes.tangent}));
-    if (order.empty()) {
-        mesh.vertices.reserve(indices.size());
-        mesh.details.reserve(hasDetail ? indices.size() : 0);
-        for (const std::uint32_t index : indices) {
-            mesh.vertices.push_back(readVertex(attributes, index, where));
-            if (hasDetail) {
-                mesh.details.push_back(readDetail(attributes, index, mesh.vertices.back().normal, where));
-            }
-        }
-        return;
-    }
     mesh.vertices.resize(indices.size());
     mesh.details.resize(hasDetail ? indices.size() : 0);
-    for (const std::uint32_t i : order) {
+    forEachInOrder(order, indices.size(), [&](std::uint32_t i) {
         mesh.vertices[i] = readVertex(attributes, indices[i], where);
         if (hasDetail) {
             mesh.details[i] = readDetail(attributes, indices[i], mesh.vertices[i].normal, where);
         }
-    }
+    });
 }
 
 void MeshImporter::addShared(SourcePrimitive& source, const Attributes& attributes,
