@@ -20,16 +20,9 @@ struct BadInput {
 /// Each ends with one line, exit status 2, and nothing written.
 class BadInputTest : public testing::TestWithParam<BadInput> {};
 
-void expectRefused(const ProgramResult& result, const std::string& says) {
-    EXPECT_EQ(result.status, 2) << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_NE(result.err.find(says), std::string::npos) << result.err;
-    EXPECT_EQ(result.out, "");
-}
-
 TEST_P(BadInputTest, IsRefusedInOneLine) {
     const TemporaryFolder folder;
-    expectRefused(runProgram(GetParam().arguments, folder.path()), GetParam().says);
+    expectRefusal(GetParam().arguments, folder.path(), GetParam().says);
     EXPECT_TRUE(folder.isEmpty());
 }
 
@@ -287,8 +280,7 @@ TEST_P(BadFileTest, IsRefusedInOneLine) {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder.path().string() + "_" + GetParam().name;
     std::ofstream(file) << GetParam().content;
-    const ProgramResult result = runProgram("render '" + file.string() + "' -o a.png", folder.path());
-    expectRefused(result, GetParam().name);
+    expectRefusal("render '" + file.string() + "' -o a.png", folder.path(), GetParam().name);
     EXPECT_TRUE(folder.isEmpty());
     std::filesystem::remove(file);
 }
@@ -319,8 +311,7 @@ INSTANTIATE_TEST_SUITE_P(Files, BadFileTest,
 
 TEST(BadInput, AnUnwritableJsonOfPicturesIsRefusedBeforeRendering) {
     const TemporaryFolder folder;
-    expectRefused(runProgram("pictures --out p --json no/such/folder/a.json", folder.path()),
-                  "cannot be written");
+    expectRefusal("pictures --out p --json no/such/folder/a.json", folder.path(), "cannot be written");
 }
 
 } // namespace

@@ -68,11 +68,9 @@ TEST(CoplanarCommand, SearchesTheSettingsThatAreGiven) {
 /// Vertices that are rounded to halves of a pixel cover pixels that no ray meets them in, and some of these flip.
 TEST(CoplanarCommand, TellsFlipsByCoverageFromOthers) {
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        "--quiet coplanar --frames 8 --search-views 1 --size 160x90 --techniques anchored --snap-bits 1 --json c.json",
-        folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json results = json::parse(readText(folder.path() / "c.json")).at("results");
+    const json results = documentOf(
+        "--quiet coplanar --frames 8 --search-views 1 --size 160x90 --techniques anchored --snap-bits 1",
+        folder.path())["results"];
     const json& none = results.at(0);
     EXPECT_GT(none.at("coverage_flips").get<int>(), 0);
     EXPECT_LE(none.at("coverage_flips").get<int>(), none.at("coverage").get<int>());

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
@@ -52,13 +51,11 @@ TEST(DetailCommand, RenderTakesADetailHoweverSubmitted) {
     const TemporaryFolder folder;
     std::set<std::string> hashes;
     for (const char* how : {"none", "object --submission gpu-driven", "object:0.5 --threads 3"}) {
-        const ProgramResult result = runProgram(std::string("--validate render " CDR_SOURCE_DIR
-                                                            "/tests/golden/spheres.gltf --size 96x54 "
-                                                            "--split count:3 --json r.json --detail ") +
-                                                    how,
-                                                folder.path());
-        ASSERT_EQ(result.status, 0) << how << ": " << result.err;
-        const json row = json::parse(readText(folder.path() / "r.json")).at("results").at(0);
+        const json row = documentOf(std::string("--validate render " CDR_SOURCE_DIR
+                                                "/tests/golden/spheres.gltf --size 96x54 "
+                                                "--split count:3 --detail ") +
+                                        how,
+                                    folder.path())["results"][0];
         EXPECT_EQ(row.at("detail"), std::string(how) == "none" ? "none" : "object:0.5");
         hashes.insert(row.at("hash").get<std::string>());
     }
@@ -69,13 +66,10 @@ TEST(DetailCommand, RenderTakesClusters) {
     const TemporaryFolder folder;
     std::set<std::string> hashes;
     for (const char* how : {"cluster", "cluster:0.5 --threads 3 --targets layers", "none"}) {
-        const ProgramResult result = runProgram(std::string("--validate render " CDR_SOURCE_DIR
-                                                            "/tests/golden/spheres.gltf --size 96x54 "
-                                                            "--json r.json --detail ") +
-                                                    how,
-                                                folder.path());
-        ASSERT_EQ(result.status, 0) << how << ": " << result.err;
-        const json row = json::parse(readText(folder.path() / "r.json")).at("results").at(0);
+        const json row = documentOf(std::string("--validate render " CDR_SOURCE_DIR
+                                                "/tests/golden/spheres.gltf --size 96x54 --detail ") +
+                                        how,
+                                    folder.path())["results"][0];
         EXPECT_EQ(row.at("detail"), std::string(how) == "none" ? "none" : "cluster:0.5");
         hashes.insert(row.at("hash").get<std::string>());
     }
@@ -89,9 +83,7 @@ TEST(DetailCommand, BadDetailsAreOneLine) {
           "render cubes --detail cascade:x", "render boulders --detail cluster --submission gpu-driven",
           "detail cubes --pixels -1", "detail cubes --pixels nan", "detail nowhere.glb",
           "detail cubes --split count:0"}) {
-        const ProgramResult result = runProgram(bad, folder.path());
-        EXPECT_EQ(result.status, 2) << bad << ": " << result.err;
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << bad << ": " << result.err;
+        expectRefusal(bad, folder.path());
     }
 }
 

@@ -14,10 +14,8 @@ using nlohmann::json;
 
 TEST(EffectsCommand, LooksAlikeUnderEveryTechniqueAndLosesPerLayer) {
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        "--validate effects --frames 2 --size 320x180 --out pictures --json e.json", folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json document = json::parse(readText(folder.path() / "e.json"));
+    const json document =
+        documentOf("--validate effects --frames 2 --size 320x180 --out pictures", folder.path());
     EXPECT_EQ(document.at("command"), "effects");
     std::map<std::string, json> rows;
     for (const json& row : document.at("results")) {
@@ -36,10 +34,8 @@ TEST(EffectsCommand, LooksAlikeUnderEveryTechniqueAndLosesPerLayer) {
 
 TEST(EffectsCommand, ComparesTheTechniquesThatAreGiven) {
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        "--validate effects --frames 1 --size 32x18 --techniques log --json e.json", folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json document = json::parse(readText(folder.path() / "e.json"));
+    const json document =
+        documentOf("--validate effects --frames 1 --size 32x18 --techniques log", folder.path());
     EXPECT_EQ(document.at("options").at("techniques"), json::array({"log"}));
     for (const json& row : document.at("results")) {
         EXPECT_EQ(row.at("least_alike"), "log");
@@ -63,9 +59,7 @@ TEST(EffectsCommand, OcclusionPerLayerDrawsShinyScenesMattAndSaysSo) {
 
 TEST(EffectsCommand, RefusesWhatCannotBe) {
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram("effects --occlusion=-1", folder.path());
-    EXPECT_EQ(result.status, 2);
-    EXPECT_NE(result.err.find("not negative"), std::string::npos) << result.err;
+    expectRefusal("effects --occlusion=-1", folder.path(), "not negative");
 }
 
 } // namespace

@@ -36,9 +36,7 @@ TEST(Files, AnOutputNeverReplacesTheInput) {
           "render in.gltf --trace in.gltf", "pictures --scenes in.gltf --json link.json",
           "detail in.gltf --json link.json", "render cubes --path in.gltf --json link.json",
           "inspect cubes --path in.gltf --json link.json", "shadows alley --path in.gltf --json link.json"}) {
-        const ProgramResult result = runProgram(arguments, folder.path());
-        EXPECT_EQ(result.status, 2) << arguments;
-        EXPECT_NE(result.err.find("would replace what the command reads"), std::string::npos) << result.err;
+        expectRefusal(arguments, folder.path(), "would replace what the command reads");
         EXPECT_EQ(readText(folder.path() / "in.gltf"), before) << arguments;
     }
 }
@@ -48,9 +46,7 @@ TEST(Files, ABareJsonNeverReplacesAModel) {
     const TemporaryFolder folder;
     writeNotedModel(folder.path() / "in.gltf");
     const std::string before = readText(folder.path() / "in.gltf");
-    const ProgramResult result = runProgram("models --json in.gltf in.gltf", folder.path());
-    EXPECT_EQ(result.status, 2);
-    EXPECT_NE(result.err.find("write --json=FILE, or --json last"), std::string::npos) << result.err;
+    expectRefusal("models --json in.gltf in.gltf", folder.path(), "write --json=FILE, or --json last");
     EXPECT_EQ(readText(folder.path() / "in.gltf"), before);
 }
 
@@ -65,9 +61,7 @@ TEST(Files, NoOutputIsALaterPictureOfASequence) {
                 std::ofstream(folder.path() / "d" / "f1.png") << "x";
                 std::ofstream(folder.path() / "d" / "f2.png") << "x";
             }
-            const ProgramResult result = runProgram(frames + other, folder.path());
-            EXPECT_EQ(result.status, 2) << other;
-            EXPECT_NE(result.err.find("would write it"), std::string::npos) << result.err;
+            expectRefusal(frames + other, folder.path(), "would write it");
             EXPECT_FALSE(fs::exists(folder.path() / "d" / "f0.png")) << other;
         }
     }
@@ -88,9 +82,7 @@ TEST(Files, AnOutputNeverReplacesWhatAModelIsMadeOf) {
          {"render m.gltf --size 8x8 -o t_0003.png", "render m.gltf --size 8x8 -o t_%04d.png --frames 4",
           "render m.gltf --size 8x8 --json t_0003.png",
           "pictures --scenes m.gltf --size 8x8 --json t_0003.png"}) {
-        const ProgramResult result = runProgram(arguments, folder.path());
-        EXPECT_EQ(result.status, 2) << arguments;
-        EXPECT_NE(result.err.find("would replace what the command reads"), std::string::npos) << result.err;
+        expectRefusal(arguments, folder.path(), "would replace what the command reads");
         EXPECT_EQ(readText(folder.path() / "t_0003.png"), before) << arguments;
     }
     EXPECT_FALSE(fs::exists(folder.path() / "t_0000.png"));
@@ -103,10 +95,8 @@ TEST(Files, ScenesOfOneNameAreRefused) {
         fs::create_directory(folder.path() / name);
         writeNotedModel(folder.path() / name / "m.gltf");
     }
-    const ProgramResult result = runProgram("--quiet pictures --scenes a/m.gltf,b/m.gltf", folder.path());
-    EXPECT_EQ(result.status, 2);
-    EXPECT_NE(result.err.find("a/m.gltf and b/m.gltf would both be written as m_*.png"), std::string::npos)
-        << result.err;
+    expectRefusal("--quiet pictures --scenes a/m.gltf,b/m.gltf", folder.path(),
+                  "a/m.gltf and b/m.gltf would both be written as m_*.png");
     EXPECT_FALSE(fs::exists(folder.path() / "out"));
 }
 
@@ -215,9 +205,7 @@ TEST(Notes, SayWhichFileTheyAreAbout) {
 
 TEST(Notes, AreAnEmptyListWhereAllIsDrawn) {
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram("render cubes --size 32x18 --json r.json", folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json document = json::parse(readText(folder.path() / "r.json"));
+    const json document = documentOf("render cubes --size 32x18", folder.path());
     EXPECT_EQ(document.at("notes"), json::array());
     EXPECT_EQ(document.at("noted_files"), json::array());
 }

@@ -82,9 +82,7 @@ TEST(FlickerCommand, WritesVideosFramesAndStateAndGoesOnFromIt) {
     EXPECT_EQ(readText(folder.path() / "frames" / "log" / "0002.tga"), frame);
     EXPECT_EQ(json::parse(readText(folder.path() / "a.json")).at("results")[0].at("format"), "d16");
 
-    const ProgramResult other = runProgram("flicker --frames 4 --size 128x72 --state .", folder.path());
-    EXPECT_EQ(other.status, 2);
-    EXPECT_NE(other.err.find("another version"), std::string::npos) << other.err;
+    expectRefusal("flicker --frames 4 --size 128x72 --state .", folder.path(), "another version");
 }
 
 struct BadFlicker {
@@ -96,10 +94,7 @@ class BadFlickerCommand : public testing::TestWithParam<BadFlicker> {};
 
 TEST_P(BadFlickerCommand, IsOneLineAndStatusTwo) {
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram(GetParam().arguments, folder.path());
-    EXPECT_EQ(result.status, 2) << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_NE(result.err.find(GetParam().says), std::string::npos) << result.err;
+    expectRefusal(GetParam().arguments, folder.path(), GetParam().says);
     EXPECT_TRUE(folder.isEmpty());
 }
 
@@ -116,10 +111,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(FlickerCommand, AMissingEncoderIsNamed) {
     const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("flicker --frames 1 --size 64x36 --videos v", folder.path(), "PATH=/nowhere");
-    EXPECT_EQ(result.status, 2);
-    EXPECT_EQ(result.err, "cdr: videos need ffmpeg, which is not installed (Debian, Ubuntu: ffmpeg)\n");
+    expectRefusal("flicker --frames 1 --size 64x36 --videos v", folder.path(),
+                  "cdr: videos need ffmpeg, which is not installed (Debian, Ubuntu: ffmpeg)\n",
+                  "PATH=/nowhere");
     EXPECT_TRUE(folder.isEmpty());
 }
 

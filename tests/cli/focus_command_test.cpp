@@ -48,10 +48,7 @@ TEST(FocusCommand, ComparesEveryLensWithManyCameras) {
 
 TEST(FocusCommand, DrawsTheSplitThatWasAskedFor) {
     const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("focus --split none --frames 1 --cameras 1 --size 64x36 --json f.json", folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json document = json::parse(readText(folder.path() / "f.json"));
+    const json document = documentOf("focus --split none --frames 1 --cameras 1 --size 64x36", folder.path());
     EXPECT_EQ(document.at("options").at("split"), "none");
     EXPECT_EQ(document.at("cascades").size(), 1u);
 }
@@ -60,13 +57,10 @@ TEST(FocusCommand, RenderTakesALens) {
     const TemporaryFolder folder;
     std::set<std::string> hashes;
     for (const char* lens : {"12:0.3", "12:0.3:blend", "6:0.3"}) {
-        const ProgramResult result =
-            runProgram(std::string("--validate render alley --size 96x54 --split count:4 --targets layers "
-                                   "--json r.json --focus ") +
-                           lens,
-                       folder.path());
-        ASSERT_EQ(result.status, 0) << lens << ": " << result.err;
-        const json row = json::parse(readText(folder.path() / "r.json")).at("results").at(0);
+        const json row = documentOf(
+            std::string("--validate render alley --size 96x54 --split count:4 --targets layers --focus ") +
+                lens,
+            folder.path())["results"][0];
         hashes.insert(row.at("hash").get<std::string>());
     }
     EXPECT_EQ(hashes.size(), 3u);

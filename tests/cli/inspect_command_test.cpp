@@ -358,9 +358,7 @@ TEST(InspectCommand, LooksAtAFileFromAllSides) {
     EXPECT_EQ(run.document.at("pairs_found"), 1);
     for (const char* bad : {"inspect a.gltf --fail-above 2", "inspect a.gltf --heat-map a.jpg",
                             "inspect a.gltf --technique none", "inspect nosuch"}) {
-        const ProgramResult refused = runProgram(bad, folder.path());
-        EXPECT_EQ(refused.status, 2) << bad;
-        EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+        expectRefusal(bad, folder.path());
     }
 }
 

@@ -135,10 +135,8 @@ TEST(TimingCommand, RunsTwoBuildsInTurns) {
 
 TEST(TimingCommand, RefusesWhatIsNoBuild) {
     const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("timing --against true --rounds 1 --frames 1 --size 16x16 --modes log", folder.path());
-    EXPECT_EQ(result.status, 2);
-    EXPECT_NE(result.err.find("true wrote no timing results"), std::string::npos) << result.err;
+    expectRefusal("timing --against true --rounds 1 --frames 1 --size 16x16 --modes log", folder.path(),
+                  "true wrote no timing results");
 }
 
 /// Programs that write something else where their JSON is asked for.

@@ -19,12 +19,9 @@ const std::string kAssets = CDR_SOURCE_DIR "/tests/assets/";
 
 TEST(ModelsCommand, HoldsModelsAgainstTheReference) {
     const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("--validate models " + kAssets + "well.gltf " + kAssets +
-                       "machine.glb --time 0.8 --size 240x135 --threads 2 --out m --json m.json",
-                   folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json document = json::parse(readText(folder.path() / "m.json"));
+    const json document = documentOf("--validate models " + kAssets + "well.gltf " + kAssets +
+                                         "machine.glb --time 0.8 --size 240x135 --threads 2 --out m",
+                                     folder.path());
     EXPECT_EQ(document["command"], "models");
     ASSERT_EQ(document["results"].size(), 2u);
     for (const json& row : document["results"]) {
@@ -68,12 +65,9 @@ TEST(ModelsCommand, HoldsModelsAgainstTheReference) {
 /// A lawn at a low angle, leaves whose normals face away, smooth and rough balls: under a sky, where most is mirrored.
 TEST(ModelsCommand, ModelsUnderASkyAreCloseToTheReferenceWhereTheyCover) {
     const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("models " + kAssets + "garden.glb " + kAssets + "materials.glb " + kAssets +
-                       "stage.glb --size 320x180 --threads 2 --json m.json",
-                   folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json document = json::parse(readText(folder.path() / "m.json"));
+    const json document = documentOf("models " + kAssets + "garden.glb " + kAssets + "materials.glb " +
+                                         kAssets + "stage.glb --size 320x180 --threads 2",
+                                     folder.path());
     ASSERT_EQ(document["results"].size(), 3u);
     for (const json& row : document["results"]) {
         EXPECT_LE(row["covered_flip"], 0.05) << row;
@@ -85,11 +79,9 @@ TEST(ModelsCommand, ModelsUnderASkyAreCloseToTheReferenceWhereTheyCover) {
 TEST(ModelsCommand, AModelWithPackedTexturesIsCloseToTheReference) {
     for (const std::string light : {"sky", "lamps"}) {
         const TemporaryFolder folder;
-        const ProgramResult result = runProgram(
-            "models " + kAssets + "shield.glb --size 320x180 --threads 2 --light " + light + " --json m.json",
-            folder.path());
-        ASSERT_EQ(result.status, 0) << result.err;
-        const json row = json::parse(readText(folder.path() / "m.json"))["results"][0];
+        const json row =
+            documentOf("models " + kAssets + "shield.glb --size 320x180 --threads 2 --light " + light,
+                       folder.path())["results"][0];
         EXPECT_EQ(row["textures"], 5) << row;
         EXPECT_GT(row["covered_fraction"], 0.3) << row;
         EXPECT_LE(row["flip"], 0.05) << row;
@@ -109,10 +101,7 @@ TEST(ModelsCommand, AModelThatBlendsAloneIsCovered) {
     for (const char* name : {"well.bin", "stone.jpg"}) {
         std::filesystem::copy_file(kAssets + name, folder.path() / name);
     }
-    const ProgramResult result =
-        runProgram("models glass.gltf --size 240x135 --threads 2 --json m.json", folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json row = json::parse(readText(folder.path() / "m.json"))["results"][0];
+    const json row = documentOf("models glass.gltf --size 240x135 --threads 2", folder.path())["results"][0];
     EXPECT_GT(row["covered_fraction"], 0.1) << row;
     EXPECT_GT(row["covered_flip"], row["flip"]) << row;
     EXPECT_LE(row["covered_flip"], 0.05) << row;
@@ -121,11 +110,9 @@ TEST(ModelsCommand, AModelThatBlendsAloneIsCovered) {
 TEST(ModelsCommand, TakesAModelsOwnLightsAndCamera) {
     const TemporaryFolder folder;
     const auto reference = [&](const std::string& more) {
-        const ProgramResult result = runProgram("models " + kAssets + "stage.glb --camera 0 --size 240x135 " +
-                                                    more + " --out m --json m.json",
-                                                folder.path());
-        EXPECT_EQ(result.status, 0) << result.err;
-        const json row = json::parse(readText(folder.path() / "m.json"))["results"][0];
+        const json row =
+            documentOf("models " + kAssets + "stage.glb --camera 0 --size 240x135 " + more + " --out m",
+                       folder.path())["results"][0];
         EXPECT_LE(row["covered_flip"], 0.05) << more;
         return readText(folder.path() / "m" / "stage_reference.png");
     };
@@ -141,11 +128,9 @@ TEST(ModelsCommand, PicturesOfFilesOfOneNameHaveTheirFoldersNamesToo) {
         std::filesystem::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf",
                                    folder.path() / place / "shapes.gltf");
     }
-    const ProgramResult result = runProgram("models a/model/shapes.gltf b/model/shapes.gltf c/shapes.gltf " +
-                                                kAssets + "stage.glb --size 64x36 --out m --json m.json",
-                                            folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json rows = json::parse(readText(folder.path() / "m.json"))["results"];
+    const json rows = documentOf("models a/model/shapes.gltf b/model/shapes.gltf c/shapes.gltf " + kAssets +
+                                     "stage.glb --size 64x36 --out m",
+                                 folder.path())["results"];
     ASSERT_EQ(rows.size(), 4u);
     EXPECT_EQ(rows[0]["model"], "a_model_shapes");
     EXPECT_EQ(rows[1]["model"], "b_model_shapes");
@@ -165,10 +150,8 @@ TEST(ModelsCommand, NamesThatStayAlikeAreRefused) {
         std::filesystem::create_directories((folder.path() / file).parent_path());
         std::filesystem::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", folder.path() / file);
     }
-    const ProgramResult result = runProgram(
-        "models " + deep + "a_b.gltf " + deep + "a/b.gltf c/b.gltf --size 64x36 --out m", folder.path());
-    EXPECT_EQ(result.status, 2) << result.err;
-    EXPECT_NE(result.err.find("two models would both be written as "), std::string::npos) << result.err;
+    expectRefusal("models " + deep + "a_b.gltf " + deep + "a/b.gltf c/b.gltf --size 64x36 --out m",
+                  folder.path(), "two models would both be written as ");
 }
 
 } // namespace

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <filesystem>
 #include <ostream>
 #include <set>
@@ -71,10 +70,8 @@ TEST_P(StillCommand, RefusesWhatThereIsNot) {
         bad.insert({std::string("cubes --light file"), kStage + std::string("--light skies")});
     }
     for (const std::string& arguments : bad) {
-        const ProgramResult result = runProgram(
-            fmt::format("{} {} {} --json s.json", still.command, arguments, still.options), folder.path());
-        EXPECT_EQ(result.status, 2) << arguments;
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+        expectRefusal(fmt::format("{} {} {} --json s.json", still.command, arguments, still.options),
+                      folder.path());
         EXPECT_FALSE(std::filesystem::exists(folder.path() / "s.json")) << arguments;
     }
 }
@@ -92,12 +89,9 @@ INSTANTIATE_TEST_SUITE_P(
 /// A spot, a point light inside its bulb, where all is in shadow, and a directional one, each against float64 rays.
 TEST(ShadowCommand, MeasuresAFilesOwnLights) {
     const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("shadows" + std::string(kStage) +
-                       "--camera 0 --light file --time 0.7 --size 640x360 --threads 2 --json s.json",
-                   folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json rows = json::parse(readText(folder.path() / "s.json"))["results"];
+    const json rows = documentOf("shadows" + std::string(kStage) +
+                                     "--camera 0 --light file --time 0.7 --size 640x360 --threads 2",
+                                 folder.path())["results"];
     ASSERT_EQ(rows.size(), 3u);
     for (const json& row : rows) {
         EXPECT_GT(row["pixels"], 1000) << row;

@@ -329,9 +329,7 @@ TEST_P(NumericOptions, WhatIsNoFiniteNumberIsRefused) {
             }
             const std::string arguments = std::string(GetParam().command) + replaced(quoted(option), value);
             const TemporaryFolder folder;
-            const ProgramResult result = runProgram(arguments, folder.path(), cpuLimit());
-            EXPECT_EQ(result.status, 2) << arguments << "\n" << result.err;
-            EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+            expectRefusal(arguments, folder.path(), "", cpuLimit());
             EXPECT_TRUE(folder.isEmpty()) << arguments;
         }
     }
@@ -386,9 +384,7 @@ TEST(WholeNumbers, AreDecimal) {
         for (const auto& [name, type] : typedOptions(command, folder)) {
             if (type == "UINT" || type == "INT") {
                 ++options;
-                const ProgramResult result = runProgram(command + " " + name + "=0x1", folder.path());
-                EXPECT_EQ(result.status, 2) << command << " " << name;
-                EXPECT_NE(result.err.find("in decimal, not 0x1"), std::string::npos) << result.err;
+                expectRefusal(command + " " + name + "=0x1", folder.path(), "in decimal, not 0x1");
             }
         }
     }

@@ -80,6 +80,21 @@ ProgramResult runProgram(const std::string& arguments, const fs::path& folder,
     return result;
 }
 
+nlohmann::json documentOf(const std::string& arguments, const fs::path& folder) {
+    const ProgramResult result = runProgram(arguments + " --json document.json", folder);
+    EXPECT_EQ(result.status, 0) << arguments << ": " << result.err;
+    return result.status == 0 ? nlohmann::json::parse(readText(folder / "document.json")) : nlohmann::json();
+}
+
+void expectRefusal(const std::string& arguments, const fs::path& folder, const std::string& what,
+                   const std::string& environment) {
+    const ProgramResult result = runProgram(arguments, folder, environment);
+    EXPECT_EQ(result.status, 2) << arguments << ": " << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << ": " << result.err;
+    EXPECT_NE(result.err.find(what), std::string::npos) << arguments << ": " << result.err;
+    EXPECT_EQ(result.out, "") << arguments;
+}
+
 std::vector<std::string> commandNames() {
     const TemporaryFolder folder;
     const ProgramResult result = runProgram("completions fish", folder.path());

@@ -6,6 +6,8 @@
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <map>
 #include <string>
@@ -23,6 +25,13 @@ struct ProgramResult {
 /// @param environment assignments for the program alone, as typed before it.
 ProgramResult runProgram(const std::string& arguments, const std::filesystem::path& folder,
                          const std::string& environment = "");
+
+/// Runs the program, which has to succeed, with `--json`. @return the document; null where it fails.
+nlohmann::json documentOf(const std::string& arguments, const std::filesystem::path& folder);
+
+/// Runs the program, which has to end with exit status 2 and print nothing but one line that says `what`.
+void expectRefusal(const std::string& arguments, const std::filesystem::path& folder,
+                   const std::string& what = "", const std::string& environment = "");
 
 /// The commands that bare `cdr` lists.
 std::vector<std::string> commandNames();

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -162,9 +161,7 @@ TEST_F(RivalsBeside, FlickerCountsWhatTheyGetWrongAndKeepsIt) {
     EXPECT_FALSE(std::filesystem::exists(folder() / "tga" / "object-anchors"));
 
     EXPECT_EQ(run(command + kRivals + " --state s").at("results"), with.at("results"));
-    const ProgramResult others = runProgram(command + " --rivals object-anchors --state s", folder());
-    EXPECT_EQ(others.status, 2);
-    EXPECT_NE(others.err.find("other options"), std::string::npos) << others.err;
+    expectRefusal(command + " --rivals object-anchors --state s", folder(), "other options");
 }
 
 TEST_F(RivalsBeside, OrbitCountsWhatTheyGetWrong) {
@@ -208,12 +205,8 @@ TEST_F(RivalsBeside, AreRefusedInOneLineWhereTheyCannotBeTimed) {
           std::pair("--in-flight 2", "draws one frame at a time, not several in flight"),
           std::pair("--stages", "--rivals cannot be combined with --against, --stages or --memory"),
           std::pair("--memory", "--rivals cannot be combined with --against, --stages or --memory")}) {
-        const ProgramResult result = runProgram(
-            std::string("timing --frames 1 --size 16x16 --rivals atomic-log --json t.json ") + with,
-            folder());
-        EXPECT_EQ(result.status, 2) << with;
-        EXPECT_NE(result.err.find(says), std::string::npos) << result.err;
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+        expectRefusal(std::string("timing --frames 1 --size 16x16 --rivals atomic-log --json t.json ") + with,
+                      folder(), says);
     }
     EXPECT_TRUE(std::filesystem::is_empty(folder()));
 }

@@ -18,11 +18,8 @@ using nlohmann::json;
 
 TEST(ShadowCommand, ComparesBothMethodsWithTheTruth) {
     const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("--validate shadows alley --size 320x180 --methods plain,anchored --out p --json s.json",
-                   folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json document = json::parse(readText(folder.path() / "s.json"));
+    const json document =
+        documentOf("--validate shadows alley --size 320x180 --methods plain,anchored --out p", folder.path());
     ASSERT_EQ(document["results"].size(), 2u);
     for (const json& row : document["results"]) {
         EXPECT_GT(row["pixels"], 10000);
@@ -49,12 +46,10 @@ TEST(ShadowCommand, SaysHowMuchMemoryTheTruthNeeds) {
 /// A technique's name is a part of the names of pictures.
 TEST(ShadowCommand, TechniquesWithASplitHavePictures) {
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        "shadows alley --techniques standard/count:3 --methods plain --size 64x36 --out p --json s.json",
-        folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
     const auto picture =
-        json::parse(readText(folder.path() / "s.json"))["results"][0]["picture"].get<std::string>();
+        documentOf("shadows alley --techniques standard/count:3 --methods plain --size 64x36 --out p",
+                   folder.path())["results"][0]["picture"]
+            .get<std::string>();
     EXPECT_EQ(picture.find("standard-count:3"), 0u) << picture;
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "p" / picture));
 }
@@ -62,10 +57,8 @@ TEST(ShadowCommand, TechniquesWithASplitHavePictures) {
 /// Of frames after the first, where the camera moves.
 TEST(ShadowCommand, CountsFlipsSinceTheFrameBefore) {
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        "shadows afc --size 320x180 --frames 3 --methods plain,anchored --json s.json", folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json rows = json::parse(readText(folder.path() / "s.json"))["results"];
+    const json rows = documentOf("shadows afc --size 320x180 --frames 3 --methods plain,anchored",
+                                 folder.path())["results"];
     std::map<std::string, std::uint64_t> flips;
     std::size_t first = 0;
     for (const json& row : rows) {

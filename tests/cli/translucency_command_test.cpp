@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -18,11 +17,8 @@ using nlohmann::json;
 
 TEST(TranslucencyCommand, ComparesBothMethodsWithTheTruth) {
     const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("--validate translucency --size 160x90 --cascades 1,3 --repeats 1 --out p --json t.json",
-                   folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json document = json::parse(readText(folder.path() / "t.json"));
+    const json document =
+        documentOf("--validate translucency --size 160x90 --cascades 1,3 --repeats 1 --out p", folder.path());
     EXPECT_EQ(document["command"], "translucency");
     std::set<std::pair<std::string, int>> seen;
     for (const json& row : document["results"]) {
@@ -74,9 +70,7 @@ TEST(TranslucencyCommand, RefusesAMomentThatThereIsNot) {
     for (const std::string& arguments :
          {std::string("translucency --time 1"), std::string("translucency sheets --animation 0"),
           "translucency --animation fly " + veils, "translucency --time nan " + veils}) {
-        const ProgramResult result = runProgram(arguments + " --size 16x16", folder.path());
-        EXPECT_EQ(result.status, 2) << arguments;
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+        expectRefusal(arguments + " --size 16x16", folder.path());
     }
 }
 
