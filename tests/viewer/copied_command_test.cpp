@@ -21,21 +21,7 @@ struct Shown {
     friend std::ostream& operator<<(std::ostream& out, const Shown& shown) { return out << shown.name; }
 };
 
-class CopiedCommand : public ViewerTest, public testing::WithParamInterface<Shown> {
-  protected:
-    /// Runs the copied lines in a shell, each by itself.
-    std::vector<image::ImageRgba8> render(const std::vector<std::string>& lines) {
-        std::vector<image::ImageRgba8> pictures;
-        for (const std::string& line : lines) {
-            // The line names the program as a person would; the test knows where it was built.
-            const RunResult run = runShell("'" CDR_PROGRAM "'" + line.substr(3), folder(), environment());
-            EXPECT_EQ(run.status, 0) << line << "\n" << run.err;
-            const std::string option = "--output=";
-            pictures.push_back(picture(line.substr(line.find(option) + option.size())));
-        }
-        return pictures;
-    }
-};
+class CopiedCommand : public ViewerTest, public testing::WithParamInterface<Shown> {};
 
 /// Bit for bit what F12 saves, whatever frames came before.
 TEST_P(CopiedCommand, DrawsWhatTheWindowShows) {
@@ -45,7 +31,10 @@ TEST_P(CopiedCommand, DrawsWhatTheWindowShows) {
     const auto commands = run.lines("cdr render");
     const bool isSplit = GetParam().arguments.find("--compare") != std::string::npos;
     ASSERT_EQ(commands.size(), isSplit ? 2u : 1u) << run.out;
-    const auto pictures = render(commands);
+    std::vector<image::ImageRgba8> pictures;
+    for (const std::string& command : commands) {
+        pictures.push_back(drawnBy(command));
+    }
     const image::ImageRgba8 shown = picture("cdr-picture-0001.png");
     EXPECT_GT(colors(shown), 20u);
     const double divider = isSplit ? std::stod(valueOf(run.lines("scene=").at(0), "divider")) : 1.0;

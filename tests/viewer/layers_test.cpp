@@ -15,16 +15,7 @@ const std::string kPickPoster =
     "move 278 242\nwait-ui 2\npress\nrelease\nwait-ui 2\nwait-frame\nclick Camera\nwait-ui 2\n";
 const std::string kBehindTheWall = "click 8/layer\ntype -1\nkey enter\nwait-ui 2\nwait-frame\n";
 
-class LayersOfTheViewer : public ViewerTest {
-  protected:
-    /// The picture of a copied line.
-    image::ImageRgba8 render(const std::string& line) {
-        const RunResult run = runShell("'" CDR_PROGRAM "'" + line.substr(3), folder(), environment());
-        EXPECT_EQ(run.status, 0) << line << "\n" << run.err;
-        const std::string option = "--output=";
-        return picture(line.substr(line.find(option) + option.size()));
-    }
-};
+class LayersOfTheViewer : public ViewerTest {};
 
 TEST_F(LayersOfTheViewer, AreSetAndClearedForWhatIsPicked) {
     const RunResult run =
@@ -45,7 +36,7 @@ TEST_F(LayersOfTheViewer, AreSetAndClearedForWhatIsPicked) {
     const auto commands = run.lines("cdr render");
     ASSERT_EQ(commands.size(), 1u);
     EXPECT_NE(commands[0].find("--layer=poster=-1"), std::string::npos) << commands[0];
-    EXPECT_EQ(render(commands[0]), picture("set.png"));
+    EXPECT_EQ(drawnBy(commands[0]), picture("set.png"));
 }
 
 /// What is under the pointer is what the new layer shows: the sign behind the poster, not the poster.
@@ -74,8 +65,8 @@ TEST_F(LayersOfTheViewer, HoldInAComparisonAndWhenTheSceneIsOpenedAnew) {
     ASSERT_EQ(commands.size(), 2u);
     const image::ImageRgba8 both = picture("both.png");
     const std::uint32_t middle = both.width / 2;
-    EXPECT_EQ(difference(render(commands[0]), both, 0, middle - 1), 0.0);
-    EXPECT_EQ(difference(render(commands[1]), both, middle + 1, both.width), 0.0);
+    EXPECT_EQ(difference(drawnBy(commands[0]), both, 0, middle - 1), 0.0);
+    EXPECT_EQ(difference(drawnBy(commands[1]), both, middle + 1, both.width), 0.0);
     EXPECT_EQ(picture("anew.png"), both);
 }
 

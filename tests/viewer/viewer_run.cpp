@@ -53,6 +53,13 @@ RunResult ViewerTest::play(const std::string& arguments, const std::string& scri
     return result;
 }
 
+image::ImageRgba8 ViewerTest::drawnBy(const std::string& line) const {
+    const RunResult run = runShell("'" CDR_PROGRAM "'" + line.substr(3), folder(), environment());
+    EXPECT_EQ(run.status, 0) << line << "\n" << run.err;
+    const std::string option = "--output=";
+    return picture(line.substr(line.find(option) + option.size()));
+}
+
 image::ImageRgba8 ViewerTest::picture(const std::string& name) const {
     return readPicture(folder() / name);
 }

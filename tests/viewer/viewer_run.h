@@ -30,6 +30,8 @@ class ViewerTest : public testing::Test {
   protected:
     /// Runs the viewer with a script, and expects that it ends well and that validation is silent.
     RunResult play(const std::string& arguments, const std::string& script);
+    /// What a copied command line draws. The line names the program as a person would; the test knows where it was built.
+    image::ImageRgba8 drawnBy(const std::string& line) const;
     /// What a picture or window step of the script wrote.
     image::ImageRgba8 picture(const std::string& name) const;
     const std::filesystem::path& folder() const { return m_folder.path(); }
