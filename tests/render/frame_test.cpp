@@ -1,3 +1,4 @@
+#include "../support/refusal.h"
 #include "../support/timeline.h"
 #include "fixture.h"
 
@@ -182,14 +183,8 @@ TEST_F(FrameTest, ABorrowedDeviceRendersTheSameAndStaysAlive) {
     const auto options = smallOptions(depth::parseTechnique("reversed"));
     const scene::Camera camera = setup.path.at(7);
     const Frame own = draw(setup.scene, camera, options);
-    const gpu::BorrowedDevice handles{.instance = instance().handle(),
-                                      .physical = device().physical(),
-                                      .device = device().handle(),
-                                      .queue = device().queue(),
-                                      .queueFamily = device().queueFamily(),
-                                      .hasDebugNames = instance().hasDebugNames()};
     {
-        const gpu::Device borrowed(handles);
+        const gpu::Device borrowed(lentDevice());
         const render::GpuScene gpuScene(borrowed, setup.scene);
         render::Renderer renderer(borrowed, setup.scene, gpuScene, options);
         EXPECT_EQ(renderer.render(camera).color, own.color);
@@ -203,12 +198,9 @@ TEST_F(FrameTest, ABorrowedAllocatorIsUsedAndStays) {
     addBox(scene, {0.0, 0.0, -5.0});
     const std::uint64_t before = gpu::freeDeviceBytes(device());
     {
-        const gpu::Device borrowed(gpu::BorrowedDevice{.instance = instance().handle(),
-                                                       .physical = device().physical(),
-                                                       .device = device().handle(),
-                                                       .queue = device().queue(),
-                                                       .queueFamily = device().queueFamily(),
-                                                       .allocator = device().allocator()});
+        gpu::BorrowedDevice handles = lentDevice();
+        handles.allocator = device().allocator();
+        const gpu::Device borrowed(handles);
         EXPECT_EQ(borrowed.allocator(), device().allocator());
         const render::GpuScene gpuScene(borrowed, scene);
         render::Renderer renderer(borrowed, scene, gpuScene, smallOptions(depth::parseTechnique("anchored")));
@@ -233,48 +225,30 @@ TEST_F(FrameTest, ABorrowedDeviceIsRefusedByTheNameOfWhatItLacks) {
     v12.pNext = &v13;
     gpu::enableFeatures(instance().handle(), device().physical(), features);
     EXPECT_TRUE(gpu::missingFeatures(features).empty());
-    const gpu::BorrowedDevice handles{.instance = instance().handle(),
-                                      .physical = device().physical(),
-                                      .device = device().handle(),
-                                      .queue = device().queue(),
-                                      .queueFamily = device().queueFamily(),
-                                      .features = &features};
+    gpu::BorrowedDevice handles = lentDevice();
+    handles.features = &features;
     EXPECT_EQ(gpu::Device(handles).info().gpuDrivenMissing, device().info().gpuDrivenMissing);
     v12.timelineSemaphore = VK_FALSE;
     v13.synchronization2 = VK_FALSE;
     features.features.depthClamp = VK_FALSE;
-    try {
-        const gpu::Device refused(handles);
-        FAIL();
-    } catch (const base::InputError& error) {
-        EXPECT_NE(std::string(error.what())
-                      .find("was made without synchronization2, timelineSemaphore, depthClamp"),
-                  std::string::npos)
-            << error.what();
-    }
+    const std::string message = test::inputErrorOf([&] { const gpu::Device refused(handles); });
+    EXPECT_NE(message.find("was made without synchronization2, timelineSemaphore, depthClamp"),
+              std::string::npos)
+        << message;
 }
 
 TEST_F(FrameTest, ABorrowedDeviceIsRefusedByTheNameOfTheHandleThatIsNull) {
-    const gpu::BorrowedDevice whole{.instance = instance().handle(),
-                                    .physical = device().physical(),
-                                    .device = device().handle(),
-                                    .queue = device().queue(),
-                                    .queueFamily = device().queueFamily()};
     std::map<std::string, gpu::BorrowedDevice> lacking;
     for (const char* name : {"VkInstance", "VkPhysicalDevice", "VkDevice", "VkQueue"}) {
-        lacking[name] = whole;
+        lacking[name] = lentDevice();
     }
     lacking["VkInstance"].instance = VK_NULL_HANDLE;
     lacking["VkPhysicalDevice"].physical = VK_NULL_HANDLE;
     lacking["VkDevice"].device = VK_NULL_HANDLE;
     lacking["VkQueue"].queue = VK_NULL_HANDLE;
     for (const auto& [name, handles] : lacking) {
-        try {
-            const gpu::Device refused(handles);
-            ADD_FAILURE() << name;
-        } catch (const base::InputError& error) {
-            EXPECT_EQ(error.what(), "the " + name + " of a borrowed device is null");
-        }
+        EXPECT_EQ(test::inputErrorOf([&] { const gpu::Device refused(handles); }),
+                  "the " + name + " of a borrowed device is null");
     }
     VkPhysicalDeviceFeatures2 features{};
     EXPECT_THROW(gpu::enableFeatures(VK_NULL_HANDLE, device().physical(), features), base::InputError);
@@ -336,12 +310,7 @@ TEST_F(FrameTest, ARendererRefusesTheGpuSceneOfAnotherDevice) {
         [&] { render::ViewsRenderer(device(), live, options, 2); },
     };
     for (const auto& make : makers) {
-        try {
-            make();
-            ADD_FAILURE() << "it was accepted";
-        } catch (const base::InputError& error) {
-            EXPECT_STREQ(error.what(), "the GpuScene is on another device than the renderer");
-        }
+        EXPECT_EQ(test::inputErrorOf([&] { make(); }), "the GpuScene is on another device than the renderer");
     }
     EXPECT_NO_THROW(render::Renderer(other, scene, there, options));
 }
@@ -353,18 +322,13 @@ TEST_F(FrameTest, EditsOutliveASubmissionThatFails) {
         world.addInstance({.mesh = world.mesh(0), .material = world.material(0)});
     bool fails = false;
     const vk::Queue queue = device().queue();
-    const gpu::Device borrowed(
-        gpu::BorrowedDevice{.instance = instance().handle(),
-                            .physical = device().physical(),
-                            .device = device().handle(),
-                            .queue = queue,
-                            .queueFamily = device().queueFamily(),
-                            .hasDebugNames = instance().hasDebugNames(),
-                            .hasGpuDrivenFeatures = canDrawGpuDriven(),
-                            .submit = [&](const VkSubmitInfo2& submission, VkFence done) {
-                                return fails ? VK_ERROR_OUT_OF_DEVICE_MEMORY
-                                             : gpu::functions().vkQueueSubmit2(queue, 1, &submission, done);
-                            }});
+    gpu::BorrowedDevice handles = lentDevice();
+    handles.hasGpuDrivenFeatures = canDrawGpuDriven();
+    handles.submit = [&](const VkSubmitInfo2& submission, VkFence done) {
+        return fails ? VK_ERROR_OUT_OF_DEVICE_MEMORY
+                     : gpu::functions().vkQueueSubmit2(queue, 1, &submission, done);
+    };
+    const gpu::Device borrowed(handles);
     for (const render::Submission submission : submissions()) {
         render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
         options.submission = submission;
@@ -391,17 +355,12 @@ TEST_F(FrameTest, ASubmittedFrameIsReachableOnTheDevice) {
     const vk::Device vulkan = device().handle();
     const vk::Queue queue = device().queue();
     std::size_t submissions = 0;
-    const gpu::Device borrowed(
-        gpu::BorrowedDevice{.instance = instance().handle(),
-                            .physical = device().physical(),
-                            .device = vulkan,
-                            .queue = queue,
-                            .queueFamily = device().queueFamily(),
-                            .hasDebugNames = instance().hasDebugNames(),
-                            .submit = [&](const VkSubmitInfo2& submission, VkFence done) {
-                                ++submissions;
-                                return gpu::functions().vkQueueSubmit2(queue, 1, &submission, done);
-                            }});
+    gpu::BorrowedDevice handles = lentDevice();
+    handles.submit = [&](const VkSubmitInfo2& submission, VkFence done) {
+        ++submissions;
+        return gpu::functions().vkQueueSubmit2(queue, 1, &submission, done);
+    };
+    const gpu::Device borrowed(handles);
     const render::GpuScene gpuScene(borrowed, setup.scene);
     render::Renderer renderer(borrowed, setup.scene, gpuScene, options);
     const vk::UniqueSemaphore drawn = vulkan.createSemaphoreUnique({});

@@ -86,6 +86,15 @@ class DeviceTest : public testing::Test {
 
     const gpu::Device& device() const { return kSharedDevice->device(); }
     const gpu::Instance& instance() const { return kSharedDevice->instance(); }
+    /// The device as a host lends it.
+    gpu::BorrowedDevice lentDevice() const {
+        return {.instance = instance().handle(),
+                .physical = device().physical(),
+                .device = device().handle(),
+                .queue = device().queue(),
+                .queueFamily = device().queueFamily(),
+                .hasDebugNames = instance().hasDebugNames()};
+    }
     /// Those of the formats that the device can draw to, in their order.
     std::vector<depth::DepthFormat> available(std::span<const depth::DepthFormat> formats) {
         const std::vector<depth::DepthFormat>& has = device().info().depthFormats;

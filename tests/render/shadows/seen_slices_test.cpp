@@ -134,12 +134,7 @@ TEST_F(SeenSlicesTest, CommandsOfASliceWithoutAPixelAreSkipped) {
 
 /// Of frames in which most slices are without a pixel.
 TEST_F(SeenSlicesTest, PicturesAreThoseOfADeviceThatSkipsNothing) {
-    const gpu::Device plain(gpu::BorrowedDevice{.instance = instance().handle(),
-                                                .physical = device().physical(),
-                                                .device = device().handle(),
-                                                .queue = device().queue(),
-                                                .queueFamily = device().queueFamily(),
-                                                .hasDebugNames = instance().hasDebugNames()});
+    const gpu::Device plain(lentDevice());
     ASSERT_FALSE(plain.info().hasConditionalRendering);
     for (const char* name : {"orbit", "rotation"}) {
         const scene::SceneSetup setup = scenes::openScene(name, scenes::kDefaultSeed).setup;

@@ -71,13 +71,10 @@ TEST_F(FragmentRoomTest, ListsGrowWhereBothWouldNotFit) {
     const render::RenderOptions options = sorted();
     const std::string wanted = hashOf(draw(scene, {}, options));
     const SmallHeaps heaps(std::uint64_t{256} << 20u);
-    const gpu::Device small(gpu::BorrowedDevice{.instance = instance().handle(),
-                                                .physical = device().physical(),
-                                                .device = device().handle(),
-                                                .queue = device().queue(),
-                                                .queueFamily = device().queueFamily(),
-                                                .hasGpuDrivenFeatures = true,
-                                                .hasFragmentStores = true});
+    gpu::BorrowedDevice handles = lentDevice();
+    handles.hasGpuDrivenFeatures = true;
+    handles.hasFragmentStores = true;
+    const gpu::Device small(handles);
     const render::GpuScene onDevice(small, scene);
     render::Renderer renderer(small, scene, onDevice, options);
     renderer.draw(behind());

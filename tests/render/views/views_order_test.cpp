@@ -19,13 +19,9 @@ using render::ViewsRenderer;
 class ViewsOrderTest : public RenderTest {
   protected:
     gpu::BorrowedDevice borrowedWith(std::function<VkResult(const VkSubmitInfo2&, VkFence)> submit) {
-        return {.instance = instance().handle(),
-                .physical = device().physical(),
-                .device = device().handle(),
-                .queue = device().queue(),
-                .queueFamily = device().queueFamily(),
-                .hasDebugNames = instance().hasDebugNames(),
-                .submit = std::move(submit)};
+        gpu::BorrowedDevice handles = lentDevice();
+        handles.submit = std::move(submit);
+        return handles;
     }
 
     static std::vector<scene::Camera> bothEyes(double ahead = 0.0) {
