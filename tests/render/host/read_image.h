@@ -4,7 +4,9 @@
 #include <cdr/gpu/memory.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/image/image.h>
+#include <cdr/render/frame.h>
 #include <cdr/render/output/readback.h>
+#include <cdr/render/surfaces.h>
 
 #include <cstring>
 
@@ -35,6 +37,11 @@ image::Raster<Pixel> readImage(const gpu::Device& device, VkImage image, VkExten
     copy.invalidate();
     std::memcpy(raster.pixels.data(), copy.mapped(), bytes);
     return raster;
+}
+
+inline image::Raster<render::GBufferPixel> readGBuffer(const gpu::Device& device,
+                                                       const render::SurfaceImage& gbuffer) {
+    return readImage<render::GBufferPixel>(device, gbuffer.image, gbuffer.extent, gbuffer.layout);
 }
 
 } // namespace cdr::render_test

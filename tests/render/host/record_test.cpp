@@ -155,9 +155,7 @@ TEST_F(RecordTest, HlslDrawsWhatGlslDraws) {
         renderer.record(camera, frame);
         host.submit();
         pictures.push_back(host.color<image::Rgba8>().pixels);
-        const render::SurfaceImage gbuffer = renderer.surfaces().gbuffer;
-        surfaces.push_back(
-            readImage<render::GBufferPixel>(device(), gbuffer.image, gbuffer.extent, gbuffer.layout).pixels);
+        surfaces.push_back(readGBuffer(device(), renderer.surfaces().gbuffer).pixels);
     }
     EXPECT_EQ(pictures[0], pictures[1]);
     EXPECT_EQ(std::memcmp(surfaces[0].data(), surfaces[1].data(),
@@ -195,9 +193,7 @@ TEST_F(RecordTest, GroundOfAHostsIsCutWhereCascadesMeet) {
         };
         renderer.record(camera, frame);
         host.submit();
-        const render::SurfaceImage gbuffer = renderer.surfaces().gbuffer;
-        const auto pixels =
-            readImage<render::GBufferPixel>(device(), gbuffer.image, gbuffer.extent, gbuffer.layout);
+        const auto pixels = readGBuffer(device(), renderer.surfaces().gbuffer);
         std::set<std::uint32_t> cascades;
         for (std::uint32_t y = options.height / 2; y < options.height; ++y) {
             const double pixelsBelow = y + 0.5 - 0.5 * options.height;
@@ -245,9 +241,7 @@ TEST_F(RecordTest, AHostsObjectsFollowAShiftedLens) {
     };
     renderer.record(camera, frame);
     host.submit();
-    const render::SurfaceImage gbuffer = renderer.surfaces().gbuffer;
-    const auto pixels =
-        readImage<render::GBufferPixel>(device(), gbuffer.image, gbuffer.extent, gbuffer.layout);
+    const auto pixels = readGBuffer(device(), renderer.surfaces().gbuffer);
     EXPECT_EQ(pixels.at(options.width / 2, options.height / 2).id(), 11u); // what the lens is shifted to
     EXPECT_EQ(pixels.at(0, 0).id(), 0u);
 }
@@ -287,9 +281,7 @@ TEST_F(RecordTest, AHostsObjectsShareTheDepthOfEachCascade) {
             };
             renderer.record(camera, frame);
             side.submit();
-            const render::SurfaceImage gbuffer = renderer.surfaces().gbuffer;
-            const auto pixels =
-                readImage<render::GBufferPixel>(device(), gbuffer.image, gbuffer.extent, gbuffer.layout);
+            const auto pixels = readGBuffer(device(), renderer.surfaces().gbuffer);
             const auto idAt = [&](double x) { // on the plane of the faces
                 const double perUnit = options.height / (2.0 * kFaceView * std::tan(0.5 * camera.fovY));
                 return pixels

@@ -76,9 +76,7 @@ TEST_F(SurfacesTest, AFrameThatLackedRoomDoesNotComeOverALaterOne) {
     renderer.submit(lacks);
     renderer.submit(fits);
     renderer.finish();
-    const render::SurfaceImage gbuffer = renderer.surfaces().gbuffer;
-    const auto pixels =
-        readImage<render::GBufferPixel>(device(), gbuffer.image, gbuffer.extent, gbuffer.layout);
+    const auto pixels = readGBuffer(device(), renderer.surfaces().gbuffer);
     EXPECT_EQ(pixels.at(240, 135).id(), 1u);
     EXPECT_EQ(renderer.render(lacks).id(240, 135), 2u);
 }

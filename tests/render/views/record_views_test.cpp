@@ -163,9 +163,7 @@ TEST_F(RecordViewsTest, AHostsObjectsAreDrawnInTheirViews) {
         renderer.record(bothEyes(scene::StereoMode::parallel), frames);
         host.submit();
         for (std::size_t view = 0; view < 2; ++view) {
-            const render::SurfaceImage gbuffer = renderer.surfaces(view).gbuffer;
-            const auto pixels =
-                readImage<render::GBufferPixel>(device(), gbuffer.image, gbuffer.extent, gbuffer.layout);
+            const auto pixels = readGBuffer(device(), renderer.surfaces(view).gbuffer);
             const auto found = std::count_if(
                 pixels.pixels.begin(), pixels.pixels.end(),
                 [](const render::GBufferPixel& pixel) { return pixel.id() == kSquareObject + 1; });
