@@ -1,6 +1,5 @@
 #include "fixture.h"
 
-#include <cdr/image/codec.h>
 #include <cdr/platform/worker_pool.h>
 #include <cdr/scene/gltf/open_gltf.h>
 
@@ -14,12 +13,8 @@ using GltfAnimation = GltfFolder;
 /// A square that moves along x for two seconds.
 Document moving() {
     Document document = square();
-    const int times = document.addAccessor(std::vector<float>{0, 2}, "SCALAR", kFloat);
-    const int places = document.addAccessor(std::vector<float>{0, 0, 0, 10, 0, 0}, "VEC3", kFloat);
-    document.root["animations"] = {
-        {{"name", "slide"},
-         {"samplers", {{{"input", times}, {"output", places}}}},
-         {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+    giveMove(document, 0, {0, 2}, {0, 0, 0, 10, 0, 0});
+    document.root["animations"][0]["name"] = "slide";
     return document;
 }
 
@@ -259,12 +254,7 @@ TEST_F(GltfAnimation, MorphTargetsAreAppliedAtRest) {
 
 /// A material with a normal texture, and tangents along x.
 void makeBumpy(Document& document) {
-    document.root["images"] = {
-        {{"bufferView", document.addView(image::encodePng(image::ImageRgba8(1, 1, {128, 128, 255, 255})))},
-         {"mimeType", "image/png"}}};
-    document.root["textures"] = {{{"source", 0}}};
-    document.root["materials"] = {{{"normalTexture", {{"index", 0}}}}};
-    document.primitive()["material"] = 0;
+    giveNormalTexture(document);
     document.primitive()["attributes"]["TANGENT"] = document.addAccessor(
         std::vector<float>{1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, -1}, "VEC4", kFloat);
 }

@@ -119,11 +119,7 @@ TEST_F(GltfFolder, OrthographicCamerasShowNearAndFarThingsEquallyLarge) {
 
 TEST_F(GltfFolder, OrthographicCamerasMove) {
     Document document = withBoxCamera();
-    const int times = document.addAccessor(std::vector<float>{0, 1}, "SCALAR", kFloat);
-    const int places = document.addAccessor(std::vector<float>{0, 0, 0, 1, 2, 0}, "VEC3", kFloat);
-    document.root["animations"] = {
-        {{"samplers", {{{"input", times}, {"output", places}}}},
-         {"channels", {{{"sampler", 0}, {"target", {{"node", 2}, {"path", "translation"}}}}}}}};
+    giveMove(document, 2, {0, 1}, {0, 0, 0, 1, 2, 0});
     const OpenedScene opened =
         openGltf(write("a.glb", document.glb()), {.scene = {}, .camera = 0, .framesPerSecond = 1.0});
     ASSERT_GE(opened.setup.path.frames, 2u);

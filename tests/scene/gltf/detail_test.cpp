@@ -1,7 +1,5 @@
 #include "fixture.h"
 
-#include <cdr/image/codec.h>
-
 #include <cmath>
 
 namespace cdr::scene::test {
@@ -18,12 +16,8 @@ Document bumpy() {
         document.addAccessor(std::vector<float>{0, 1, 1, 1, 1, 0, 0, 0}, "VEC2", kFloat);
     document.primitive()["attributes"]["TEXCOORD_1"] =
         document.addAccessor(std::vector<float>{0, 0, 0, 2, 2, 2, 2, 0}, "VEC2", kFloat);
-    document.root["images"] = {
-        {{"bufferView", document.addView(image::encodePng(image::ImageRgba8(1, 1, {128, 128, 255, 255})))},
-         {"mimeType", "image/png"}}};
-    document.root["textures"] = {{{"source", 0}}};
-    document.root["materials"] = {{{"name", "paint"}, {"normalTexture", {{"index", 0}}}}};
-    document.primitive()["material"] = 0;
+    giveNormalTexture(document);
+    document.root["materials"][0]["name"] = "paint";
     return document;
 }
 

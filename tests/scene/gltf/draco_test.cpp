@@ -1,7 +1,5 @@
 #include "draco_fixture.h"
 
-#include <cdr/image/codec.h>
-
 #include <array>
 #include <cmath>
 
@@ -68,10 +66,7 @@ Document cloth() {
     document.root["nodes"] = {{{"mesh", 0}}};
     document.root["scenes"] = {{{"nodes", {0}}}};
     document.root["scene"] = 0;
-    document.root["images"] = {
-        {{"bufferView", document.addView(image::encodePng(image::ImageRgba8(1, 1, {128, 128, 255, 255})))},
-         {"mimeType", "image/png"}}};
-    document.root["textures"] = {{{"source", 0}}};
+    giveNormalTexture(document);
     document.root["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
                                    {"normalTexture", {{"index", 0}}},
                                    {"occlusionTexture", {{"index", 0}, {"texCoord", 1}}}}};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/base/error.h>
+#include <cdr/image/codec.h>
 #include <cdr/scene/gltf/gltf.h>
 
 #include <gtest/gtest.h>
@@ -115,6 +116,26 @@ inline Document square() {
     primitive["indices"] =
         document.addAccessor(std::vector<std::uint16_t>{0, 1, 2, 0, 2, 3}, "SCALAR", kUShort);
     return document;
+}
+
+/// Gives the first primitive a material with a flat normal texture.
+inline void giveNormalTexture(Document& document) {
+    const image::ImageRgba8 flat(1, 1, {128, 128, 255, 255});
+    document.root["images"] = {
+        {{"bufferView", document.addView(image::encodePng(flat))}, {"mimeType", "image/png"}}};
+    document.root["textures"] = {{{"source", 0}}};
+    document.root["materials"] = {{{"normalTexture", {{"index", 0}}}}};
+    document.primitive()["material"] = 0;
+}
+
+/// An animation that moves a node: its place, three numbers, at each of the times.
+inline void giveMove(Document& document, int node, const std::vector<float>& times,
+                     const std::vector<float>& places) {
+    const int input = document.addAccessor(times, "SCALAR", kFloat);
+    const int output = document.addAccessor(places, "VEC3", kFloat);
+    document.root["animations"] = {
+        {{"samplers", {{{"input", input}, {"output", output}}}},
+         {"channels", {{{"sampler", 0}, {"target", {{"node", node}, {"path", "translation"}}}}}}}};
 }
 
 /// Gives each test a folder of its own, removed afterwards.

@@ -118,11 +118,7 @@ TEST_F(GltfInstancing, NoneAreNone) {
 
 TEST_F(GltfInstancing, CopiesGoWithTheirNode) {
     Document document = copied();
-    const int times = document.addAccessor(std::vector<float>{0, 2}, "SCALAR", kFloat);
-    const int places = document.addAccessor(std::vector<float>{0, 0, 0, 0, 0, 50}, "VEC3", kFloat);
-    document.root["animations"] = {
-        {{"samplers", {{{"input", times}, {"output", places}}}},
-         {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+    giveMove(document, 0, {0, 2}, {0, 0, 0, 0, 0, 50});
     GltfChoice choice;
     choice.seconds = 2.0;
     const Scene scene = openGltf(write("a.glb", document.glb()), choice).setup.scene;

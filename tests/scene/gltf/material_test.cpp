@@ -27,6 +27,15 @@ Document textured() {
     return document;
 }
 
+/// A second primitive, alike but for its material: the same with texture 1.
+void giveSecondMaterial(Document& document) {
+    document.root["materials"].push_back(document.root["materials"][0]);
+    document.root["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 1;
+    json second = document.primitive();
+    second["material"] = 1;
+    document.root["meshes"][0]["primitives"].push_back(second);
+}
+
 json& baseColorTexture(Document& document) {
     return document.root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
 }
@@ -126,12 +135,8 @@ TEST_F(Gltf, PicturesBesideTheFileAndAsDataUri) {
 
 TEST_F(Gltf, OnePictureOfManyMaterialsIsDecodedOnce) {
     Document document = textured();
-    document.root["materials"].push_back(document.root["materials"][0]);
     document.root["textures"].push_back({{"source", 0}});
-    document.root["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 1;
-    json second = document.primitive();
-    second["material"] = 1;
-    document.root["meshes"][0]["primitives"].push_back(second);
+    giveSecondMaterial(document);
     const Scene scene = load(document).scene;
     EXPECT_EQ(scene.materials.size(), 2u);
     EXPECT_EQ(scene.textures.size(), 1u);
@@ -141,11 +146,7 @@ TEST_F(Gltf, OnePictureWrappedInTwoWaysIsTwoTextures) {
     Document document = textured();
     document.root["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33071}}};
     document.root["textures"].push_back({{"source", 0}, {"sampler", 0}});
-    document.root["materials"].push_back(document.root["materials"][0]);
-    document.root["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 1;
-    json second = document.primitive();
-    second["material"] = 1;
-    document.root["meshes"][0]["primitives"].push_back(second);
+    giveSecondMaterial(document);
     const Scene scene = load(document).scene;
     ASSERT_EQ(scene.textures.size(), 2u);
     EXPECT_EQ(scene.textures[scene.materials[0].baseColorTexture.value()].wrapU, WrapMode::repeat);
@@ -199,11 +200,7 @@ TEST_F(Gltf, OnePictureFilteredInTwoWaysIsTwoTextures) {
     Document document = textured();
     document.root["samplers"] = {{{"minFilter", 9729}}};
     document.root["textures"].push_back({{"source", 0}, {"sampler", 0}});
-    document.root["materials"].push_back(document.root["materials"][0]);
-    document.root["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 1;
-    json second = document.primitive();
-    second["material"] = 1;
-    document.root["meshes"][0]["primitives"].push_back(second);
+    giveSecondMaterial(document);
     const Scene scene = load(document).scene;
     ASSERT_EQ(scene.textures.size(), 2u);
     EXPECT_NE(scene.textures[0].levels, scene.textures[1].levels);

@@ -1,6 +1,5 @@
 #include "fixture.h"
 
-#include <cdr/image/codec.h>
 #include <cdr/scene/gltf/materials/mikktspace_tangents.h>
 #include <cdr/scene/gltf/materials/tangents.h>
 #include <cdr/scene/gltf/mikktspace/module.h>
@@ -339,12 +338,7 @@ Document fileOf(const SourceMesh& mesh) {
                                {"NORMAL", document.addAccessor(normals, "VEC3", kFloat)},
                                {"TEXCOORD_0", document.addAccessor(uvs, "VEC2", kFloat)}};
     primitive["indices"] = document.addAccessor(mesh.indices, "SCALAR", kUInt);
-    primitive["material"] = 0;
-    document.root["images"] = {
-        {{"bufferView", document.addView(image::encodePng(image::ImageRgba8(1, 1, {128, 128, 255, 255})))},
-         {"mimeType", "image/png"}}};
-    document.root["textures"] = {{{"source", 0}}};
-    document.root["materials"] = {{{"normalTexture", {{"index", 0}}}}};
+    giveNormalTexture(document);
     return document;
 }
 

@@ -1,7 +1,5 @@
 #include "fixture.h"
 
-#include <cdr/image/codec.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -96,12 +94,7 @@ class GltfMorphedTangents : public GltfFolder {
             primitive["targets"].push_back(
                 {{"POSITION", add(target.positions)}, {"NORMAL", add(target.normals)}});
         }
-        document.root["images"] = {{{"bufferView", document.addView(image::encodePng(
-                                                       image::ImageRgba8(1, 1, {128, 128, 255, 255})))},
-                                    {"mimeType", "image/png"}}};
-        document.root["textures"] = {{{"source", 0}}};
-        document.root["materials"] = {{{"normalTexture", {{"index", 0}}}}};
-        primitive["material"] = 0;
+        giveNormalTexture(document);
         return document;
     }
 
