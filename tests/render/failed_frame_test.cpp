@@ -5,6 +5,7 @@
 #include <cdr/scene/world/world.h>
 
 #include <array>
+#include <functional>
 #include <system_error>
 
 namespace cdr::render_test {
@@ -40,6 +41,13 @@ scene::Camera cameraBehind(double distance) {
 }
 
 /// After an error all is as the last frame that was drawn left it.
+/// Expects that an action throws where its first call of this name runs out of memory.
+void expectFailure(const char* call, const std::function<void()>& action) {
+    const FailingCall failing(call);
+    EXPECT_THROW(action(), std::exception);
+    EXPECT_TRUE(FailingCall::hasFailed());
+}
+
 class FailedFrameTest : public RenderTest {
   protected:
     void SetUp() override {
@@ -93,11 +101,7 @@ TEST_F(FailedFrameTest, WhatIsNotSubmittedLeavesTheLastFrame) {
     render::Renderer renderer(device(), m_scene, *m_onDevice, options());
     renderer.draw(cameraAt(0.0));
     const render::Surfaces last = renderer.surfaces();
-    {
-        const FailingCall failing("vkQueueSubmit2");
-        EXPECT_THROW(renderer.draw(otherCamera(0.5)), std::exception);
-        ASSERT_TRUE(FailingCall::hasFailed());
-    }
+    expectFailure("vkQueueSubmit2", [&] { renderer.draw(otherCamera(0.5)); });
     expectSame(renderer.surfaces(), last);
     const render::Frame first = draw(m_scene, cameraAt(1.0), options());
     const render::Frame next = renderer.render(cameraAt(1.0));
@@ -114,11 +118,7 @@ TEST_F(FailedFrameTest, WhatIsNotTimedIsWaitedForOnce) {
     if (!renderer.draw(cameraAt(0.0)).times.deviceMs) {
         GTEST_SKIP() << "the device has no clock";
     }
-    {
-        const FailingCall failing("vkGetQueryPoolResults");
-        EXPECT_THROW(renderer.draw(cameraAt(0.5)), std::exception);
-        ASSERT_TRUE(FailingCall::hasFailed());
-    }
+    expectFailure("vkGetQueryPoolResults", [&] { renderer.draw(cameraAt(0.5)); });
     EXPECT_EQ(hashOf(renderer.render(cameraAt(1.0))), hashOf(draw(m_scene, cameraAt(1.0), options())));
     EXPECT_EQ(messageCount(), 0u);
 }
@@ -130,11 +130,7 @@ TEST_F(FailedFrameTest, AFittedSplitKeepsToTheLastFrame) {
     const render::Frame first = renderer.render(cameraBehind(0.0));
     ASSERT_NE(renderer.render(cameraBehind(30.0)).anchorsView, first.anchorsView);
     ASSERT_EQ(renderer.render(cameraBehind(0.0)).anchorsView, first.anchorsView);
-    {
-        const FailingCall failing("vkQueueSubmit2");
-        EXPECT_THROW(renderer.draw(cameraBehind(30.0)), std::exception);
-        ASSERT_TRUE(FailingCall::hasFailed());
-    }
+    expectFailure("vkQueueSubmit2", [&] { renderer.draw(cameraBehind(30.0)); });
     EXPECT_EQ(renderer.render(cameraBehind(0.001)).anchorsView, first.anchorsView);
     EXPECT_EQ(messageCount(), 0u);
 }
@@ -169,11 +165,7 @@ TEST_F(FailedFrameTest, ViewsThatAreNotSubmittedLeaveTheLastOnes) {
     const std::array next{otherCamera(0.1), otherCamera(0.3)};
     renderer.draw(first);
     const std::array last{renderer.surfaces(0), renderer.surfaces(1)};
-    {
-        const FailingCall failing("vkQueueSubmit2");
-        EXPECT_THROW(renderer.draw(next), std::exception);
-        ASSERT_TRUE(FailingCall::hasFailed());
-    }
+    expectFailure("vkQueueSubmit2", [&] { renderer.draw(next); });
     expectSame(renderer.surfaces(0), last[0]);
     expectSame(renderer.surfaces(1), last[1]);
     const std::vector<render::Frame> frames = renderer.render(next);
