@@ -12,11 +12,8 @@ namespace {
 constexpr const char* kBendingFile = CDR_SOURCE_DIR "/tests/assets/machine.glb";
 
 nlohmann::json bendingFrames(const TemporaryFolder& folder, const std::string& rest) {
-    const ProgramResult result = runProgram(std::string("render ") + kBendingFile +
-                                                " --fps 4 --frames 3 --size 96x54 --json f.json" + rest,
-                                            folder.path());
-    EXPECT_EQ(result.status, 0) << result.err;
-    return nlohmann::json::parse(readText(folder.path() / "f.json"));
+    return documentOf(std::string("render ") + kBendingFile + " --fps 4 --frames 3 --size 96x54" + rest,
+                      folder.path());
 }
 
 /// Whoever bends skins and morph targets, pictures and the share of wrong pixels are the same, and JSON says who did.
@@ -39,11 +36,9 @@ TEST(DeformCommand, PicturesAreTheSameWhoeverDeforms) {
 
 TEST(DeformCommand, NothingThatDeformsNamesNobody) {
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        "render " CDR_SOURCE_DIR "/tests/golden/shapes.gltf --size 32x18 --deform cpu --json f.json",
-        folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    EXPECT_FALSE(nlohmann::json::parse(readText(folder.path() / "f.json"))["options"].contains("deform"));
+    const std::string arguments =
+        "render " CDR_SOURCE_DIR "/tests/golden/shapes.gltf --size 32x18 --deform cpu";
+    EXPECT_FALSE(documentOf(arguments, folder.path())["options"].contains("deform"));
     expectRefusal("render cubes --size 32x18 --deform gpu", folder.path(), "gpu");
 }
 

@@ -85,12 +85,10 @@ TEST(TimingCommand, ReportsEveryModeOverStandard) {
 /// 100,000 objects that are placed again for each frame, in one process.
 TEST(TimingCommand, TimesTrafficThatMoves) {
     const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("--validate timing --scene traffic --frames 3 --size 64x36 --threads 2 --modes "
-                   "anchored,cdr-2 --json t.json",
+    const json document =
+        documentOf("--validate timing --scene traffic --frames 3 --size 64x36 --threads 2 --modes "
+                   "anchored,cdr-2",
                    folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json document = readJson(folder.path() / "t.json");
     EXPECT_NE(document.at("options").at("scene").get<std::string>().find("100,000 cubes that move"),
               std::string::npos);
     std::vector<std::string> modes;
@@ -106,11 +104,9 @@ TEST(TimingCommand, TimesTrafficThatMoves) {
 /// The program compared with itself. The ratios depend on the machine, so only the fields are tested.
 TEST(TimingCommand, RunsTwoBuildsInTurns) {
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        "timing --against " CDR_PROGRAM " --rounds 2 --frames 2 --size 64x36 --modes log,cdr-2 --json t.json",
-        folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json document = readJson(folder.path() / "t.json");
+    const json document =
+        documentOf("timing --against " CDR_PROGRAM " --rounds 2 --frames 2 --size 64x36 --modes log,cdr-2",
+                   folder.path());
     EXPECT_EQ(document.at("options").at("rounds"), 2);
     EXPECT_EQ(document.at("options").at("against_commit"), document.at("commit"));
     EXPECT_NE(document.at("device").at("driver"), "");
@@ -165,10 +161,8 @@ TEST(TimingCommand, RefusesWhatIsNoTimingInOneLine) {
 /// Never the times themselves: the stages are there, for each mode, and the frame is the last.
 TEST(TimingCommand, TellsTheStagesOfAFrame) {
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        "--validate timing --stages --frames 3 --size 64x36 --modes cdr-2 --json t.json", folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json document = readJson(folder.path() / "t.json");
+    const json document =
+        documentOf("--validate timing --stages --frames 3 --size 64x36 --modes cdr-2", folder.path());
     std::map<std::string, std::vector<std::string>> stages;
     for (const json& row : document.at("results")) {
         stages[row.at("mode")].push_back(row.at("stage"));
@@ -234,12 +228,10 @@ TEST(TimingCommand, PlotsTheFigure) {
 
 TEST(ScalingCommand, DrawsTheSameImageWithAnyNumberOfThreads) {
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram("--validate scaling --draws 700,3000 --threads 2,3 --cascades "
-                                            "1,3 --targets single --repeats 2 --size 256x144 "
-                                            "--json s.json --csv s.csv",
-                                            folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json document = readJson(folder.path() / "s.json");
+    const json document = documentOf("--validate scaling --draws 700,3000 --threads 2,3 --cascades "
+                                     "1,3 --targets single --repeats 2 --size 256x144 "
+                                     "--csv s.csv",
+                                     folder.path());
     EXPECT_EQ(document.at("command"), "scaling");
     std::map<std::tuple<int, int>, std::set<std::string>> hashes;
     std::set<int> threads;
@@ -278,12 +270,9 @@ TEST(TimingCommand, TimesThroughputAndModesThatAreNoFigures) {
         GTEST_SKIP() << "the device cannot draw gpu-driven";
     }
     const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("--validate timing --frames 11 --in-flight 3 --size 64x36 "
-                   "--modes naive,anchored/gpu-driven,standard/primaries --json t.json",
-                   folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json document = readJson(folder.path() / "t.json");
+    const json document = documentOf("--validate timing --frames 11 --in-flight 3 --size 64x36 "
+                                     "--modes naive,anchored/gpu-driven,standard/primaries",
+                                     folder.path());
     EXPECT_EQ(document.at("options").at("mode"), "throughput");
     EXPECT_EQ(document.at("options").at("frames_in_flight"), 3);
     std::vector<std::tuple<std::string, std::string, std::string>> modes;
@@ -309,11 +298,9 @@ TEST(RenderCommand, HowDrawsAreSubmittedChangesNoHash) {
         if (how == std::string("--submission gpu-driven") && !canDrawGpuDriven()) {
             continue;
         }
-        const ProgramResult result = runProgram(
-            std::string("--validate render rotation --size 96x54 --split count:3 --json r.json ") + how,
-            folder.path());
-        ASSERT_EQ(result.status, 0) << how << ": " << result.err;
-        const json row = readJson(folder.path() / "r.json").at("results").at(0);
+        const json row =
+            documentOf(std::string("--validate render rotation --size 96x54 --split count:3 ") + how,
+                       folder.path())["results"][0];
         EXPECT_NE(std::string(how).find(row.at("submission").get<std::string>()) == std::string::npos &&
                       std::string(how).find(row.at("batching").get<std::string>()) == std::string::npos,
                   true)

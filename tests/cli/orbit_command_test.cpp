@@ -19,11 +19,9 @@ TEST(OrbitCommand, MeasuresTheZoom) {
         GTEST_SKIP() << "the Earth of the scene orbit is not installed; tools/setup.sh fetches it";
     }
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram("--validate orbit --frames 2 --size 160x90 --techniques "
-                                            "reversed,anchored --out pictures --json o.json",
-                                            folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const auto document = nlohmann::json::parse(readText(folder.path() / "o.json"));
+    const auto document = documentOf("--validate orbit --frames 2 --size 160x90 --techniques "
+                                     "reversed,anchored --out pictures",
+                                     folder.path());
     const auto& rows = document["results"];
     ASSERT_EQ(rows.size(), 4u);
     EXPECT_EQ(rows[0]["frame"], 0);

@@ -80,9 +80,7 @@ class RivalsBeside : public testing::Test {
     }
 
     json run(const std::string& command) const {
-        const ProgramResult result = runProgram("--validate " + command + " --json r.json", m_folder.path());
-        EXPECT_EQ(result.status, 0) << result.err;
-        return result.status == 0 ? json::parse(readText(m_folder.path() / "r.json")) : json();
+        return documentOf("--validate " + command, m_folder.path());
     }
 
     /// Rows by technique, each of which has one.
