@@ -39,10 +39,8 @@ class AdversarialTest : public RenderTest {
 
     Outcome outcome(const scene::Scene& scene, const render::GpuScene& gpuScene, const scene::Camera& camera,
                     const depth::Technique& technique = depth::parseTechnique("anchored")) {
-        render::Renderer renderer(device(), scene, gpuScene, smallOptions(technique));
-        const Frame frame = renderer.render(camera);
-        platform::WorkerPool workers(2);
-        const auto truth = measure::castTruth(scene, camera, frame.width(), frame.height(), workers);
+        const Frame frame = draw(scene, gpuScene, camera, smallOptions(technique));
+        const auto truth = truthOf(scene, camera, frame.width(), frame.height());
         const auto inner = measure::innerMask(truth);
         Outcome result{.wrong = measure::countWrong(frame.ids(), truth), .cascades = frame.cascades.size()};
         for (std::uint32_t y = 0; y < frame.height(); ++y) {
@@ -262,16 +260,14 @@ TEST_F(AdversarialTest, OfMixedDistancesOnlyAnchoredGetsAllRight) {
     const scene::SceneSetup setup = scenes::makeMixed();
     const scene::Camera camera = setup.path.at(0);
     const render::GpuScene gpuScene(device(), setup.scene);
-    platform::WorkerPool workers(2);
-    const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
+    const auto truth = truthOf(setup.scene, camera);
     const auto inner = measure::innerMask(truth);
     const auto excused = swappable(truth, snapReach(device()));
     std::map<std::string, std::array<Counts, 2>> wrong; // by technique and separation
     std::map<std::string, std::array<Counts, 2>>
         beyond; // the same without what the device's snapping explains
     for (const depth::NamedTechnique& preset : depth::presets()) {
-        render::Renderer renderer(device(), setup.scene, gpuScene, smallOptions(preset.technique));
-        const image::ImageU32 ids = renderer.render(camera).ids();
+        const image::ImageU32 ids = draw(setup.scene, gpuScene, camera, smallOptions(preset.technique)).ids();
         std::array<Counts, 2> pixels{};
         wrong[preset.name] = {};
         beyond[preset.name] = {};

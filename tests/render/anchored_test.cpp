@@ -66,13 +66,11 @@ TEST_F(AnchoredTest, FittedSplitsDrawRightUnderEveryMapping) {
     scene::SceneSetup setup = scenes::makeRotation(5, 64'000);
     const scene::Camera camera = setup.path.at(0);
     const render::GpuScene gpuScene(device(), setup.scene);
-    platform::WorkerPool workers(2);
-    const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
+    const auto truth = truthOf(setup.scene, camera);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"fitted", "fitted:1e-5px", "fitted:0.5px", "fitted:0.001", "minimax:5"}) {
             const auto options = smallOptions(technique(mapping, split));
-            render::Renderer renderer(device(), setup.scene, gpuScene, options);
-            const auto wrong = measure::countWrong(renderer.render(camera).ids(), truth);
+            const auto wrong = measure::countWrong(draw(setup.scene, gpuScene, camera, options).ids(), truth);
             EXPECT_GT(wrong.pixels, 5000u);
             EXPECT_EQ(wrong.wrong, 0u) << nameOf(options.technique);
         }
@@ -112,8 +110,7 @@ TEST_F(AnchoredTest, ObjectsScatteredOverTenDecadesAreRightUnderAnchoredAlone) {
             const auto wrong = wrongIn(frame, scene, camera);
             EXPECT_GT(wrong.pixels, 10'000u);
             if (preset.name == "anchored") {
-                platform::WorkerPool workers(2);
-                const auto truth = measure::castTruth(scene, camera, frame.width(), frame.height(), workers);
+                const auto truth = truthOf(scene, camera, frame.width(), frame.height());
                 EXPECT_EQ(wrongBeyond(frame.ids(), truth, snapReach(device())), 0u) << share;
                 EXPECT_EQ(frame.cascades.size(), 5u);
             } else if (share < 1e-6) {

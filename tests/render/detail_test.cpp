@@ -136,8 +136,7 @@ TEST_F(DetailRenderTest, IsOneImageHoweverDrawn) {
         std::string wanted;
         std::size_t draws = 0;
         const auto expectSame = [&](const render::RenderOptions& options) {
-            render::Renderer renderer(device(), setup.scene, gpuScene, options);
-            const render::Frame frame = renderer.render(camera);
+            const render::Frame frame = draw(setup.scene, gpuScene, camera, options);
             wanted = wanted.empty() ? hashOf(frame) : wanted;
             draws = draws == 0 ? frame.stats.draws : draws;
             EXPECT_EQ(hashOf(frame), wanted)

@@ -15,6 +15,13 @@
 
 namespace cdr::render_test {
 
+/// What rays in float64 find; without a size, for a picture of smallOptions().
+inline measure::TruthImage truthOf(const scene::Scene& scene, const scene::Camera& camera,
+                                   std::uint32_t width = 480, std::uint32_t height = 270) {
+    platform::WorkerPool workers(2);
+    return measure::castTruth(scene, camera, width, height, workers);
+}
+
 class RenderTest : public test::DeviceTest {
   protected:
     /// The submissions that the device serves.
@@ -43,18 +50,18 @@ class RenderTest : public test::DeviceTest {
         return "none";
     }
 
+    render::Frame draw(const scene::Scene& scene, const render::GpuScene& gpuScene,
+                       const scene::Camera& camera, const render::RenderOptions& options) {
+        return render::Renderer(device(), scene, gpuScene, options).render(camera);
+    }
     render::Frame draw(const scene::Scene& scene, const scene::Camera& camera,
                        const render::RenderOptions& options) {
-        const render::GpuScene gpuScene(device(), scene);
-        render::Renderer renderer(device(), scene, gpuScene, options);
-        return renderer.render(camera);
+        return draw(scene, render::GpuScene(device(), scene), camera, options);
     }
 
     measure::WrongPixels wrongIn(const render::Frame& frame, const scene::Scene& scene,
                                  const scene::Camera& camera) {
-        platform::WorkerPool workers(2);
-        return measure::countWrong(frame.ids(),
-                                   measure::castTruth(scene, camera, frame.width(), frame.height(), workers));
+        return measure::countWrong(frame.ids(), truthOf(scene, camera, frame.width(), frame.height()));
     }
 };
 

@@ -213,8 +213,7 @@ TEST_F(FocusTest, IsOneImageHoweverSubmitted) {
                 RenderOptions options = focused(focus, "at:5,7.5,15,30,300");
                 options.submission = submission;
                 options.threads = threads;
-                render::Renderer renderer(device(), scene, gpuScene, options);
-                ofFocus.insert(hashOf(renderer.render(kFocusCamera)));
+                ofFocus.insert(hashOf(draw(scene, gpuScene, kFocusCamera, options)));
             }
         }
         EXPECT_EQ(ofFocus.size(), 1u);

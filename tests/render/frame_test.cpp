@@ -100,8 +100,7 @@ TEST_F(FrameTest, IsUprightAndNotMirrored) {
 TEST_F(FrameTest, DistanceIsMetricWhateverTheTechnique) {
     const scene::SceneSetup setup = scenes::makeRotation(1, 64'000);
     const scene::Camera camera = setup.path.at(0);
-    platform::WorkerPool workers(1);
-    const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
+    const auto truth = truthOf(setup.scene, camera);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"none", "count:4"}) {
             const auto technique =

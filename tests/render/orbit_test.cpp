@@ -17,8 +17,7 @@ class Orbit : public RenderTest {
         options.width = 320;
         options.height = 180;
         const image::ImageU32 ids = draw(setup.scene, camera, options).ids();
-        platform::WorkerPool workers(2);
-        const measure::TruthImage truth = measure::castTruth(setup.scene, camera, 320, 180, workers);
+        const measure::TruthImage truth = truthOf(setup.scene, camera, 320, 180);
         measure::WrongPixels wrong = measure::countWrong(ids, truth);
         wrong.wrong = wrongBeyond(ids, truth, snapReach(device()));
         return wrong;

@@ -66,8 +66,7 @@ double measureReach(const gpu::Device& device, std::uint32_t snapBits, render::S
     const render::GpuScene gpuScene(device, scene);
     render::Renderer renderer(device, scene, gpuScene, options);
     const render::Frame frame = renderer.render(camera);
-    platform::WorkerPool workers(2);
-    const TruthImage truth = measure::castTruth(scene, camera, options.width, options.height, workers);
+    const TruthImage truth = truthOf(scene, camera, options.width, options.height);
     const auto inner = measure::innerMask(truth);
     double farthest = 0.0;
     for (std::uint32_t y = 1; y + 1 < truth.height; ++y) {
@@ -96,8 +95,7 @@ bool drawsToTheHorizon(const gpu::Device& device) {
     const render::GpuScene gpuScene(device, scene);
     render::Renderer renderer(device, scene, gpuScene, options);
     const render::Frame frame = renderer.render(camera);
-    platform::WorkerPool workers(2);
-    const TruthImage truth = measure::castTruth(scene, camera, options.width, options.height, workers);
+    const TruthImage truth = truthOf(scene, camera, options.width, options.height);
     const auto inner = measure::innerMask(truth);
     for (std::uint32_t y = 0; y < truth.height; ++y) {
         for (std::uint32_t x = 0; x < truth.width; ++x) {

@@ -68,9 +68,7 @@ TEST_F(SurfacePathTest, VisibilityShowsWhatTheGBufferShows) {
             continue;
         }
         const render::GpuScene gpuScene(device(), setup.scene);
-        platform::WorkerPool workers(2);
-        const measure::TruthImage truth =
-            measure::castTruth(setup.scene, setup.path.at(0), 480, 270, workers);
+        const measure::TruthImage truth = truthOf(setup.scene, setup.path.at(0));
         for (const auto& [preset, technique] : depth::presets()) {
             SCOPED_TRACE(std::string(name) + " " + std::string(preset));
             render::Renderer visibility(device(), setup.scene, gpuScene,
@@ -110,8 +108,7 @@ TEST_F(SurfacePathTest, AllTargetsAndThreadsShowOnePicture) {
                 }
                 options.submission =
                     threads == 1 ? render::Submission::secondaries : render::Submission::primaries;
-                render::Renderer renderer(device(), setup.scene, gpuScene, options);
-                const std::string hash = hashOf(renderer.render(setup.path.at(33)));
+                const std::string hash = hashOf(draw(setup.scene, gpuScene, setup.path.at(33), options));
                 first = first.empty() ? hash : first;
                 EXPECT_EQ(hash, first) << preset << " " << nameOf(targets) << " " << threads;
             }

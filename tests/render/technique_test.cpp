@@ -22,11 +22,10 @@ TEST_F(TechniqueTest, AfcWrongPixelsComeInTheThesisOrder) {
     std::map<std::string, measure::WrongPixels> wrong;
     for (const std::uint32_t number : {0u, 120u, 240u}) {
         const scene::Camera camera = setup.path.at(number);
-        platform::WorkerPool workers(2);
-        const auto truth = measure::castTruth(setup.scene, camera, 1280, 720, workers);
+        const auto truth = truthOf(setup.scene, camera, 1280, 720);
         for (const auto& [name, technique] : depth::presets()) {
-            render::Renderer renderer(device(), setup.scene, gpuScene, {.technique = technique});
-            wrong[nameOf(technique)] += measure::countWrong(renderer.render(camera).ids(), truth);
+            wrong[nameOf(technique)] += measure::countWrong(
+                draw(setup.scene, gpuScene, camera, {.technique = technique}).ids(), truth);
         }
     }
     EXPECT_GT(wrong["standard"].fraction(), 0.20);
@@ -72,14 +71,12 @@ TEST_F(TechniqueTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
     camera.nearView = 1.0;
     camera.farView = 500.0;
     const render::GpuScene gpuScene(device(), setup.scene);
-    platform::WorkerPool workers(2);
-    const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
+    const auto truth = truthOf(setup.scene, camera);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"none", "count:3", "count:7", "at:50,120"}) {
             for (const depth::DepthFormat format : available(depth::kDepthFormats)) {
                 const auto technique = depth::Technique{mapping, depth::parseSplit(split), format};
-                render::Renderer renderer(device(), setup.scene, gpuScene, smallOptions(technique));
-                const Frame frame = renderer.render(camera);
+                const Frame frame = draw(setup.scene, gpuScene, camera, smallOptions(technique));
                 const auto wrong = measure::countWrong(frame.ids(), truth);
                 EXPECT_GT(wrong.pixels, 3000u);
                 // 16 bits over a ratio of 500 do fail here and there.
@@ -122,8 +119,7 @@ TEST_F(TechniqueTest, CascadesLeaveNoCracks) {
     const glm::mat3 slope(3000.0f, 0.0f, 0.0f, 0.0f, 0.5f, 0.0f, 0.0f, 300.0f, 5000.0f);
     addBox(scene, glm::dvec3(0.0, -100.0, -2400.0), slope);
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 1e5};
-    platform::WorkerPool workers(2);
-    const auto truth = measure::castTruth(scene, camera, 480, 270, workers);
+    const auto truth = truthOf(scene, camera);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"count:5", "count:16", "ratio:3"}) {
             const auto technique =
@@ -146,8 +142,7 @@ TEST_F(TechniqueTest, ThreadsAndBatchingChangeNoBit) {
             for (const render::Batching batching :
                  {render::Batching::instanced, render::Batching::perObject}) {
                 options.batching = batching;
-                render::Renderer renderer(device(), setup.scene, gpuScene, options);
-                const std::string hash = hashOf(renderer.render(setup.path.at(33)));
+                const std::string hash = hashOf(draw(setup.scene, gpuScene, setup.path.at(33), options));
                 first = first.empty() ? hash : first;
                 EXPECT_EQ(hash, first) << nameOf(technique) << " " << threads;
             }

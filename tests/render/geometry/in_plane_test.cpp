@@ -69,17 +69,15 @@ TEST_F(InPlaneTest, AnchoredDepthOrdersWhatRoundingSwaps) {
     const scene::SceneSetup setup = scenes::makeMixed();
     const scene::Camera camera = setup.path.at(0);
     const render::GpuScene gpuScene(device(), setup.scene);
-    platform::WorkerPool workers(2);
     measure::WrongPixels byDevice; // at some sizes none
     for (const auto& [width, height] : {std::pair{480u, 270u}, {800u, 450u}, {1440u, 810u}}) {
-        const measure::TruthImage truth = measure::castTruth(setup.scene, camera, width, height, workers);
+        const measure::TruthImage truth = truthOf(setup.scene, camera, width, height);
         for (const std::uint32_t bits : roundings()) {
             const auto wrongWith = [&](Snapping snapping) {
                 render::RenderOptions options = optionsFor(bits, snapping);
                 options.width = width;
                 options.height = height;
-                render::Renderer renderer(device(), setup.scene, gpuScene, options);
-                return measure::countWrong(renderer.render(camera).ids(), truth);
+                return measure::countWrong(draw(setup.scene, gpuScene, camera, options).ids(), truth);
             };
             byDevice += wrongWith(Snapping::byDevice);
             const measure::WrongPixels inPlane = wrongWith(Snapping::inPlane);

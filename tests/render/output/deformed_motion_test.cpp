@@ -93,9 +93,7 @@ struct Off {
 Off compare(const render::Frame& frame, std::uint32_t subPixelBits, const SeenScene& now,
             const SeenScene& before) {
     const double most = 0.01 + std::ldexp(0.5, -static_cast<int>(subPixelBits));
-    platform::WorkerPool workers(2);
-    const measure::TruthImage truth =
-        measure::castTruth(now.scene, now.camera, frame.width(), frame.height(), workers);
+    const measure::TruthImage truth = truthOf(now.scene, now.camera, frame.width(), frame.height());
     const measure::TruthImage held = heldBy(frame);
     const image::Raster<glm::dvec2> exact = truthMotion(held, now, before);
     Off off;

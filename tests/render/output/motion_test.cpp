@@ -66,9 +66,7 @@ class MotionTest : public RenderTest {
         }
     };
     Difference compare(const render::Frame& frame, const SeenScene& now, const SeenScene& before) {
-        platform::WorkerPool workers(2);
-        const measure::TruthImage truth =
-            measure::castTruth(now.scene, now.camera, frame.width(), frame.height(), workers);
+        const measure::TruthImage truth = truthOf(now.scene, now.camera, frame.width(), frame.height());
         const measure::TruthImage held = heldBy(frame);
         const image::Raster<glm::dvec2> ofTruth = truthMotion(truth, now, before);
         const image::Raster<glm::dvec2> ofHeld = truthMotion(held, now, before);

@@ -121,8 +121,7 @@ TEST_F(MetallicRoughnessTest, EverySurfaceHoldsItsCode) {
                 options.height = 135;
                 options.submission = submission;
                 options.batching = batching;
-                render::Renderer renderer(device(), scene, gpuScene, options);
-                const Frame frame = renderer.render(kMetallicRoughnessCamera);
+                const Frame frame = draw(scene, gpuScene, kMetallicRoughnessCamera, options);
                 std::vector<std::size_t> pixels(materials);
                 for (std::uint32_t y = 0; y < frame.height(); ++y) {
                     for (std::uint32_t x = 0; x < frame.width(); ++x) {

@@ -97,8 +97,7 @@ TEST_F(ShadowsTest, OffEdgesNextToNonePixelIsWrongAndPlainMapsAreWorse) {
                     continue;
                 }
                 const auto wrongWith = [&](const RenderOptions& drawn) {
-                    render::Renderer renderer(device(), setup.scene, gpuScene, drawn);
-                    return wrongShadowsIn(renderer.render(camera), rays);
+                    return wrongShadowsIn(draw(setup.scene, gpuScene, camera, drawn), rays);
                 };
                 const measure::WrongShadows wrong = wrongWith(options);
                 EXPECT_GT(wrong.pixels, 800u) << each.scene;

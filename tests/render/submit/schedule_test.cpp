@@ -42,8 +42,7 @@ TEST_F(ScheduleTest, NoOrderOfFewJobsChangesTheFrame) {
             scheduled.threads = 2;
             for (std::uint64_t number = 0; number < platform::scheduleCount(3, 2); ++number) {
                 scheduled.schedule = number;
-                render::Renderer renderer(device(), scene, gpuScene, scheduled);
-                const render::Frame frame = renderer.render(camera);
+                const render::Frame frame = draw(scene, gpuScene, camera, scheduled);
                 ASSERT_EQ(hashOf(frame), expected) << nameOf(targets) << ", schedule " << number;
                 ASSERT_EQ(frame.stats.draws, 6u);
             }
@@ -66,8 +65,8 @@ TEST_F(ScheduleTest, NoOrderOfManyJobsChangesTheFrame) {
             render::RenderOptions scheduled = alone;
             scheduled.threads = 3;
             scheduled.schedule = random();
-            render::Renderer renderer(device(), setup.scene, gpuScene, scheduled);
-            ASSERT_EQ(hashOf(renderer.render(camera)), expected) << "schedule " << *scheduled.schedule;
+            ASSERT_EQ(hashOf(draw(setup.scene, gpuScene, camera, scheduled)), expected)
+                << "schedule " << *scheduled.schedule;
         }
     }
 }

@@ -55,8 +55,7 @@ class SubmissionTest : public RenderTest {
                         const scene::Camera& camera, const depth::Technique& technique, TargetsKind targets) {
         render::RenderOptions options = tinyOptions(technique);
         options.targets = targets;
-        render::Renderer first(device(), scene, gpuScene, options);
-        const render::Frame wanted = first.render(camera);
+        const render::Frame wanted = draw(scene, gpuScene, camera, options);
         for (const auto& [submission, threads] : {std::pair{Submission::primaries, 1u},
                                                   {Submission::primaries, 3u},
                                                   {Submission::gpuDriven, 3u}}) {
@@ -65,8 +64,7 @@ class SubmissionTest : public RenderTest {
             }
             options.submission = submission;
             options.threads = threads;
-            render::Renderer renderer(device(), scene, gpuScene, options);
-            const render::Frame frame = renderer.render(camera);
+            const render::Frame frame = draw(scene, gpuScene, camera, options);
             EXPECT_EQ(hashOf(frame), hashOf(wanted))
                 << nameOf(technique) << " " << nameOf(targets) << " " << nameOf(submission);
             EXPECT_EQ(frame.stats.draws, wanted.stats.draws) << nameOf(submission);
@@ -145,8 +143,7 @@ TEST_F(SubmissionTest, GpuDrivenDrawsAgainWhenItsRecordsRunOut) {
     const render::GpuScene gpuScene(device(), scene);
     render::RenderOptions options = tinyOptions(
         depth::Technique{depth::Mapping::standard, depth::parseSplit("count:40"), depth::DepthFormat::d32f});
-    render::Renderer host(device(), scene, gpuScene, options);
-    const render::Frame wanted = host.render(camera);
+    const render::Frame wanted = draw(scene, gpuScene, camera, options);
     ASSERT_GT(wanted.stats.draws, 2 * scene.instances.size());
     options.submission = Submission::gpuDriven;
     render::Renderer onDevice(device(), scene, gpuScene, options);
@@ -167,8 +164,7 @@ TEST_F(SubmissionTest, BatchingChangesNoBit) {
                 options.submission = submission;
                 options.batching = batching;
                 options.threads = 3;
-                render::Renderer renderer(device(), setup.scene, gpuScene, options);
-                const std::string hash = hashOf(renderer.render(setup.path.at(90)));
+                const std::string hash = hashOf(draw(setup.scene, gpuScene, setup.path.at(90), options));
                 first = first.empty() ? hash : first;
                 EXPECT_EQ(hash, first)
                     << nameOf(technique) << " " << nameOf(submission) << " " << nameOf(batching);
@@ -187,9 +183,8 @@ TEST_F(SubmissionTest, OfEqualSurfacesTheLastInTheScenesOrderShowsHoweverDrawn) 
         scene::addInstance(scene, mesh, 0, object, {0.0, 0.0, -6.0}, turned);
     }
     const scene::Camera camera{.fovY = 0.5, .nearView = 1.0, .farView = 100.0};
-    platform::WorkerPool workers(1);
     const auto size = tinyOptions({});
-    const measure::TruthImage truth = measure::castTruth(scene, camera, size.width, size.height, workers);
+    const measure::TruthImage truth = truthOf(scene, camera, size.width, size.height);
     ASSERT_EQ(truth.at(size.width / 2, size.height / 2).id, 5u);
     const render::GpuScene gpuScene(device(), scene);
     const auto expectRight = [&](const render::RenderOptions& options) {
@@ -240,8 +235,8 @@ TEST_F(SubmissionTest, FramesInFlightLeaveTheNextFrameAsItIs) {
             renderer.submit(setup.path.at(30 * frame));
         }
         options.framesInFlight = 1;
-        render::Renderer alone(device(), setup.scene, gpuScene, options);
-        EXPECT_EQ(hashOf(renderer.render(setup.path.at(77))), hashOf(alone.render(setup.path.at(77))))
+        EXPECT_EQ(hashOf(renderer.render(setup.path.at(77))),
+                  hashOf(draw(setup.scene, gpuScene, setup.path.at(77), options)))
             << nameOf(submission);
     }
 }

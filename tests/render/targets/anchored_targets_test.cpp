@@ -21,8 +21,7 @@ class AnchoredTargetsTest : public RenderTest {
     /// one-pass.
     void expectRight(const scene::Scene& scene, const scene::Camera& camera, std::size_t leastCascades) {
         const render::GpuScene gpuScene(device(), scene);
-        platform::WorkerPool workers(2);
-        const auto truth = measure::castTruth(scene, camera, 480, 270, workers);
+        const auto truth = truthOf(scene, camera);
         for (const depth::Mapping mapping : {depth::Mapping::anchored, depth::Mapping::anchoredReversed}) {
             for (const auto format : available({depth::DepthFormat::d24, depth::DepthFormat::d32f})) {
                 std::string first;
@@ -31,8 +30,7 @@ class AnchoredTargetsTest : public RenderTest {
                         auto options = smallOptions(technique(mapping, format));
                         options.targets = render::parseTargets(targets);
                         options.threads = threads;
-                        render::Renderer renderer(device(), scene, gpuScene, options);
-                        const render::Frame frame = renderer.render(camera);
+                        const render::Frame frame = draw(scene, gpuScene, camera, options);
                         EXPECT_GE(frame.cascades.size(), leastCascades);
                         const std::string where = nameOf(options.technique) + " " + targets;
                         if (std::string(targets) == "one-pass") {

@@ -24,8 +24,7 @@ class OnePassTest : public RenderTest {
                    const depth::Technique& technique, TargetsKind targets = TargetsKind::onePass) {
         auto options = smallOptions(technique);
         options.targets = targets;
-        render::Renderer renderer(device(), scene, gpuScene, options);
-        return renderer.render(camera);
+        return draw(scene, gpuScene, camera, options);
     }
 };
 
@@ -61,8 +60,7 @@ TEST_F(OnePassTest, HasNoMoreWrongPixelsThanSingle) {
          {scenes::makeAfc(2013), scenes::makeRotation(2013, 8000), scenes::makeCubes(2013)}) {
         const render::GpuScene gpuScene(device(), setup.scene);
         const scene::Camera camera = setup.path.at(20);
-        platform::WorkerPool workers(2);
-        const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
+        const auto truth = truthOf(setup.scene, camera);
         for (const depth::NamedTechnique& preset : depth::presets()) {
             const auto wrong = [&](TargetsKind targets) {
                 const Frame frame = drawWith(setup.scene, gpuScene, camera, preset.technique, targets);
@@ -87,8 +85,7 @@ TEST_F(OnePassTest, SlicesOf24BitsLieBetween24And16BitsOfOnesOwn) {
     const scene::SceneSetup setup = scenes::makeAfc(2013);
     const render::GpuScene gpuScene(device(), setup.scene);
     const scene::Camera camera = setup.path.at(20);
-    platform::WorkerPool workers(2);
-    const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
+    const auto truth = truthOf(setup.scene, camera);
     for (const depth::NamedTechnique& preset : depth::presets()) {
         const auto wrong = [&](depth::DepthFormat format, TargetsKind targets) {
             depth::Technique technique = preset.technique;
@@ -109,8 +106,7 @@ TEST_F(OnePassTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
     scene::Camera camera = setup.path.at(0);
     camera.nearView = 1.0;
     camera.farView = 500.0;
-    platform::WorkerPool workers(2);
-    const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
+    const auto truth = truthOf(setup.scene, camera);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"none", "count:7", "count:40", "at:50,120"}) {
             for (const auto format : available({depth::DepthFormat::d24, depth::DepthFormat::d32f})) {
@@ -210,8 +206,7 @@ TEST_F(OnePassTest, IsTheImageOfTheOthersWhereNothingTies) {
                     render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
                     options.targets = targets;
                     options.surface = surface;
-                    render::Renderer renderer(device(), setup.scene, gpuScene, options);
-                    return hashOf(renderer.render(setup.path.at(40)));
+                    return hashOf(draw(setup.scene, gpuScene, setup.path.at(40), options));
                 };
                 EXPECT_EQ(hash(TargetsKind::onePass), hash(TargetsKind::single))
                     << setup.scene.name << " " << technique << " " << nameOf(surface);

@@ -179,8 +179,7 @@ TEST_F(TranslucencyTest, ThreadsTargetsAndSubmissionsChangeNoBit) {
                 options.submission = submission;
                 options.targets = targets;
                 options.threads = targets == render::TargetsKind::single ? 1 : 3;
-                render::Renderer renderer(device(), m_sheets.scene, gpuScene, options);
-                const render::Frame frame = renderer.render(m_camera);
+                const render::Frame frame = draw(m_sheets.scene, gpuScene, m_camera, options);
                 const std::string hash = hashOf(frame) + program::sha256Of(frame.fragmentCounts.pixels);
                 wanted = wanted.empty() ? hash : wanted;
                 EXPECT_EQ(hash, wanted)

@@ -43,8 +43,7 @@ class ViewsTest : public RenderTest {
         m_cascades.clear();
         m_draws.clear();
         for (const scene::Camera& camera : cameras) {
-            render::Renderer renderer(device(), m_scene, *m_onDevice, options);
-            const Frame frame = renderer.render(camera);
+            const Frame frame = draw(m_scene, *m_onDevice, camera, options);
             if (m_cascades.empty()) {
                 m_cascades = frame.cascades;
             }
