@@ -16,7 +16,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace {
 
@@ -139,23 +138,7 @@ void materials(benchmark::State& state) {
                                         .threads = static_cast<std::size_t>(state.range(1))};
     render::Renderer base(gpu.device, plain, plainOnDevice, options);
     render::Renderer whole(gpu.device, setup.scene, wholeOnDevice, options);
-    std::uint32_t frame = 0;
-    for (; frame < 4; ++frame) {
-        base.draw(setup.path.at(frame));
-        whole.draw(setup.path.at(frame));
-    }
-    std::vector<double> ratios;
-    std::vector<double> cpuRatios;
-    for (auto iteration : state) {
-        const scene::Camera camera = setup.path.at(frame++);
-        const benchmarks::Cost alone = benchmarks::costOf([&] { base.draw(camera); });
-        const benchmarks::Cost all = benchmarks::costOf([&] { whole.draw(camera); });
-        state.SetIterationTime(all.seconds);
-        ratios.push_back(all.seconds / alone.seconds);
-        cpuRatios.push_back(all.cpuSeconds / alone.cpuSeconds);
-    }
-    benchmarks::report(state, "ratio", ratios);
-    benchmarks::report(state, "cpu_ratio", cpuRatios);
+    benchmarks::reportOver(state, setup.path, base, whole);
 }
 
 BENCHMARK(materials)

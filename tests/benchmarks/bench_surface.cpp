@@ -10,7 +10,6 @@
 
 #include <array>
 #include <string>
-#include <vector>
 
 namespace {
 
@@ -38,23 +37,7 @@ void surface(benchmark::State& state) {
     render::Renderer gbuffer(gpu.device, setup.scene, onDevice, options);
     options.surface = path;
     render::Renderer measured(gpu.device, setup.scene, onDevice, options);
-    std::uint32_t frame = 0;
-    for (; frame < 4; ++frame) {
-        gbuffer.draw(setup.path.at(frame));
-        measured.draw(setup.path.at(frame));
-    }
-    std::vector<double> ratios;
-    std::vector<double> cpuRatios;
-    for (auto iteration : state) {
-        const scene::Camera camera = setup.path.at(frame++);
-        const benchmarks::Cost kept = benchmarks::costOf([&] { gbuffer.draw(camera); });
-        const benchmarks::Cost own = benchmarks::costOf([&] { measured.draw(camera); });
-        state.SetIterationTime(own.seconds);
-        ratios.push_back(own.seconds / kept.seconds);
-        cpuRatios.push_back(own.cpuSeconds / kept.cpuSeconds);
-    }
-    benchmarks::report(state, "ratio", ratios);
-    benchmarks::report(state, "cpu_ratio", cpuRatios);
+    benchmarks::reportOver(state, setup.path, gbuffer, measured);
 }
 
 BENCHMARK(surface)

@@ -2,6 +2,8 @@
 
 #include <cdr/gpu/device.h>
 #include <cdr/gpu/instance.h>
+#include <cdr/render/renderer.h>
+#include <cdr/scene/camera_path.h>
 
 #include <benchmark/benchmark.h>
 
@@ -42,6 +44,28 @@ inline void report(benchmark::State& state, const std::string& name, std::vector
     state.counters[name] = at(0.5);
     state.counters[name + "_05"] = at(0.05);
     state.counters[name + "_95"] = at(0.95);
+}
+
+/// Draws frames of a path with two renderers in turn. Reports the second one's time, and what it takes over the first.
+inline void reportOver(benchmark::State& state, const scene::CameraPath& path, render::Renderer& base,
+                       render::Renderer& measured) {
+    std::uint32_t frame = 0;
+    for (; frame < 4; ++frame) { // to warm up
+        base.draw(path.at(frame));
+        measured.draw(path.at(frame));
+    }
+    std::vector<double> ratios;
+    std::vector<double> cpuRatios;
+    for (auto iteration : state) {
+        const scene::Camera camera = path.at(frame++);
+        const Cost ofBase = costOf([&] { base.draw(camera); });
+        const Cost own = costOf([&] { measured.draw(camera); });
+        state.SetIterationTime(own.seconds);
+        ratios.push_back(own.seconds / ofBase.seconds);
+        cpuRatios.push_back(own.cpuSeconds / ofBase.cpuSeconds);
+    }
+    report(state, "ratio", ratios);
+    report(state, "cpu_ratio", cpuRatios);
 }
 
 } // namespace cdr::benchmarks
