@@ -1,3 +1,4 @@
+#include "../support/refusal.h"
 #include "../support/shared_device.h"
 
 #include <cdr/base/error.h>
@@ -41,12 +42,7 @@ class RivalsExperiment : public cdr::test::DeviceTest {
     }
 
     std::string refusalOf(const RivalsOptions& options, const std::string& scene = "mixed") {
-        try {
-            measure(options, {scene});
-        } catch (const base::InputError& error) {
-            return error.what();
-        }
-        return "none";
+        return cdr::test::inputErrorOf([&] { measure(options, {scene}); }, "none");
     }
 };
 

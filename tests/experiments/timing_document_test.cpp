@@ -1,3 +1,5 @@
+#include "../support/refusal.h"
+
 #include <cdr/base/error.h>
 #include <experiments/timing/timing_document.h>
 
@@ -22,12 +24,7 @@ json timingOfTwo() {
 }
 
 std::string timingRefusal(const std::string& text) {
-    try {
-        readTimingDocument(text, "other");
-    } catch (const base::InputError& error) {
-        return error.what();
-    }
-    return "";
+    return test::inputErrorOf([&] { readTimingDocument(text, "other"); });
 }
 
 TEST(TimingDocument, HoldsModesAndDevice) {

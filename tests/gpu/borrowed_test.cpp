@@ -1,3 +1,4 @@
+#include "../support/refusal.h"
 #include "host_loader.h"
 
 #include <cdr/base/error.h>
@@ -28,12 +29,7 @@ class BorrowedDevices : public testing::Test {
     }
     /// Why it is refused; empty where it is not.
     static std::string refusalOf(const BorrowedDevice& borrowed) {
-        try {
-            const Device device(borrowed);
-            return {};
-        } catch (const cdr::base::InputError& error) {
-            return error.what();
-        }
+        return cdr::test::inputErrorOf([&] { const Device device(borrowed); });
     }
     const std::string& name() const { return m_device.info().name; }
     bool hasFloat64() const { return m_device.info().hasFloat64; }

@@ -1,3 +1,5 @@
+#include "../support/refusal.h"
+
 #include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/device.h>
@@ -36,23 +38,17 @@ TEST(Devices, CanBeChosenByNumberAndName) {
 
 TEST(Devices, RefusalNamesEachDeviceAndWhy) {
     const Instance instance;
-    try {
-        const Device device(instance, "no such device");
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("not the one asked for"), std::string::npos);
-        EXPECT_NE(std::string(error.what()).find(listDevices(instance).front().name), std::string::npos);
-    }
+    const std::string message =
+        cdr::test::inputErrorOf([&] { const Device device(instance, "no such device"); });
+    EXPECT_NE(message.find("not the one asked for"), std::string::npos);
+    EXPECT_NE(message.find(listDevices(instance).front().name), std::string::npos);
     EXPECT_THROW(Device(instance, "999"), InputError);
 }
 
 TEST(Devices, AnExtensionThatIsNotThereIsRefusedByName) {
-    try {
-        const Instance instance({.validate = false, .extensions = {"VK_KHR_no_such_extension"}});
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("VK_KHR_no_such_extension"), std::string::npos);
-    }
+    const std::string message = cdr::test::inputErrorOf(
+        [&] { const Instance instance({.validate = false, .extensions = {"VK_KHR_no_such_extension"}}); });
+    EXPECT_NE(message.find("VK_KHR_no_such_extension"), std::string::npos);
 }
 
 TEST(Memory, AnImageOfTooManyPixelsASideIsRefused) {
@@ -127,13 +123,10 @@ TEST(Memory, TooLargeIsRefusedBeforeAllocatingWithBothFigures) {
     const Device device(instance, "");
     EXPECT_GT(freeDeviceBytes(device), 0u);
     EXPECT_NO_THROW(requireDeviceBytes(device, 1, "a byte"));
-    try {
-        requireDeviceBytes(device, std::uint64_t{1} << 60, "a planet");
-        FAIL();
-    } catch (const RunError& error) {
-        EXPECT_NE(std::string(error.what()).find("a planet needs 1099511627776.0 MiB"), std::string::npos);
-        EXPECT_NE(std::string(error.what()).find("are free on"), std::string::npos);
-    }
+    const std::string message =
+        cdr::test::runErrorOf([&] { requireDeviceBytes(device, std::uint64_t{1} << 60, "a planet"); });
+    EXPECT_NE(message.find("a planet needs 1099511627776.0 MiB"), std::string::npos);
+    EXPECT_NE(message.find("are free on"), std::string::npos);
 }
 
 /// An empty log would mean nothing if a broken call left it empty too.

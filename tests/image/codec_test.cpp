@@ -1,3 +1,5 @@
+#include "../support/refusal.h"
+
 #include <cdr/base/error.h>
 #include <cdr/image/codec.h>
 #include <cdr/platform/file.h>
@@ -26,12 +28,7 @@ ImageRgba8 noise(std::uint32_t width, std::uint32_t height) {
 }
 
 std::string refusal(const std::vector<std::uint8_t>& encoded) {
-    try {
-        decodeImage(encoded, "picture");
-    } catch (const base::InputError& error) {
-        return error.what();
-    }
-    return "decoded";
+    return test::inputErrorOf([&] { decodeImage(encoded, "picture"); }, "decoded");
 }
 
 void expectOneLineRefusal(const std::vector<std::uint8_t>& encoded) {
@@ -212,12 +209,7 @@ TEST(Codec, TheSizeIsReadFromTheHeaderAlone) {
     png.resize(png.size() - 20); // cut off inside of its pixels
     EXPECT_EQ(sizeOfEncoded(png, "picture"), (PictureSize{13, 7}));
     const auto refusalOf = [](const std::vector<std::uint8_t>& encoded) -> std::string {
-        try {
-            sizeOfEncoded(encoded, "picture");
-        } catch (const base::InputError& error) {
-            return error.what();
-        }
-        return "accepted";
+        return test::inputErrorOf([&] { sizeOfEncoded(encoded, "picture"); }, "accepted");
     };
     EXPECT_EQ(refusalOf({1, 2, 3}), "picture: neither PNG nor JPEG");
     EXPECT_EQ(refusalOf({0xff, 0xd8, 0xff}).substr(0, 22), "picture: damaged JPEG:");

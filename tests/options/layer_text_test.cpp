@@ -1,3 +1,5 @@
+#include "../support/refusal.h"
+
 #include <cdr/base/error.h>
 
 #include <gtest/gtest.h>
@@ -13,12 +15,7 @@ namespace {
 using scenes::LayerChoice;
 
 std::string layerRefusalOf(const std::string& text) {
-    try {
-        parseLayer(text);
-    } catch (const base::InputError& error) {
-        return error.what();
-    }
-    return "";
+    return test::inputErrorOf([&] { parseLayer(text); });
 }
 
 TEST(LayerText, ReadsWhatItWrites) {

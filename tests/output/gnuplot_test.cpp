@@ -1,3 +1,4 @@
+#include "../support/refusal.h"
 #include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
@@ -68,12 +69,8 @@ TEST_F(GnuplotTest, OtherFormatsAndFoldersAreRefused) {
 TEST_F(GnuplotTest, AMissingGnuplotIsNamed) {
     const std::string path = std::getenv("PATH");
     ::setenv("PATH", folder().c_str(), 1);
-    try {
-        requirePlottable(folder() / "p.png");
-        ADD_FAILURE() << "nothing was thrown";
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("gnuplot-nox"), std::string::npos) << error.what();
-    }
+    const std::string message = cdr::test::inputErrorOf([&] { requirePlottable(folder() / "p.png"); });
+    EXPECT_NE(message.find("gnuplot-nox"), std::string::npos) << message;
     ::setenv("PATH", path.c_str(), 1);
 }
 
@@ -84,13 +81,9 @@ TEST_F(GnuplotTest, AFileThatIsCutIsNotKept) {
     fs::permissions(folder() / "gnuplot", fs::perms::owner_all);
     ::setenv("PATH", (folder().string() + ":" + path).c_str(), 1);
     for (const char* name : {"p.png", "p.svg"}) {
-        try {
-            writePlot(folder() / name, "plot x\n");
-            ADD_FAILURE() << "nothing was thrown";
-        } catch (const RunError& error) {
-            EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
-            EXPECT_NE(std::string(error.what()).find("the disk may be full"), std::string::npos);
-        }
+        const std::string message = cdr::test::runErrorOf([&] { writePlot(folder() / name, "plot x\n"); });
+        EXPECT_NE(message.find(name), std::string::npos) << message;
+        EXPECT_NE(message.find("the disk may be full"), std::string::npos);
         EXPECT_FALSE(fs::exists(folder() / name));
     }
     ::setenv("PATH", path.c_str(), 1);

@@ -1,4 +1,5 @@
 #include "../support/address_limit.h"
+#include "../support/refusal.h"
 
 #include <cdr/base/error.h>
 #include <cdr/platform/host_memory.h>
@@ -24,14 +25,10 @@ TEST(HostMemory, MoreThanTheSystemHasIsRefused) {
 TEST(HostMemory, TheLimitOfTheProcessCounts) {
     const AddressLimit limit(256 * kMebibyte);
     EXPECT_LE(platform::freeHostBytes().value_or(0), 257 * kMebibyte); // pages are returned meanwhile
-    try {
-        platform::requireHostBytes(512 * kMebibyte, "a picture");
-        ADD_FAILURE() << "not refused";
-    } catch (const base::RunError& error) {
-        const std::string line = error.what();
-        EXPECT_NE(line.find("a picture needs 512.0 MiB of memory, "), std::string::npos) << line;
-        EXPECT_NE(line.find(" MiB are free"), std::string::npos) << line;
-    }
+    const std::string line =
+        cdr::test::runErrorOf([&] { platform::requireHostBytes(512 * kMebibyte, "a picture"); });
+    EXPECT_NE(line.find("a picture needs 512.0 MiB of memory, "), std::string::npos) << line;
+    EXPECT_NE(line.find(" MiB are free"), std::string::npos) << line;
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../support/refusal.h"
 #include "../support/shared_device.h"
 
 #include <cdr/base/error.h>
@@ -42,12 +43,8 @@ class RenderTest : public test::DeviceTest {
     /// Why there is no renderer of a scene with these options; "none" where there is one.
     std::string refusalOf(const scene::Scene& scene, const render::RenderOptions& options) {
         const render::GpuScene gpuScene(device(), scene);
-        try {
-            const render::Renderer renderer(device(), scene, gpuScene, options);
-        } catch (const base::InputError& error) {
-            return error.what();
-        }
-        return "none";
+        return test::inputErrorOf(
+            [&] { const render::Renderer renderer(device(), scene, gpuScene, options); }, "none");
     }
 
     render::Frame draw(const scene::Scene& scene, const render::GpuScene& gpuScene,

@@ -246,7 +246,7 @@ TEST_F(FrameTest, ABorrowedDeviceIsRefusedByTheNameOfTheHandleThatIsNull) {
     lacking["VkDevice"].device = VK_NULL_HANDLE;
     lacking["VkQueue"].queue = VK_NULL_HANDLE;
     for (const auto& [name, handles] : lacking) {
-        EXPECT_EQ(test::inputErrorOf([&] { const gpu::Device refused(handles); }),
+        EXPECT_EQ(test::inputErrorOf([&handles = handles] { const gpu::Device refused(handles); }),
                   "the " + name + " of a borrowed device is null");
     }
     VkPhysicalDeviceFeatures2 features{};

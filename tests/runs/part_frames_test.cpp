@@ -1,3 +1,4 @@
+#include "../support/refusal.h"
 #include "../support/shared_device.h"
 
 #include <cdr/base/error.h>
@@ -132,12 +133,8 @@ TEST_F(PartFrames, AreRefusedWhereAPixelNeedsMoreThanItsSurface) {
     const render::GpuScene onDevice(device(), setup.scene);
     const auto refusalOf = [&](render::RenderOptions options) -> std::string {
         options.part = {.index = 1, .count = 2};
-        try {
-            const render::Renderer renderer(device(), setup.scene, onDevice, options);
-        } catch (const base::InputError& error) {
-            return error.what();
-        }
-        return "";
+        return test::inputErrorOf(
+            [&] { const render::Renderer renderer(device(), setup.scene, onDevice, options); });
     };
     const render::RenderOptions good = optionsFor("count:2", depth::Mapping::standard);
     EXPECT_EQ(refusalOf(good), "");

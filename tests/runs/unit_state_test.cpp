@@ -1,3 +1,4 @@
+#include "../support/refusal.h"
 #include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
@@ -20,12 +21,7 @@ std::string wholeText() {
 }
 
 std::string refusalOf(const std::string& text) {
-    try {
-        readUnitState(text, kRun, "s");
-    } catch (const base::InputError& error) {
-        return error.what();
-    }
-    return "";
+    return test::inputErrorOf([&] { readUnitState(text, kRun, "s"); });
 }
 
 std::string stateTextIn(const std::filesystem::path& path) {

@@ -1,3 +1,4 @@
+#include "../support/refusal.h"
 #include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
@@ -19,17 +20,6 @@ namespace {
 
 using test::TemporaryFolder;
 
-void expectSame(const Camera& a, const Camera& b) {
-    EXPECT_EQ(a.position, b.position);
-    EXPECT_EQ(a.right, b.right);
-    EXPECT_EQ(a.up, b.up);
-    EXPECT_EQ(a.back, b.back);
-    EXPECT_EQ(a.fovY, b.fovY);
-    EXPECT_EQ(a.nearView, b.nearView);
-    EXPECT_EQ(a.farView, b.farView);
-    EXPECT_EQ(a.lensShift, b.lensShift);
-}
-
 /// A flight around the afc field, at irregular moments, with a lens that narrows.
 CameraRecording flown() {
     CameraRecording recording{.scene = "afc", .cameras = {}};
@@ -43,15 +33,6 @@ CameraRecording flown() {
     return recording;
 }
 
-std::string message(const std::function<void()>& body) {
-    try {
-        body();
-    } catch (const base::InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
 TEST(CameraRecording, ComesBackFromAFileToTheBit) {
     const TemporaryFolder folder;
     CameraRecording recording = flown();
@@ -62,7 +43,7 @@ TEST(CameraRecording, ComesBackFromAFileToTheBit) {
     ASSERT_EQ(read.cameras.size(), recording.cameras.size());
     for (std::size_t i = 0; i < read.cameras.size(); ++i) {
         EXPECT_EQ(read.cameras[i].seconds, recording.cameras[i].seconds);
-        expectSame(read.cameras[i].camera, recording.cameras[i].camera);
+        EXPECT_EQ(read.cameras[i].camera, recording.cameras[i].camera);
     }
 }
 
@@ -89,10 +70,10 @@ TEST(CameraRecording, StopsWhenFull) {
 TEST(CameraRecording, PlaysRecordedMomentsExactlyAndHoldsTheEnds) {
     const CameraRecording recording = flown();
     for (const RecordedCamera& recorded : recording.cameras) {
-        expectSame(cameraAt(recording, recorded.seconds), recorded.camera);
+        EXPECT_EQ(cameraAt(recording, recorded.seconds), recorded.camera);
     }
-    expectSame(cameraAt(recording, -5.0), recording.cameras.front().camera);
-    expectSame(cameraAt(recording, 1e9), recording.cameras.back().camera);
+    EXPECT_EQ(cameraAt(recording, -5.0), recording.cameras.front().camera);
+    EXPECT_EQ(cameraAt(recording, 1e9), recording.cameras.back().camera);
 }
 
 TEST(CameraRecording, InterpolatesBetween) {
@@ -159,14 +140,14 @@ TEST(CameraRecording, BecomesAPathOfAnyLength) {
     const CameraRecording recording = flown();
     const CameraPath same = pathOf(recording, 12);
     for (std::uint32_t i = 0; i < 12; ++i) {
-        expectSame(same.at(i), recording.cameras[i].camera);
+        EXPECT_EQ(same.at(i), recording.cameras[i].camera);
     }
     const CameraPath longer = pathOf(recording, 100);
-    expectSame(longer.at(0), recording.cameras.front().camera);
-    expectSame(longer.at(99), recording.cameras.back().camera);
-    expectSame(longer.at(100), longer.at(0));
+    EXPECT_EQ(longer.at(0), recording.cameras.front().camera);
+    EXPECT_EQ(longer.at(99), recording.cameras.back().camera);
+    EXPECT_EQ(longer.at(100), longer.at(0));
     EXPECT_LT(longer.at(50).fovY, longer.at(49).fovY);
-    expectSame(pathOf(recording, 1).at(0), recording.cameras.front().camera);
+    EXPECT_EQ(pathOf(recording, 1).at(0), recording.cameras.front().camera);
     EXPECT_THROW(pathOf(recording, 0), base::InputError);
     EXPECT_THROW(pathOf({}, 3), base::InputError);
     EXPECT_THROW(cameraAt({}, 0.0), base::InputError);
@@ -234,7 +215,7 @@ TEST(CameraRecordingFile, RefusesWhatIsNotOneInOneLineThatNamesIt) {
         nlohmann::json json = sound;
         spoil.spoil(json);
         platform::writeText(path, json.dump());
-        const std::string said = message([&] { readRecording(path); });
+        const std::string said = cdr::test::inputErrorOf([&] { readRecording(path); });
         EXPECT_NE(said.find(spoil.what), std::string::npos) << spoil.what << ": " << said;
         EXPECT_EQ(said.find(path.string()), 0u) << said;
         EXPECT_EQ(said.find('\n'), std::string::npos) << said;
@@ -255,17 +236,18 @@ TEST(CameraRecordingFile, RefusesWhatIsNotJsonOrTooDeepOrHuge) {
          {std::string(), std::string("{"), std::string(100'000, '['), sound.substr(0, sound.size() / 2),
           std::string("{\"format\":1e999}"), std::string("\xff\xfe\0\0", 4)}) {
         platform::writeText(path, text);
-        EXPECT_NE(message([&] { readRecording(path); }).find("camera path"), std::string::npos)
+        EXPECT_NE(cdr::test::inputErrorOf([&] { readRecording(path); }).find("camera path"),
+                  std::string::npos)
             << text.substr(0, 40);
     }
-    EXPECT_NE(message([&] { readRecording(folder.path() / "none.json"); }), "");
-    EXPECT_NE(message([&] { readRecording(folder.path()); }), "");
+    EXPECT_NE(cdr::test::inputErrorOf([&] { readRecording(folder.path() / "none.json"); }), "");
+    EXPECT_NE(cdr::test::inputErrorOf([&] { readRecording(folder.path()); }), "");
     // With any byte changed, a valid file is either read or refused.
     for (std::size_t i = 0; i < sound.size(); i += 7) {
         std::string flipped = sound;
         flipped[i] = static_cast<char>(flipped[i] ^ (1 << (i % 7)));
         platform::writeText(path, flipped);
-        message([&] { readRecording(path); });
+        cdr::test::inputErrorOf([&] { readRecording(path); });
     }
 }
 

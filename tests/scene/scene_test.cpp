@@ -1,3 +1,5 @@
+#include "../support/refusal.h"
+
 #include <cdr/base/error.h>
 #include <cdr/scene/scene.h>
 
@@ -12,12 +14,11 @@ namespace cdr::scene {
 namespace {
 
 std::string refusalOfMesh(Scene& scene, std::uint32_t mesh) {
-    try {
-        addInstance(scene, mesh, 0, 0, {0.0, 0.0, -5.0}, glm::mat3(1.0f));
-    } catch (const base::InputError& error) {
-        return error.what();
-    }
-    return "added";
+    return cdr::test::inputErrorOf(
+        [&] {
+            addInstance(scene, mesh, 0, 0, {0.0, 0.0, -5.0}, glm::mat3(1.0f));
+        },
+        "added");
 }
 
 /// An instance takes its radius from its mesh, so the mesh comes first.

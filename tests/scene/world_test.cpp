@@ -1,3 +1,5 @@
+#include "../support/refusal.h"
+
 #include <cdr/base/error.h>
 #include <cdr/scene/world/world.h>
 
@@ -21,16 +23,6 @@ World boxWorld() {
     scene.materials.push_back({.name = "white"});
     addInstance(scene, 0, 0, 0, glm::dvec3(1.0, 2.0, 3.0), glm::mat3(1.0f));
     return World(std::move(scene));
-}
-
-/// What the misuse is told; empty where it passes.
-std::string refusalOf(const std::function<void()>& misuse) {
-    try {
-        misuse();
-    } catch (const base::InputError& error) {
-        return error.what();
-    }
-    return {};
 }
 
 InstanceOptions boxAt(const World& world, const glm::dvec3& position) {
@@ -60,7 +52,7 @@ TEST(World, OfAnotherWorldsSceneLeavesRemovedInstancesRemoved) {
     const MaterialHandle material = first.addMaterial({.name = "second"});
     first.removeInstance(first.addInstance({.mesh = mesh, .material = material}));
     World second{Scene(first.scene())};
-    EXPECT_EQ(refusalOf([&] { second.instance(1); }), "instance 1 is not there");
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { second.instance(1); }), "instance 1 is not there");
     second.removeMesh(second.mesh(1));
     second.removeMaterial(second.material(1));
     const InstanceHandle added = second.addInstance(boxAt(second, {9.0, 0.0, 0.0}));
@@ -102,10 +94,10 @@ TEST(World, GivesAMeshOtherDetails) {
     ASSERT_EQ(world.scene().meshes[0].details.size(), 24u);
     EXPECT_EQ(world.scene().meshes[0].details[3].tangent, details[3].tangent);
     details[5].tangent.w = NAN;
-    EXPECT_EQ(refusalOf([&] { world.setVertices(world.mesh(0), vertices, details); }),
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { world.setVertices(world.mesh(0), vertices, details); }),
               "mesh 0: its vertices must be finite");
     details.pop_back();
-    EXPECT_EQ(refusalOf([&] { world.setVertices(world.mesh(0), vertices, details); }),
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { world.setVertices(world.mesh(0), vertices, details); }),
               "mesh 0: 23 details for 24 vertices");
     world.setVertices(world.mesh(0), vertices, {});
     EXPECT_TRUE(world.scene().meshes[0].details.empty());
@@ -114,25 +106,25 @@ TEST(World, GivesAMeshOtherDetails) {
 TEST(World, RefusesVerticesThatDoNotFit) {
     World world = boxWorld();
     const std::vector<Vertex> before = world.scene().meshes[0].vertices;
-    EXPECT_EQ(refusalOf([&] { world.setVertices(world.mesh(0), {}); }),
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { world.setVertices(world.mesh(0), {}); }),
               "mesh 0: 0 vertices cannot stand in the place of 24");
     std::vector<Vertex> vertices = before;
     vertices[7].position.x = NAN;
-    EXPECT_EQ(refusalOf([&] { world.setVertices(world.mesh(0), vertices); }),
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { world.setVertices(world.mesh(0), vertices); }),
               "mesh 0: its vertices must be finite");
     vertices[7].position.x = 1e30f;
-    EXPECT_NE(refusalOf([&] { world.setVertices(world.mesh(0), vertices); }), "");
+    EXPECT_NE(cdr::test::inputErrorOf([&] { world.setVertices(world.mesh(0), vertices); }), "");
     Mesh levelled = makeBox(glm::vec3(1.0f));
     levelled.levels.push_back({.indices = {0, 1, 2}, .error = 1.0f});
     const MeshHandle other = world.addMesh(levelled);
-    EXPECT_EQ(refusalOf([&] { world.setVertices(other, before); }),
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { world.setVertices(other, before); }),
               "mesh 1: its levels of detail would not hold for other vertices");
     EXPECT_EQ(world.scene().meshes[0].vertices[7].position, before[7].position);
     Mesh clustered = makeBox(glm::vec3(1.0f));
     clustered.clusters = {
         .indices = clustered.indices, .clusters = {{.firstIndex = 0, .indexCount = 36}}, .groups = {}};
     const MeshHandle third = world.addMesh(clustered);
-    EXPECT_EQ(refusalOf([&] { world.setVertices(third, before); }),
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { world.setVertices(third, before); }),
               "mesh 2: its levels of detail would not hold for other vertices");
 }
 
@@ -141,7 +133,7 @@ TEST(World, RefusesClustersThatReferToNothing) {
     const auto refusal = [&](const ClusterTree& tree) {
         Mesh mesh = makeBox(glm::vec3(1.0f));
         mesh.clusters = tree;
-        return refusalOf([&] { world.addMesh(mesh); });
+        return cdr::test::inputErrorOf([&] { world.addMesh(mesh); });
     };
     const std::vector<std::uint32_t> whole = makeBox(glm::vec3(1.0f)).indices;
     const std::string noIndices = "a cluster refers to indices or groups that are not there";
@@ -168,16 +160,17 @@ TEST(World, RefusesStaleHandlesByName) {
     World world = boxWorld();
     const InstanceHandle gone = world.addInstance(boxAt(world, {}));
     world.removeInstance(gone);
-    EXPECT_EQ(refusalOf([&] { world.removeInstance(gone); }),
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { world.removeInstance(gone); }),
               "instance 1 (generation 1) is not there: it was removed");
     world.addInstance(boxAt(world, {}));
-    EXPECT_EQ(refusalOf([&] { world.setTransform(gone, {}); }),
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { world.setTransform(gone, {}); }),
               "instance 1 (generation 1) is not there: it was removed");
-    EXPECT_EQ(refusalOf([&] { world.setTransform({.index = 7, .generation = 1, .world = gone.world}, {}); }),
+    EXPECT_EQ(cdr::test::inputErrorOf(
+                  [&] { world.setTransform({.index = 7, .generation = 1, .world = gone.world}, {}); }),
               "instance 7 (generation 1) is not there: it never was");
-    EXPECT_EQ(refusalOf([&] { (void)world.mesh(5); }), "mesh 5 is not there");
-    EXPECT_NE(refusalOf([&] { world.addInstance({}); }), "");
-    EXPECT_NE(refusalOf([&] { world.removeLight({}); }), "");
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { (void)world.mesh(5); }), "mesh 5 is not there");
+    EXPECT_NE(cdr::test::inputErrorOf([&] { world.addInstance({}); }), "");
+    EXPECT_NE(cdr::test::inputErrorOf([&] { world.removeLight({}); }), "");
 }
 
 struct Misuse {
@@ -187,8 +180,8 @@ struct Misuse {
 
 void expectRefusals(const std::vector<Misuse>& misuses, const char* words) {
     for (const Misuse& misuse : misuses) {
-        EXPECT_NE(refusalOf(misuse.run).find(words), std::string::npos)
-            << misuse.call << ": " << refusalOf(misuse.run);
+        EXPECT_NE(cdr::test::inputErrorOf(misuse.run).find(words), std::string::npos)
+            << misuse.call << ": " << cdr::test::inputErrorOf(misuse.run);
     }
 }
 
@@ -308,7 +301,8 @@ TEST(World, RefusesInstancesWhoseArraysDifferInLength) {
     const auto refuses = [](auto member) {
         Scene scene = boxWorld().scene();
         (scene.instances.*member).emplace_back();
-        return refusalOf([&] { requireUsable(scene); }).find("equally long") != std::string::npos;
+        return cdr::test::inputErrorOf([&] { requireUsable(scene); }).find("equally long") !=
+               std::string::npos;
     };
     EXPECT_TRUE(refuses(&Instances::x));
     EXPECT_TRUE(refuses(&Instances::y));
@@ -323,33 +317,36 @@ TEST(World, RefusesInstancesWhoseArraysDifferInLength) {
 TEST(World, RefusesWhatCannotBeDrawn) {
     World world = boxWorld();
     const InstanceHandle box = world.instance(0);
-    EXPECT_EQ(refusalOf([&] {
+    EXPECT_EQ(cdr::test::inputErrorOf([&] {
                   world.setTransform(box, {.position = {0.0, kNan, 0.0}});
               }),
               "instance 0: its position must be finite");
-    EXPECT_EQ(refusalOf([&] { world.setTransform(box, {.basis = glm::mat3(NAN)}); }),
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { world.setTransform(box, {.basis = glm::mat3(NAN)}); }),
               "instance 0: its basis must be finite, with columns no longer than 1e17");
-    EXPECT_NE(refusalOf([&] { world.setTransform(box, {.basis = glm::mat3(1e18f)}); }), "");
+    EXPECT_NE(cdr::test::inputErrorOf([&] { world.setTransform(box, {.basis = glm::mat3(1e18f)}); }), "");
     InstanceOptions large = boxAt(world, {});
     large.object = kMaxObjects + 1;
-    EXPECT_EQ(refusalOf([&] { world.addInstance(large); }), "object 16777215 is over the limit of 16777214");
-    EXPECT_NE(refusalOf([&] { world.addLight({.halfDistance = 0.0}); }), "");
-    EXPECT_NE(refusalOf([&] { world.addLight({.range = 0.0}); }), "");
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { world.addInstance(large); }),
+              "object 16777215 is over the limit of 16777214");
+    EXPECT_NE(cdr::test::inputErrorOf([&] { world.addLight({.halfDistance = 0.0}); }), "");
+    EXPECT_NE(cdr::test::inputErrorOf([&] { world.addLight({.range = 0.0}); }), "");
     for (const LightCone& cone :
          {LightCone{.direction = {0.0, 0.0, -2.0}}, LightCone{.inner = -0.1}, LightCone{.inner = 0.8},
           LightCone{.outer = 1.6}, LightCone{.outer = std::nan("")}}) {
-        EXPECT_NE(refusalOf([&] { world.addLight({.cone = cone}); }), "");
+        EXPECT_NE(cdr::test::inputErrorOf([&] { world.addLight({.cone = cone}); }), "");
     }
     world.removeLight(world.addLight({.cone = LightCone{}, .range = 2.0}));
-    EXPECT_NE(refusalOf([&] { world.addLight({.position = {kNan, 0.0, 0.0}}); }), "");
-    EXPECT_NE(refusalOf([&] { world.addMaterial({.name = {}, .baseColorTexture = 0}); }), "");
-    EXPECT_NE(refusalOf([&] { world.addTexture({}); }), "");
+    EXPECT_NE(cdr::test::inputErrorOf([&] { world.addLight({.position = {kNan, 0.0, 0.0}}); }), "");
+    EXPECT_NE(cdr::test::inputErrorOf([&] { world.addMaterial({.name = {}, .baseColorTexture = 0}); }), "");
+    EXPECT_NE(cdr::test::inputErrorOf([&] { world.addTexture({}); }), "");
     Mesh mesh = makeBox(glm::vec3(1.0f));
     mesh.indices.back() = 24;
-    EXPECT_EQ(refusalOf([&] { world.addMesh(mesh); }), "the new mesh: index 24 is beyond its 24 vertices");
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { world.addMesh(mesh); }),
+              "the new mesh: index 24 is beyond its 24 vertices");
     mesh.indices.back() = 0;
     mesh.boundingRadius = 1.0f;
-    EXPECT_NE(refusalOf([&] { world.addMesh(mesh); }).find("beyond its bounding radius"), std::string::npos);
+    EXPECT_NE(cdr::test::inputErrorOf([&] { world.addMesh(mesh); }).find("beyond its bounding radius"),
+              std::string::npos);
     EXPECT_EQ(world.scene().instances.position(0), glm::dvec3(1.0, 2.0, 3.0));
     EXPECT_EQ(world.scene().meshes.size(), 1u);
 }
@@ -361,9 +358,9 @@ TEST(World, SetsAllTransformsOrNone) {
     const std::vector<InstanceHandle> both{first, second};
     const std::uint64_t before = world.changes().instances.end();
     const std::vector<Transform> halfBad{{.position = {5.0, 5.0, 5.0}}, {.position = {kNan, 0.0, 0.0}}};
-    EXPECT_EQ(refusalOf([&] { world.setTransforms(both, halfBad); }),
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { world.setTransforms(both, halfBad); }),
               "instance 1: its position must be finite");
-    EXPECT_EQ(refusalOf([&] {
+    EXPECT_EQ(cdr::test::inputErrorOf([&] {
                   world.setTransforms(both, {halfBad.data(), 1});
               }),
               "2 instances cannot take 1 transforms");
@@ -377,41 +374,42 @@ TEST(World, SetsAllTransformsOrNone) {
 
 TEST(World, KeepsWhatIsInUse) {
     World world = boxWorld();
-    EXPECT_EQ(refusalOf([&] { world.removeMesh(world.mesh(0)); }),
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { world.removeMesh(world.mesh(0)); }),
               "mesh 0 cannot be removed: 1 instances use it");
-    EXPECT_EQ(refusalOf([&] { world.removeMaterial(world.material(0)); }),
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { world.removeMaterial(world.material(0)); }),
               "material 0 cannot be removed: 1 instances use it");
     const TextureHandle texture =
         world.addTexture({.name = "dot", .pixels = image::ImageRgba8(1, 1, {1, 2, 3, 255})});
     const MaterialHandle material = world.addMaterial({.name = {}, .baseColorTexture = texture.index});
-    EXPECT_EQ(refusalOf([&] { world.removeTexture(texture); }),
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { world.removeTexture(texture); }),
               "texture 0 cannot be removed: 1 materials use it");
     world.setMaterial(material, {});
     world.removeTexture(texture);
     world.removeMaterial(material);
     world.removeInstance(world.instance(0));
     world.removeMesh(world.mesh(0));
-    EXPECT_NE(refusalOf([&] { (void)world.mesh(0); }), "");
+    EXPECT_NE(cdr::test::inputErrorOf([&] { (void)world.mesh(0); }), "");
 }
 
 TEST(World, RefusesAnUnsoundScene) {
     Scene scene;
     scene.meshes.push_back(makeBox(glm::vec3(0.5f)));
     addInstance(scene, 0, 3, 0, {}, glm::mat3(1.0f));
-    EXPECT_EQ(refusalOf([&] { World{scene}; }), "instance 0: material 3 is not there, the scene has 0");
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { World{scene}; }),
+              "instance 0: material 3 is not there, the scene has 0");
 }
 
 TEST(World, RefusesAirThatCannotBe) {
     Scene scene;
     scene.air.emplace();
-    EXPECT_EQ(refusalOf([&] { requireUsable(scene); }), "");
+    EXPECT_EQ(cdr::test::inputErrorOf([&] { requireUsable(scene); }), "");
     for (const Air& air :
          {Air{.centre = {0.0, kNan, 0.0}}, Air{.radius = 0.0}, Air{.axis = glm::dvec3(1.0)},
           Air{.flattening = 1.0}, Air{.flattening = -0.1}, Air{.toSun = glm::dvec3(0.0)},
           Air{.sunlight = glm::vec3(-1.0f)}, Air{.molecules = {.scattering = glm::vec3(-1.0f)}},
           Air{.haze = {.height = 0.0}}, Air{.hazeAhead = 1.0}}) {
         scene.air = air;
-        EXPECT_NE(refusalOf([&] { requireUsable(scene); }).find("the air"), std::string::npos);
+        EXPECT_NE(cdr::test::inputErrorOf([&] { requireUsable(scene); }).find("the air"), std::string::npos);
     }
 }
 
@@ -420,7 +418,7 @@ TEST(World, RefusesAScenesColoursThatCanNotBe) {
         Scene scene;
         scene.materials.emplace_back();
         change(scene);
-        return refusalOf([&] { requireUsable(scene); });
+        return cdr::test::inputErrorOf([&] { requireUsable(scene); });
     };
     EXPECT_EQ(refused([](Scene&) {}), "");
     EXPECT_NE(refused([](Scene& scene) { scene.ambient.r = std::numeric_limits<float>::quiet_NaN(); }), "");
@@ -460,7 +458,7 @@ TEST(World, LightsKeepTheirOrder) {
     ASSERT_EQ(world.scene().lights.size(), 2u);
     EXPECT_EQ(world.scene().lights[0].position.x, 2.0);
     EXPECT_EQ(world.scene().lights[1].position.x, 4.0);
-    EXPECT_NE(refusalOf([&] { world.setLight(a, {}); }), "");
+    EXPECT_NE(cdr::test::inputErrorOf([&] { world.setLight(a, {}); }), "");
     const LightHandle d = world.addLight({.position = {5.0, 0.0, 0.0}});
     world.removeLight(b);
     EXPECT_EQ(world.scene().lights[1].position.x, 5.0);

@@ -1,3 +1,5 @@
+#include "../support/refusal.h"
+
 #include <cdr/base/error.h>
 #include <cdr/scene/world/world.h>
 
@@ -15,12 +17,7 @@ namespace {
 template <typename Add>
 std::string refusalToAdd(const Add& add) {
     World world;
-    try {
-        add(world);
-    } catch (const base::InputError& error) {
-        return error.what();
-    }
-    return "taken";
+    return cdr::test::inputErrorOf([&] { add(world); }, "taken");
 }
 
 TEST(WorldValues, ACutoffIsAnAlphaAboveZero) {

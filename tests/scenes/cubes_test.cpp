@@ -1,3 +1,5 @@
+#include "../support/refusal.h"
+
 #include <cdr/base/error.h>
 #include <scenes/cubes.h>
 #include <scenes/ladder.h>
@@ -133,12 +135,8 @@ TEST(Camera, RefusesUnusableLenses) {
 }
 
 TEST(OpenScene, SuggestsNamesForUnknownOnes) {
-    try {
-        openScene("rotatoin", 1);
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("did you mean 'rotation'"), std::string::npos);
-    }
+    const std::string message = cdr::test::inputErrorOf([&] { openScene("rotatoin", 1); });
+    EXPECT_NE(message.find("did you mean 'rotation'"), std::string::npos);
     EXPECT_THROW(openScene("missing.glb", 1), InputError);
 }
 

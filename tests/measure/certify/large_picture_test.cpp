@@ -1,4 +1,5 @@
 #include "../../support/address_limit.h"
+#include "../../support/refusal.h"
 #include "../test_scenes.h"
 #include "drawn_by_rays.h"
 
@@ -27,12 +28,8 @@ scene::Scene cubeScene() {
 template <typename Work>
 void expectRefused(const Work& work, const std::string& what) {
     const AddressLimit limit(kLeft);
-    try {
-        work();
-        ADD_FAILURE() << what << " was not refused";
-    } catch (const base::RunError& error) {
-        EXPECT_EQ(std::string(error.what()).find(what + " needs "), 0u) << error.what();
-    }
+    const std::string message = runErrorOf([&] { work(); });
+    EXPECT_EQ(message.find(what + " needs "), 0u) << message;
 }
 
 TEST(LargePicture, TruthIsRefused) {

@@ -1,3 +1,5 @@
+#include "../../support/refusal.h"
+
 #include <cdr/base/error.h>
 #include <cdr/render/targets/targets.h>
 
@@ -25,12 +27,7 @@ TEST(TargetsChoiceTest, NamesAreReadBack) {
 
 /// What parseTargets() says of a bad text.
 std::string refusalOf(const std::string& text) {
-    try {
-        render::parseTargets(text);
-    } catch (const base::InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return test::inputErrorOf([&] { render::parseTargets(text); }, "accepted");
 }
 
 TEST(TargetsChoiceTest, BadTextIsRefusedWithWhatWouldDo) {

@@ -1,4 +1,5 @@
 #include "../../support/deformers.h"
+#include "../../support/refusal.h"
 
 #include <cdr/base/error.h>
 
@@ -125,12 +126,7 @@ Scene oneMesh(const Deformer& deformer) {
 }
 
 std::string refusalOf(World& world, const MeshPose& pose) {
-    try {
-        world.setPose(world.mesh(0), pose);
-    } catch (const base::InputError& error) {
-        return error.what();
-    }
-    return "none";
+    return cdr::test::inputErrorOf([&] { world.setPose(world.mesh(0), pose); }, "none");
 }
 
 TEST(MeshPose, AWorldTakesWhatCanBeDrawn) {

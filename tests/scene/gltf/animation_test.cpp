@@ -1,3 +1,4 @@
+#include "../../support/refusal.h"
 #include "fixture.h"
 
 #include <cdr/platform/worker_pool.h>
@@ -116,12 +117,8 @@ TEST_F(GltfAnimation, IsChosenByNameOrNumber) {
     GltfChoice first;
     first.seconds = 1.0;
     EXPECT_EQ(openGltf(path, first).setup.scene.instances.x[0], 6.0) << "the first, not '0'";
-    try {
-        xOf("walk");
-        FAIL();
-    } catch (const base::InputError& error) {
-        expectSays(error.what(), "animation 'walk' does not exist, the file has 2: 0 'slide', 1 '0'");
-    }
+    const std::string message = cdr::test::inputErrorOf([&] { xOf("walk"); });
+    expectSays(message, "animation 'walk' does not exist, the file has 2: 0 'slide', 1 '0'");
 }
 
 TEST_F(GltfAnimation, ANodeThatIsFlatAtRestMayGrow) {

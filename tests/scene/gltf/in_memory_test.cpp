@@ -1,3 +1,4 @@
+#include "../../support/refusal.h"
 #include "fixture.h"
 
 #include <cdr/platform/worker_pool.h>
@@ -17,12 +18,7 @@ std::vector<char> contentOf(const std::string& asset) {
 }
 
 std::string refusalOf(const std::vector<char>& content, const std::string& name) {
-    try {
-        openGltf(std::as_bytes(std::span(content)), name);
-        return "none";
-    } catch (const base::InputError& error) {
-        return error.what();
-    }
+    return cdr::test::inputErrorOf([&] { openGltf(std::as_bytes(std::span(content)), name); }, "none");
 }
 
 /// With textures, with lines, and with what moves: the latter must not refer to the bytes once they are imported.

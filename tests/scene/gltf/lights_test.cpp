@@ -1,3 +1,4 @@
+#include "../../support/refusal.h"
 #include "fixture.h"
 
 #include <cdr/scene/gltf/open_gltf.h>
@@ -143,12 +144,8 @@ TEST_F(GltfLights, UnsoundOnesAreRefused) {
 
 TEST_F(GltfLights, AFileWithoutIsRefused) {
     const std::filesystem::path path = write("a.glb", square().glb());
-    try {
-        openGltf(path, byFile());
-        ADD_FAILURE();
-    } catch (const base::InputError& error) {
-        expectSays(error.what(), "it has no lights of its own");
-    }
+    const std::string message = cdr::test::inputErrorOf([&] { openGltf(path, byFile()); });
+    expectSays(message, "it has no lights of its own");
     Document document = lit();
     lightOf(document, 0)["intensity"] = 1e300;
     EXPECT_THROW(openGltf(write("b.glb", document.glb()), byFile()), base::InputError);

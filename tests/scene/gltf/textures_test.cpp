@@ -1,3 +1,4 @@
+#include "../../support/refusal.h"
 #include "fixture.h"
 
 #include <cdr/image/codec.h>
@@ -44,12 +45,7 @@ class GltfTextures : public GltfFolder {
     }
 
     std::string refusalOf(const Document& document, const GltfLimits& limits) const {
-        try {
-            import(document, limits);
-        } catch (const base::InputError& error) {
-            return error.what();
-        }
-        return "imported";
+        return cdr::test::inputErrorOf([&] { import(document, limits); }, "imported");
     }
 };
 

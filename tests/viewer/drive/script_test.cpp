@@ -1,3 +1,5 @@
+#include "../../support/refusal.h"
+
 #include <cdr/base/error.h>
 #include <viewer/drive/script.h>
 
@@ -13,12 +15,7 @@ namespace {
 
 /// What is said of a script that is refused; empty where it is taken.
 std::string refusalOf(const std::string& text) {
-    try {
-        parseScript(text, "s");
-        return "";
-    } catch (const base::InputError& error) {
-        return error.what();
-    }
+    return test::inputErrorOf([&] { parseScript(text, "s"); });
 }
 
 TEST(Script, IsReadLineByLine) {
