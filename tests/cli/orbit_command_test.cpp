@@ -1,7 +1,6 @@
 #include "program.h"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 namespace cdr::cli_test {
 namespace {

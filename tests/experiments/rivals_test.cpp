@@ -1,7 +1,6 @@
 #include "../support/refusal.h"
 #include "../support/shared_device.h"
 
-#include <cdr/base/error.h>
 #include <experiments/rivals/rivals.h>
 #include <scenes/open_scene.h>
 

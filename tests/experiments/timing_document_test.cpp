@@ -1,6 +1,5 @@
 #include "../support/refusal.h"
 
-#include <cdr/base/error.h>
 #include <experiments/timing/timing_document.h>
 
 #include <gtest/gtest.h>

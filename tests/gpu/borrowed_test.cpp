@@ -1,7 +1,6 @@
 #include "../support/refusal.h"
 #include "host_loader.h"
 
-#include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/device.h>
 #include <cdr/gpu/features.h>

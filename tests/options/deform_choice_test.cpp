@@ -1,8 +1,6 @@
 #include "../support/refusal.h"
 #include "parsing.h"
 
-#include <cdr/base/error.h>
-
 #include <gtest/gtest.h>
 #include <options/deform_choice.h>
 

@@ -1,7 +1,5 @@
 #include "../support/refusal.h"
 
-#include <cdr/base/error.h>
-
 #include <gtest/gtest.h>
 #include <options/layer_text.h>
 

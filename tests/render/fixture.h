@@ -3,7 +3,6 @@
 #include "../support/refusal.h"
 #include "../support/shared_device.h"
 
-#include <cdr/base/error.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>

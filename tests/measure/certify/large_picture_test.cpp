@@ -3,7 +3,6 @@
 #include "../test_scenes.h"
 #include "drawn_by_rays.h"
 
-#include <cdr/base/error.h>
 #include <cdr/measure/truth/layered_truth.h>
 
 #include <gtest/gtest.h>

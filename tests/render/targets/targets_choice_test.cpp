@@ -1,6 +1,5 @@
 #include "../../support/refusal.h"
 
-#include <cdr/base/error.h>
 #include <cdr/render/targets/targets.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 #include "../../support/refusal.h"
 #include "../fixture.h"
 
-#include <cdr/base/error.h>
 #include <cdr/gpu/memory.h>
 #include <cdr/render/targets/targets.h>
 #include <scenes/cubes.h>

@@ -1,6 +1,5 @@
 #include "../../support/refusal.h"
 
-#include <cdr/base/error.h>
 #include <viewer/drive/script.h>
 
 #include <gtest/gtest.h>
