@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/base/export.h>
+
 #include <glm/glm.hpp>
 
 #include <array>
@@ -32,7 +34,7 @@ struct Box {
     bool isEmpty() const { return low.x > high.x; }
     /// The origin where it is empty.
     glm::dvec3 centre() const { return isEmpty() ? glm::dvec3(0.0) : (low + high) * 0.5; }
-    std::array<glm::dvec3, 8> corners() const;
+    CDR_EXPORT std::array<glm::dvec3, 8> corners() const;
     double diagonal() const { return glm::distance(low, high); }
     /// 0, 1 or 2: the axis of the longest side, the first of equals.
     int longestAxis() const;
