@@ -73,7 +73,8 @@ struct RenderOptions {
     Shadows shadows{};
     std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight
     /// Works out motion: how far each pixel's surface is from where it was in the last frame (Surfaces::motion,
-    /// HostFrame::motion, Frame::motion). Each object must move as one. Not with a focus.
+    /// HostFrame::motion, Frame::motion). Each object must move as one, and a deformed mesh may show its object's motion alone
+    /// (src/cdr/README.md, "Motion"). Not with a focus.
     bool motion = false;
     /// Keeps each pixel's light in half floats beside the picture, before exposure, tone mapping and antialiasing
     /// (Surfaces::linear, HostFrame::linear, Frame::linear). For who finishes pictures himself. Not with SurfacePath::lit.
