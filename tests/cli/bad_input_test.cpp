@@ -29,7 +29,7 @@ TEST_P(BadInputTest, IsRefusedInOneLine) {
 INSTANTIATE_TEST_SUITE_P(
     Arguments, BadInputTest,
     testing::Values(
-        BadInput{"--quiet", "subcommand"}, BadInput{"rendr", "did you mean 'render'"},
+        BadInput{"--quiet", "a command is missing"}, BadInput{"rendr", "did you mean 'render'"},
         BadInput{"render", "scene"},
         BadInput{"render afc --certify a.json --fog 10", "a frame with effects cannot be certified"},
         BadInput{"render afc --certify a.json --detail object",
@@ -93,7 +93,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "--stereo off-axis needs a distance"},
         BadInput{"scaling --ranks --csv a.csv", "--csv"},
         BadInput{"timing --memory --modes log", "cannot be combined with --memory"},
-        BadInput{"timing --stages --modes naive --frames 1 --size 16x16", "naive has no stages"},
+        BadInput{"timing --stages --modes naive --frames 1 --size 16x16",
+                 "naive cannot be measured with --stages"},
         BadInput{"effects --fog 0 --size 16x16", "must be above 0"},
         BadInput{"scaling --project 4 --plot a.svg", "--plot"}, BadInput{"scaling --heights 36", "--ranks"},
         BadInput{"scaling --frames 36", "--project"},

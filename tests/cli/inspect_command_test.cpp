@@ -123,8 +123,8 @@ TEST(InspectCommand, FindsNothingWhereAFaceMovedByMoreThanItNames) {
     const json advice = inspect("a.gltf" + std::string(kSmall), folder).document.at("advice");
     const std::string line = advice.at(1);
     std::smatch named;
-    ASSERT_TRUE(std::regex_search(line, named,
-                                  std::regex("more than ([0-9.e-]+) under reversed or ([0-9.e-]+) under")))
+    ASSERT_TRUE(
+        std::regex_search(line, named, std::regex("more than ([0-9.e-]+) for reversed or ([0-9.e-]+) for")))
         << line;
     for (const std::string& apart : {named[1].str(), named[2].str()}) {
         write("b.gltf", -30.1 + 1.001 * std::stod(apart));

@@ -257,7 +257,7 @@ TEST(Advice, TheWidestContentIsOfWhatWasAskedFor) {
     asked.techniques = {parseTechnique("anchored")};
     asked.formats = {DepthFormat::d16, DepthFormat::d32f};
     EXPECT_EQ(widestLine(asked, advise(asked)).substr(0, 45),
-              "anchored with d32f resolves it while what is ");
+              "anchored with d32f resolves it if what is vis");
 }
 
 /// Whoever asks again with content as deep as the line says gets that technique as enough.

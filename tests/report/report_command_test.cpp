@@ -173,7 +173,7 @@ TEST_F(ReportCommand, LeavesAFolderThatIsNoReportAlone) {
     write("thesis/chapter.txt", "years of work");
     const ProgramResult result = report("-o thesis");
     EXPECT_EQ(result.status, 2);
-    EXPECT_NE(result.err.find("not a report"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("nor a report"), std::string::npos) << result.err;
     EXPECT_EQ(readText(path("thesis/chapter.txt")), "years of work");
     EXPECT_EQ(names(), std::set<std::string>{"thesis"});
 }
