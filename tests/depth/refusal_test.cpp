@@ -104,6 +104,13 @@ TEST(Refusal, SaysWhatTheExceptionSays) {
     }
 }
 
+/// A mapping that is no preset is a technique with a split alone.
+TEST(Refusal, OfAMappingNamesTheTechnique) {
+    EXPECT_EQ(tryNamedTechnique("anchored-reversed").refusal().message,
+              "technique 'anchored-reversed' lacks a split, as in anchored-reversed/none");
+    EXPECT_TRUE(tryNamedTechnique("anchored-reversed/none"));
+}
+
 TEST(Refusal, OfAnotherNumberOfMeasurements) {
     const AdviceQuestion question{.scene = {.footprintSlope = 1e-3}};
     EXPECT_TRUE(tryAdvise(question));

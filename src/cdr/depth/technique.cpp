@@ -3,6 +3,7 @@
 #include <cdr/depth/technique.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 namespace cdr::depth {
@@ -57,6 +58,10 @@ base::Result<NamedTechnique> tryNamedTechnique(std::string_view name) {
     }
     const std::size_t slash = name.find('/');
     if (slash == std::string_view::npos) {
+        if (tryParseMapping(name)) {
+            const std::string mapping(name);
+            return base::Refusal{"technique '" + mapping + "' lacks a split, as in " + mapping + "/none"};
+        }
         return base::Refusal{base::unknownName("technique", name, names)};
     }
     const auto mapping = tryParseMapping(name.substr(0, slash));
