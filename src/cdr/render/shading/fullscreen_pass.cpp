@@ -3,7 +3,6 @@
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/fullscreen_vert.h>
 
-#include <algorithm>
 #include <array>
 
 namespace cdr::render {
@@ -26,6 +25,14 @@ std::vector<vk::Format> colorFormatsOf(const FullscreenPassOptions& options) {
     std::vector<vk::Format> formats{options.format, options.formatBeside};
     std::erase(formats, vk::Format::eUndefined);
     return formats;
+}
+
+/// One of the three at most is there.
+vk::Format depthFormatOf(const FullscreenPassOptions& options) {
+    if (writesDepth(options)) {
+        return options.writtenDepth;
+    }
+    return options.depth != vk::Format::eUndefined ? options.depth : options.marks;
 }
 
 vk::ImageView viewOf(const gpu::Image* image) {
@@ -57,8 +64,7 @@ FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOp
            .constants = options.constants,
            .layout = m_layout,
            .colorFormats = colorFormatsOf(options),
-           .depthFormat =
-               std::max({options.depth, options.writtenDepth, options.marks}), // one at most is there
+           .depthFormat = depthFormatOf(options),
            .stencil = options.marks != vk::Format::eUndefined ? gpu::Stencil::testsMarks : gpu::Stencil::none,
            .writesDepth = writesDepth(options),
            .depthCompare = writesDepth(options) ? vk::CompareOp::eAlways : vk::CompareOp::eEqual,

@@ -30,8 +30,8 @@ struct FullscreenPassOptions {
         vk::Format::eUndefined; ///< of a depth attachment with marks; with one, only marked pixels are drawn
     vk::Format depth =
         vk::Format::eUndefined; ///< of a depth attachment; with one, a draw shades pixels of its depth only
-    vk::Format writtenDepth = vk::Format::
-        eUndefined; ///< of a pass that writes the depth of each pixel and no colours: recordDepth()
+    /// Of a depth attachment whose every pixel is written, without colours: recordDepth().
+    vk::Format writtenDepth = vk::Format::eUndefined;
     vk::Filter filter = vk::Filter::eNearest; ///< of images that are not fetched texel by texel
 };
 
