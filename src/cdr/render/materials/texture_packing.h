@@ -22,6 +22,7 @@ struct PackedPair {
     std::uint32_t guest = 0;
     std::uint32_t channel = 0; ///< of the guest
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a 0
     auto operator<=>(const PackedPair&) const = default;
 };
 
