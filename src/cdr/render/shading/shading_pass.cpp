@@ -185,7 +185,8 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
     const Fog& fog = m_effects.fog;
     const bool isFoggy = fog.visibility > 0.0;
     m_background = isFoggy ? fog.color : scene.background;
-    if (m_finishes && !scene.air) { // air is between the camera and the background, and comes before the finish
+    // With air, the shader does this: air is between the camera and the background, and comes before the finish.
+    if (m_finishes && !scene.air) {
         m_background = shownBackground(m_background, m_effects.finish, daylightIf(scene.sky.has_value()));
     }
     header.shownBackground = glm::vec4(m_background, 1.0f);
