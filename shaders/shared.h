@@ -187,10 +187,11 @@ struct ShadingHeader {
     vec2 pictureSize; // in pixels
     vec2 rayCentre;   // view-space x and y per unit of view distance at the middle of the picture
     vec2 unused;
-    vec4 shownBackground; // linear colour that is written where no surface is; of a scene with air, that behind the air
-    vec4 fog;             // linear colour, and what it takes per unit of distance
-    vec4 skyUp;           // view space, unit; of the sky the rest
-    vec4 skyZenith;       // linear radiance
+    // Linear colour that is written where no surface is; in a scene with air, that behind the air.
+    vec4 shownBackground;
+    vec4 fog;       // linear colour, and what it takes per unit of distance
+    vec4 skyUp;     // view space, unit; of the sky the rest
+    vec4 skyZenith; // linear radiance
     vec4 skyHorizon;
     vec4 skyGround;
     AirRecord air;
