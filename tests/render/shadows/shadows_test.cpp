@@ -378,7 +378,7 @@ TEST_F(ShadowsTest, LightsMayBeChosenThatCastShadows) {
         EXPECT_GT(wrong.shadowed, 100u) << channel;
         EXPECT_EQ(wrong.wrong, 0u) << channel;
     }
-    // Light that casts no shadow is added where the box's shadow by that light would be.
+    // Where the others stand in between does not matter.
     std::rotate(scene.lights.begin(), scene.lights.begin() + 1, scene.lights.begin() + 4); // 1 2 3 0 4 5
     EXPECT_EQ(draw(scene, camera, options).litMask, drawn.litMask);
     for (scene::PointLight& light : scene.lights) {
