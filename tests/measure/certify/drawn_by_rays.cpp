@@ -38,6 +38,10 @@ measure::DrawnFrame drawnByRays(const scene::Scene& scene, const scene::Camera& 
     return frame;
 }
 
+std::uint64_t shownBy(const measure::DrawnFrame& frame, std::uint32_t id) {
+    return static_cast<std::uint64_t>(std::count(frame.ids.pixels.begin(), frame.ids.pixels.end(), id));
+}
+
 measure::Certificate certified(const scene::Scene& scene, const measure::DrawnFrame& frame,
                                std::size_t threads) {
     platform::WorkerPool workers(threads);

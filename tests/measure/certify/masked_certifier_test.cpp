@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdint>
 
 namespace cdr::test {
@@ -15,7 +14,6 @@ using measure::DrawnFrame;
 constexpr std::uint32_t kFadingMaterial = 2;
 constexpr std::uint32_t kWallId = 1;
 constexpr std::uint32_t kFadingId = 2;
-constexpr double kSnap = 0x1p-9;
 
 /// A wall behind a smaller cube, whose alpha grows from left to right and is cut at a half.
 scene::Scene fadingCubeBeforeWall() {
@@ -35,13 +33,9 @@ scene::Scene fadingCubeBeforeWall() {
     return scene;
 }
 
-std::uint64_t shownBy(const DrawnFrame& frame, std::uint32_t id) {
-    return static_cast<std::uint64_t>(std::count(frame.ids.pixels.begin(), frame.ids.pixels.end(), id));
-}
-
 TEST(MaskedCertifier, CastsWhereAMaskedSurfaceMayBeSeenAndCertifiesTheRest) {
     const scene::Scene scene = fadingCubeBeforeWall();
-    const DrawnFrame frame = drawnByRays(scene, makePlainCamera(), kSnap);
+    const DrawnFrame frame = drawnByRays(scene, makePlainCamera(), kEightBits);
     const Certificate certificate = certified(scene, frame);
     EXPECT_EQ(certificate.refused, 0u);
     EXPECT_EQ(certificate.wrong, 0u);
@@ -58,7 +52,7 @@ TEST(MaskedCertifier, RepairsAllThatIsCutInAnotherWay) {
     for (const float cutoff : {0.25f, 0.45f, 0.55f, 0.75f}) {
         scene::Scene drawn = scene;
         drawn.materials[kFadingMaterial].alphaCutoff = cutoff;
-        const DrawnFrame frame = drawnByRays(drawn, makePlainCamera(), kSnap);
+        const DrawnFrame frame = drawnByRays(drawn, makePlainCamera(), kEightBits);
         const Certificate certificate = certified(scene, frame);
         EXPECT_EQ(certificate.refused, 0u) << cutoff;
         EXPECT_GT(certificate.wrong, 10u) << cutoff;
@@ -66,7 +60,7 @@ TEST(MaskedCertifier, RepairsAllThatIsCutInAnotherWay) {
     }
     scene::Scene perturbed = scene;
     perturbed.materials[kFadingMaterial].baseColorFactor.a = 0.8f;
-    const DrawnFrame frame = drawnByRays(perturbed, makePlainCamera(), kSnap);
+    const DrawnFrame frame = drawnByRays(perturbed, makePlainCamera(), kEightBits);
     const Certificate certificate = certified(scene, frame);
     EXPECT_GT(certificate.wrong, 10u);
     EXPECT_EQ(wrongAfter(scene, frame, certificate), 0u);
@@ -75,7 +69,7 @@ TEST(MaskedCertifier, RepairsAllThatIsCutInAnotherWay) {
 /// Opaque parts are judged as ever, before, behind and beside a mask.
 TEST(MaskedCertifier, StillRefusesWhatNoMaskExplains) {
     const scene::Scene scene = fadingCubeBeforeWall();
-    const DrawnFrame frame = drawnByRays(scene, makePlainCamera(), kSnap);
+    const DrawnFrame frame = drawnByRays(scene, makePlainCamera(), kEightBits);
     for (const glm::uvec2 at : {glm::uvec2(30, 30), glm::uvec2(74, 41)}) { // beside the mask, and in its hole
         DrawnFrame changed = frame;
         ASSERT_EQ(changed.ids.at(at.x, at.y), kWallId);
@@ -90,7 +84,7 @@ TEST(MaskedCertifier, CastsNothingForMaskedSurfacesBehindOpaqueOnes) {
     scene::Scene scene = fadingCubeBeforeWall();
     scene::placeInstance(scene, 0, {0.0, 0.0, -25.0}, glm::mat3(40.0f));
     scene::placeInstance(scene, 1, {0.0, 0.0, -60.0}, glm::mat3(1.0f));
-    const Certificate certificate = certified(scene, drawnByRays(scene, makePlainCamera(), kSnap));
+    const Certificate certificate = certified(scene, drawnByRays(scene, makePlainCamera(), kEightBits));
     EXPECT_EQ(certificate.refused, 0u);
     EXPECT_EQ(certificate.castMasked, 0u);
     EXPECT_GT(certificate.certified, certificate.pixels / 2);

@@ -23,14 +23,11 @@ constexpr double kMarginPixels = 1.0;
 
 void requireCertifiable(const scene::Scene& scene) {
     for (const scene::Material& material : scene.materials) {
-        const char* what = material.alphaMode == scene::AlphaMode::blend ? "is blended"
-                           : material.layer != 0.0f                      ? "has a layer offset"
-                                                                         : nullptr;
-        if (what != nullptr) {
+        if (material.alphaMode == scene::AlphaMode::blend) {
             throw base::InputError(
-                fmt::format("certify: material '{}' {}, and only opaque and masked surfaces without a layer "
-                            "offset can be certified",
-                            material.name, what));
+                fmt::format("certify: material '{}' is blended, and only opaque and masked "
+                            "surfaces can be certified",
+                            material.name));
         }
     }
 }
@@ -48,6 +45,7 @@ void requireSound(const DrawnFrame& frame) {
 Certifier::Certifier(const scene::Scene& scene, platform::WorkerPool& workers)
     : m_scene((requireCertifiable(scene), &scene)),
       m_caster(scene, workers),
+      m_layers(layerOffsets(scene.materials)),
       m_outlines(scene.meshes.size()) {
     workers.run(m_outlines.size(),
                 [&](std::size_t mesh, std::size_t) { m_outlines[mesh] = outlineOf(scene.meshes[mesh]); });
@@ -76,27 +74,32 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, platform::WorkerPoo
         FrameBound largest;
         InstanceTriangles triangles(frame.camera, width, height, bound);
         for (const VisibleInstance& candidate : visible) {
-            if (strip.hides(candidate.pixels, candidate.nearestView)) {
+            if (strip.hides(candidate.pixels, candidate.nearestRank())) {
                 continue;
             }
             const MeshOutline& outline = m_outlines[m_scene->instances.mesh[candidate.instance]];
-            const scene::Material& material =
-                m_scene->materials[m_scene->instances.material[candidate.instance]];
-            const StripSurface surface{candidate.id, material.alphaMode == scene::AlphaMode::mask};
-            for (const ScreenTriangle& triangle :
-                 triangles.of(m_scene->instances, candidate.instance, outline, candidate.sides)) {
+            const std::uint32_t material = m_scene->instances.material[candidate.instance];
+            const StripSurface surface{candidate.id,
+                                       m_scene->materials[material].alphaMode == scene::AlphaMode::mask,
+                                       m_layers[material]};
+            for (const ScreenTriangle& triangle : triangles.of(m_scene->instances, candidate.instance,
+                                                               outline, surface.layer, candidate.sides)) {
                 strip.enter(triangle, surface);
                 largest.add(triangle.bound);
             }
         }
         return largest;
     };
+    double farthestLayer = 0.0;
+    for (const LayerOffset& layer : m_layers) {
+        farthestLayer = std::max(farthestLayer, -layer.view);
+    }
     Findings findings(width, height);
     std::vector<FrameBound> bounds((height + kBandRows - 1) / kBandRows);
     workers.run(bounds.size(), [&](std::size_t band, std::size_t) {
         const auto top = static_cast<std::uint32_t>(band) * kBandRows;
         const PixelRect rows{0, top, width, std::min(top + kBandRows, height)};
-        OrderStrip strip(frame, device, rows);
+        OrderStrip strip(frame, device, rows, farthestLayer);
         bounds[band] = enterAll(strip, device);
         if (strip.lookFarther()) {
             bounds[band].add(enterAll(strip, device));

@@ -3,6 +3,7 @@
 #include <cdr/image/image.h>
 #include <cdr/measure/certify/device_bound.h>
 #include <cdr/measure/certify/drawn_frame.h>
+#include <cdr/measure/certify/layer_offset.h>
 #include <cdr/measure/certify/mesh_outline.h>
 #include <cdr/measure/certify/order_strip.h>
 #include <cdr/measure/truth/truth.h>
@@ -60,7 +61,8 @@ struct Certificate {
 /// 3. Rays are cast for the others, which were drawn wrong or lie on an edge. Wrong ones are repaired.
 /// 4. Where a masked surface may be the nearest one, or before it, a ray is cast. It keeps what the mask keeps in float64, as
 ///    TruthCaster filters textures. No bound of a device's filter is used.
-/// 5. A pixel that shows what the bound rules out is refused: driver, renderer or scene are not what they are said to be.
+/// 5. Of surfaces with a layer, that is nearer whose distance less its layer is less.
+/// 6. A pixel that shows what the bound rules out is refused: driver, renderer or scene are not what they are said to be.
 ///
 /// Why a certified pixel is right: float64 places triangles to 10^-9 pixels, and every margin is larger than that. So an
 /// object that covers a pixel by more than the margins covers it. One that is nearer by more than them is nearer. The
@@ -68,7 +70,7 @@ struct Certificate {
 class Certifier {
   public:
     /// @param scene must outlive the certifier. Instances may change, and meshes that follow() is told of, materials not.
-    /// base::InputError for a scene with surfaces that are blended or in layers, and as TruthCaster.
+    /// base::InputError for a scene with surfaces that are blended, and as TruthCaster.
     Certifier(const scene::Scene& scene, platform::WorkerPool& workers);
 
     /// As TruthCaster::follow().
@@ -88,6 +90,7 @@ class Certifier {
 
     const scene::Scene* m_scene;
     TruthCaster m_caster;
+    std::vector<LayerOffset> m_layers;   ///< per material
     std::vector<MeshOutline> m_outlines; ///< per mesh
 };
 

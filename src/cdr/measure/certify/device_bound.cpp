@@ -117,19 +117,22 @@ TriangleBound DeviceBound::of(const TriangleReach& reach) const {
     double depth = 0.0;
     double beyondAnchor = m_ranges.empty() ? reach.mostView : 0.0;
     double beforeAnchor = 0.0;
+    const double leastMoved = reach.leastView - reach.layer.movedView(reach.leastView);
+    const double mostMoved = reach.mostView - reach.layer.movedView(reach.mostView);
     for (const Range& range : m_ranges) {
-        if (reach.mostView < range.clip.nearView || reach.leastView > range.clip.farView) {
+        if (std::max(reach.mostView, mostMoved) < range.clip.nearView ||
+            std::min(reach.leastView, leastMoved) > range.clip.farView) {
             continue;
         }
         beforeAnchor = std::max(beforeAnchor, range.anchorView - reach.leastView);
-        for (const double w : {reach.leastView, reach.mostView}) {
+        for (const double w : {reach.leastView, reach.mostView, leastMoved, mostMoved}) {
             const double clipped = std::clamp(w, range.clip.nearView, range.clip.farView);
             depth = std::max(depth, std::abs(depth::zNdcAt(range.range, clipped)));
             beyondAnchor = std::max(beyondAnchor, std::abs(w - range.anchorView));
         }
     }
     bound.pixels += anchorPixels(reach, beforeAnchor);
-    bound.depth = 8.0 * m_rounding * std::min(depth, 1.0);
+    bound.depth = (reach.layer.view == 0.0 ? 8.0 : 16.0) * m_rounding * std::min(depth, 1.0);
     bound.distanceView = 8.0 * m_rounding * (beyondAnchor + reach.alongView);
     if (m_bends) {
         const double octaves = std::log(reach.mostView / reach.leastView);

@@ -2,7 +2,9 @@
 
 #include <cdr/depth/mapping.h>
 #include <cdr/measure/certify/drawn_frame.h>
+#include <cdr/measure/certify/layer_offset.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +20,7 @@ struct TriangleReach {
     double acrossView =
         0.0; ///< most that a sum of products to a corner's view-space x or y holds, in magnitude
     double alongView = 0.0; ///< the same of what is added to the object's own distance
+    LayerOffset layer{};    ///< of the surface
 };
 
 /// What may go wrong with a triangle.
@@ -53,6 +56,9 @@ struct FrameBound {
 ///   shift of pixels.
 /// - A buffer adds its step, and a slanted surface what it rises over the pixels that its corners are off.
 ///
+/// - A layer offset has as many roundings again, in the depth that it adds. A device moves the surface by more than the offset:
+///   by two steps of the buffer and what rounded vertices part, once for each rank of the layer.
+///
 /// A triangle's plane is formed in float64. What that rounds is added, which is most for slivers.
 ///
 /// Roundings count at their worst and in one direction. No specification bounds how a driver interpolates, so this is
@@ -70,10 +76,19 @@ class DeviceBound {
     /// How far the depth of a surface may be off, as a view distance, its step in the buffer included. Infinity where the
     /// buffer resolves nothing.
     /// @param slopeView by how much the distance changes along x and along y, added up, per pixel.
-    double orderView(const TriangleBound& bound, double distanceView, double slopeView) const {
-        const Cell& cell = cellAt(distanceView);
+    double orderView(const TriangleBound& bound, double distanceView, double slopeView,
+                     const LayerOffset& layer = {}) const {
+        const Cell& cell = cellAt(distanceView - layer.movedView(distanceView));
         return cell.stepView + bound.depth * cell.viewPerDepth + bound.bend * distanceView +
                surfaceView(bound, distanceView, slopeView);
+    }
+
+    /// By how much more than its layer's offset a surface may be moved, to the same side.
+    double partingView(const LayerOffset& layer, double distanceView, double slopeView) const {
+        // The slope is taken from neighbouring pixels, and the step where the surface is before it is moved or after.
+        const double stepView = std::max(cellAt(distanceView).stepView,
+                                         cellAt(distanceView - layer.movedView(distanceView)).stepView);
+        return 2.0 * layer.ranks * (2.0 * stepView + 2.0 * m_snapPixels * slopeView);
     }
 
     /// How far the distance that is kept of a surface may be off.

@@ -19,7 +19,8 @@ std::uint32_t clampedPixel(double place, std::uint32_t end) {
 
 } // namespace
 
-OrderStrip::OrderStrip(const DrawnFrame& frame, const DeviceBound& bound, const PixelRect& pixels)
+OrderStrip::OrderStrip(const DrawnFrame& frame, const DeviceBound& bound, const PixelRect& pixels,
+                       double farthestLayer)
     : m_frame(frame),
       m_bound(bound),
       m_pixels(pixels),
@@ -31,9 +32,10 @@ OrderStrip::OrderStrip(const DrawnFrame& frame, const DeviceBound& bound, const 
     for (std::uint32_t y = pixels.top; y < pixels.bottom; ++y) {
         for (std::uint32_t x = 0; x < frame.ids.width; ++x) {
             const double drawn = frame.distancesView.at(x, y);
-            const double reach = frame.ids.at(x, y) == 0
-                                     ? kNever
-                                     : drawn * (1.0 + kBehindShare) + kBehindSteps * bound.stepView(drawn);
+            const double reach =
+                frame.ids.at(x, y) == 0
+                    ? kNever
+                    : drawn * (1.0 + kBehindShare) + kBehindSteps * bound.stepView(drawn) + farthestLayer;
             keepReach(x, y, reach);
         }
     }
@@ -113,7 +115,7 @@ PixelRect OrderStrip::boxOf(const ScreenTriangle& triangle) const {
 
 void OrderStrip::enter(const ScreenTriangle& triangle, const StripSurface& surface) {
     const PixelRect box = boxOf(triangle);
-    if (box.empty() || hides(box, triangle.leastView)) {
+    if (box.empty() || hides(box, triangle.leastView - surface.layer.view)) {
         return;
     }
     if (triangle.isThin) {
@@ -180,12 +182,20 @@ void OrderStrip::enterThin(const ScreenTriangle& triangle, const StripSurface& s
         for (double x = span.first; x <= span.last; x += 1.0) {
             const auto column = static_cast<std::uint32_t>(x);
             const double least = triangle.leastView;
-            if (least <= m_reach[indexOf(column, row)]) {
-                enterPerhaps(surface, column, row, least - m_bound.orderView(triangle.bound, least, 0.0),
-                             depthView);
+            if (least - surface.layer.view <= m_reach[indexOf(column, row)]) {
+                const double off = m_bound.orderView(triangle.bound, least, 0.0, surface.layer);
+                enterPerhaps(surface, column, row, intervalAt(surface, least, 0.0, off).least, depthView);
             }
         }
     }
+}
+
+OrderStrip::Interval OrderStrip::intervalAt(const StripSurface& surface, double distanceView,
+                                            double slopeView, double offView) const {
+    const LayerOffset& layer = surface.layer;
+    const double partingView = m_bound.partingView(layer, distanceView, slopeView);
+    return {distanceView - layer.view - offView - (layer.view > 0.0 ? partingView : 0.0),
+            distanceView - layer.movedView(distanceView) + offView + (layer.view < 0.0 ? partingView : 0.0)};
 }
 
 void OrderStrip::enterPerhaps(const StripSurface& surface, std::uint32_t x, std::uint32_t y, double least,
@@ -209,34 +219,38 @@ void OrderStrip::enterPixel(const ScreenTriangle& triangle, const StripSurface& 
         std::clamp(1.0 / (triangle.inverse[0] + triangle.inverse[1] * x + triangle.inverse[2] * y),
                    triangle.leastView, triangle.mostView);
     const double slope = w * w * (std::abs(triangle.inverse[1]) + std::abs(triangle.inverse[2]));
-    const double off = m_bound.orderView(triangle.bound, w, slope);
+    const double off = m_bound.orderView(triangle.bound, w, slope, surface.layer);
+    const Interval place = intervalAt(surface, w, slope, off);
+    // A device cuts at the ends of its range where the surface is, or where it is moved to.
+    const double least = std::min(place.least, w - off);
+    const double most = std::max(place.most, w + off);
     const scene::Camera& camera = m_frame.camera;
-    if (w - off > m_reach[indexOf(x, y)] || w + off < camera.nearView || w - off > camera.farView) {
+    if (place.least > m_reach[indexOf(x, y)] || most < camera.nearView || least > camera.farView) {
         return;
     }
-    if (cover != Cover::goesOn && (w - off < camera.nearView || w + off > camera.farView)) {
+    if (cover != Cover::goesOn && (least < camera.nearView || most > camera.farView)) {
         cover = Cover::perhaps;
     }
     const double surfaceOff = kSurfaceRoundings * DeviceBound::surfaceView(triangle.bound, w, slope);
     if (cover == Cover::perhaps || surface.isMasked) {
-        enterPerhaps(surface, x, y, w - off, surfaceOff);
+        enterPerhaps(surface, x, y, place.least, surfaceOff);
         return;
     }
     Order& order = m_orders[indexOf(x, y)];
     if (surface.id != m_frame.ids.at(x, y)) {
-        order.otherLeast = std::min(order.otherLeast, w - off);
+        order.otherLeast = std::min(order.otherLeast, place.least);
         // Near an edge beyond which it goes on, it may end there too: another triangle says so, to the drawn object alone.
         if (cover == Cover::within) {
-            order.otherMost = std::min(order.otherMost, w + off);
+            order.otherMost = std::min(order.otherMost, place.most);
         }
         return;
     }
-    order.least = std::min(order.least, w - off);
+    order.least = std::min(order.least, place.least);
     order.offView = std::max(order.offView, surfaceOff);
     if (cover == Cover::goesOn) {
-        order.mostBeside = std::max(order.mostBeside, w + off);
-    } else if (w + off < order.most) {
-        order.most = w + off;
+        order.mostBeside = std::max(order.mostBeside, place.most);
+    } else if (place.most < order.most) {
+        order.most = place.most;
         order.isAtDrawn =
             std::abs(w - m_frame.distancesView.at(x, y)) <= std::max(surfaceOff, order.statedOffView);
     }

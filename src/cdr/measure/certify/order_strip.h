@@ -31,6 +31,7 @@ struct PixelFinding {
 struct StripSurface {
     std::uint32_t id = 0;  ///< object index + 1
     bool isMasked = false; ///< it may be cut away at any pixel
+    LayerOffset layer{};
 };
 
 /// Some rows of a drawn picture. All triangles that may be seen there go in, in any order; verdicts come out.
@@ -38,19 +39,22 @@ struct StripSurface {
 /// Each triangle gives a pixel an interval of view distances: where its surface is, and by how much the device may be off.
 /// It surely covers the pixel if the centre is inside it, and farther from its edges than corners may be off. It may cover
 /// the pixel if the centre is outside by no more than that. Where a surface goes on beyond an edge, inside is enough.
+/// A layer's offset is taken off these, so surfaces are compared in the order of distance less layer.
 /// A masked surface covers no pixel surely, since devices filter textures in ways that no bound is known of.
 /// The drawn distance says which triangles cannot matter, so most of what is hidden is never looked at.
 class OrderStrip {
   public:
     /// @param pixels whole rows of the frame.
-    OrderStrip(const DrawnFrame& frame, const DeviceBound& bound, const PixelRect& pixels);
+    /// @param farthestLayer the most that a layer of the scene moves a surface away from the camera, 0 or more, scene units.
+    OrderStrip(const DrawnFrame& frame, const DeviceBound& bound, const PixelRect& pixels,
+               double farthestLayer);
 
     /// Some pixels alone of another strip.
     /// @param open that the other strip leaves open. Their drawn distances may be off by as much as it found.
     /// @param bound of float64.
     OrderStrip(const OrderStrip& device, std::span<const glm::uvec2> open, const DeviceBound& bound);
 
-    /// Whether all that is `leastView` away or farther is behind what was drawn in a rectangle of the picture.
+    /// Whether all whose distance less its layer is `leastView` or more is behind what was drawn in a rectangle of the picture.
     bool hides(const PixelRect& pixels, double leastView) const;
     void enter(const ScreenTriangle& triangle, const StripSurface& surface);
     /// Has refused pixels examine all that is farther too, since what was drawn may be farther than its distance says.
@@ -62,7 +66,12 @@ class OrderStrip {
     static constexpr double kNever = std::numeric_limits<double>::infinity();
     static constexpr std::uint32_t kTile = 8;
 
-    /// Bounds of view distances at a pixel.
+    /// Where a surface may be at a pixel.
+    struct Interval {
+        double least;
+        double most;
+    };
+    /// Bounds of view distances less layers at a pixel.
     struct Order {
         double least = kNever;       ///< of the drawn object, if it is there
         double most = kNever;        ///< of the drawn object's nearest sure surface
@@ -109,6 +118,8 @@ class OrderStrip {
     Cover coverAt(const ScreenTriangle& triangle, const std::array<Edge, 3>& edges, double x, double y) const;
     void enterPixel(const ScreenTriangle& triangle, const StripSurface& surface, std::uint32_t x,
                     std::uint32_t y, Cover cover);
+    Interval intervalAt(const StripSurface& surface, double distanceView, double slopeView,
+                        double offView) const;
     void enterPerhaps(const StripSurface& surface, std::uint32_t x, std::uint32_t y, double least,
                       double offView);
 

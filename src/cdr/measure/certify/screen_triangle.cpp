@@ -53,8 +53,11 @@ glm::dvec2 InstanceTriangles::pixelOf(const glm::dvec3& view) const {
 }
 
 TriangleBound InstanceTriangles::boundOf(double leastView, double mostView) const {
-    return m_bound.of(
-        {.leastView = leastView, .mostView = mostView, .acrossView = m_acrossView, .alongView = m_alongView});
+    return m_bound.of({.leastView = leastView,
+                       .mostView = mostView,
+                       .acrossView = m_acrossView,
+                       .alongView = m_alongView,
+                       .layer = m_layer});
 }
 
 void InstanceTriangles::place(const scene::Instances& instances, std::size_t instance,
@@ -179,7 +182,8 @@ void InstanceTriangles::append(const MeshOutline::Face& face, Side side) {
 
 const std::vector<ScreenTriangle>& InstanceTriangles::of(const scene::Instances& instances,
                                                          std::size_t instance, const MeshOutline& outline,
-                                                         Sidedness sides) {
+                                                         const LayerOffset& layer, Sidedness sides) {
+    m_layer = layer;
     m_triangles.clear();
     const std::optional<InverseBasis> inverse = invertBasis(instances.basis[instance]);
     if (!inverse) {

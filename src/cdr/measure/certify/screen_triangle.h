@@ -37,9 +37,11 @@ class InstanceTriangles {
 
     /// The triangles of an instance, until the next call.
     /// @param outline of the instance's mesh.
+    /// @param layer of its material.
     /// @param sides which are drawn.
     const std::vector<ScreenTriangle>& of(const scene::Instances& instances, std::size_t instance,
-                                          const MeshOutline& outline, Sidedness sides);
+                                          const MeshOutline& outline, const LayerOffset& layer,
+                                          Sidedness sides);
 
   private:
     enum class Side : std::int8_t { back = -1, thin = 0, front = 1 };
@@ -70,6 +72,7 @@ class InstanceTriangles {
     glm::dvec3 m_centre{0.0};  ///< view space, of the instance
     double m_acrossView = 0.0; ///< TriangleReach, of the instance
     double m_alongView = 0.0;
+    LayerOffset m_layer;
     std::vector<glm::dvec3> m_offsets; ///< of corners from the centre, along the view's axes
     std::vector<Side> m_sides;
     std::vector<ScreenTriangle> m_triangles;

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <unordered_map>
 
 namespace cdr::measure {
@@ -40,7 +41,8 @@ const SurfaceHit* hitAt(const std::vector<SurfaceHit>& hits, double distanceView
         std::min_element(hits.begin(), hits.end(), [&](const SurfaceHit& a, const SurfaceHit& b) {
             const double offA = std::abs(a.distanceView - distanceView);
             const double offB = std::abs(b.distanceView - distanceView);
-            return offA < offB || (offA == offB && a.instance > b.instance); // the last one drawn shows
+            // Where both are there, the higher layer shows, or the last one drawn.
+            return std::make_tuple(offA, -a.layer, b.instance) < std::make_tuple(offB, -b.layer, a.instance);
         });
     return nearest == hits.end() ? nullptr : &*nearest;
 }
