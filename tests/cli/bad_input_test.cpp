@@ -36,7 +36,6 @@ INSTANTIATE_TEST_SUITE_P(
                  "a frame with levels of detail cannot be certified"},
         BadInput{"render afc --certify a.json --json a.json", "a.json"},
         BadInput{"render afc --certify a.png", "--certify: a.png does not end in .json"},
-        BadInput{"render sheets --certify a.json", "material 'translucent 0' is blended"},
         BadInput{"render afc --near 5 --far 5 -o a.png", "far must be finite and beyond near"},
         BadInput{"render afc --near 5 --far 1 -o a.png", "far must be finite and beyond near"},
         BadInput{"render afc --near 0 -o a.png", "near must be finite and above 0"},

@@ -50,6 +50,7 @@ nlohmann::ordered_json certificateOf(std::uint32_t number, const scene::Camera& 
                                 {"cast_masked", castCount(certificate, certificate.castMasked)},
                                 {"wrong_before", castCount(certificate, certificate.wrong)},
                                 {"repaired", castCount(certificate, certificate.repairs.size())},
+                                {"blended_pixels", certificate.blended},
                                 {"refused", certificate.refused}};
     if (certificate.firstRefused) {
         json["first_refused"] = {certificate.firstRefused->x, certificate.firstRefused->y};

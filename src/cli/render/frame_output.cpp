@@ -46,6 +46,8 @@ output::Columns<RenderRow> certificateColumns(bool isShown) {
          .value = ofRays([](const measure::Certificate& made) { return made.repairs.size(); }),
          .heading = isShown ? "repaired" : "",
          .format = {.missing = "-"}},
+        {.key = "blended_pixels",
+         .value = of([](const CertifiedOutput& made) { return made.certificate.blended; })},
         {.key = "refused", .value = of([](const CertifiedOutput& made) { return made.certificate.refused; })},
         {.key = "certify_ms",
          .value = of([](const CertifiedOutput& made) { return made.milliseconds; }),

@@ -365,28 +365,6 @@ TEST(Certifier, FindsTheSameWithAnyNumberOfWorkers) {
     }
 }
 
-TEST(Certifier, NamesTheMaterialThatItCannotFollow) {
-    platform::WorkerPool workers(1);
-    const auto saysOf = [&](auto change) {
-        scene::Scene scene = makeEmptyScene();
-        scene.materials[kDoubleSided].name = "glass";
-        change(scene.materials[kDoubleSided]);
-        try {
-            measure::Certifier(scene, workers);
-        } catch (const base::InputError& error) {
-            return std::string(error.what());
-        }
-        return std::string();
-    };
-    const auto has = [](const std::string& text, const char* part) {
-        return text.find(part) != std::string::npos;
-    };
-    EXPECT_TRUE(has(saysOf([](auto& it) { it.alphaMode = scene::AlphaMode::blend; }), "'glass' is blended"));
-    EXPECT_EQ(saysOf([](auto& it) { it.alphaMode = scene::AlphaMode::mask; }), "");
-    EXPECT_EQ(saysOf([](auto& it) { it.layer = 0.1f; }), "");
-    EXPECT_EQ(saysOf([](auto&) {}), "");
-}
-
 /// A wider sub-pixel widens what corners may be off by as much, and a coarser buffer its step alone.
 TEST(Certifier, SaysWhatItAllowedFor) {
     Drawn drawn;

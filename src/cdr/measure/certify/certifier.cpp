@@ -21,17 +21,6 @@ constexpr std::uint32_t kBandRows = 48;
 /// A device may move a corner by less, unless a triangle is far wider than its distance.
 constexpr double kMarginPixels = 1.0;
 
-void requireCertifiable(const scene::Scene& scene) {
-    for (const scene::Material& material : scene.materials) {
-        if (material.alphaMode == scene::AlphaMode::blend) {
-            throw base::InputError(
-                fmt::format("certify: material '{}' is blended, and only opaque and masked "
-                            "surfaces can be certified",
-                            material.name));
-        }
-    }
-}
-
 void requireSound(const DrawnFrame& frame) {
     scene::requireUsable(frame.camera);
     if (frame.ids.width == 0 || frame.ids.height == 0 || frame.ids.width != frame.distancesView.width ||
@@ -43,7 +32,7 @@ void requireSound(const DrawnFrame& frame) {
 } // namespace
 
 Certifier::Certifier(const scene::Scene& scene, platform::WorkerPool& workers)
-    : m_scene((requireCertifiable(scene), &scene)),
+    : m_scene(&scene),
       m_caster(scene, workers),
       m_layers(layerOffsets(scene.materials)),
       m_outlines(scene.meshes.size()) {
@@ -79,8 +68,7 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, platform::WorkerPoo
             }
             const MeshOutline& outline = m_outlines[m_scene->instances.mesh[candidate.instance]];
             const std::uint32_t material = m_scene->instances.material[candidate.instance];
-            const StripSurface surface{candidate.id,
-                                       m_scene->materials[material].alphaMode == scene::AlphaMode::mask,
+            const StripSurface surface{candidate.id, m_scene->materials[material].alphaMode,
                                        m_layers[material]};
             for (const ScreenTriangle& triangle : triangles.of(m_scene->instances, candidate.instance,
                                                                outline, surface.layer, candidate.sides)) {
@@ -167,6 +155,7 @@ Certificate Certifier::certify(const DrawnFrame& frame, platform::WorkerPool& wo
     certificate.pixels = findings.pixels.size();
     for (std::size_t i = 0; i < findings.pixels.size(); ++i) {
         const PixelVerdict verdict = findings.pixels[i].verdict;
+        certificate.blended += findings.pixels[i].isBlended ? 1 : 0;
         certificate.proven += verdict == PixelVerdict::proven ? 1 : 0;
         certificate.certified +=
             verdict == PixelVerdict::certified || verdict == PixelVerdict::proven ? 1 : 0;

@@ -39,6 +39,8 @@ struct Certificate {
     std::uint64_t castMasked = 0; ///< of those cast: where a masked surface may be seen
     std::uint64_t refused = 0;    ///< show what no device within its limits draws there
     std::uint64_t wrong = 0;      ///< of those cast: whose object was drawn wrong
+    std::uint64_t blended =
+        0; ///< where a blended surface may be seen: what is behind it is certified, its colour is not
     std::optional<glm::uvec2> firstRefused; ///< in the order of rows
     std::vector<PixelRepair> repairs;       ///< of those cast: what to draw there; in the order of rows
     FrameBound bound;                       ///< how far off the device may have drawn
@@ -62,7 +64,9 @@ struct Certificate {
 /// 4. Where a masked surface may be the nearest one, or before it, a ray is cast. It keeps what the mask keeps in float64, as
 ///    TruthCaster filters textures. No bound of a device's filter is used.
 /// 5. Of surfaces with a layer, that is nearer whose distance less its layer is less.
-/// 6. A pixel that shows what the bound rules out is refused: driver, renderer or scene are not what they are said to be.
+/// 6. Blended surfaces hide nothing. What they are drawn over is certified, and their colours are not. A repaired pixel has
+///    them over it in the order of their distances.
+/// 7. A pixel that shows what the bound rules out is refused: driver, renderer or scene are not what they are said to be.
 ///
 /// Why a certified pixel is right: float64 places triangles to 10^-9 pixels, and every margin is larger than that. So an
 /// object that covers a pixel by more than the margins covers it. One that is nearer by more than them is nearer. The
@@ -70,7 +74,7 @@ struct Certificate {
 class Certifier {
   public:
     /// @param scene must outlive the certifier. Instances may change, and meshes that follow() is told of, materials not.
-    /// base::InputError for a scene with surfaces that are blended, and as TruthCaster.
+    /// base::InputError as TruthCaster.
     Certifier(const scene::Scene& scene, platform::WorkerPool& workers);
 
     /// As TruthCaster::follow().

@@ -201,7 +201,11 @@ OrderStrip::Interval OrderStrip::intervalAt(const StripSurface& surface, double 
 void OrderStrip::enterPerhaps(const StripSurface& surface, std::uint32_t x, std::uint32_t y, double least,
                               double offView) {
     Order& order = m_orders[indexOf(x, y)];
-    if (surface.isMasked) {
+    if (surface.alphaMode == scene::AlphaMode::blend) {
+        order.blendedLeast = std::min(order.blendedLeast, least);
+        return;
+    }
+    if (surface.alphaMode == scene::AlphaMode::mask) {
         order.maskedLeast = std::min(order.maskedLeast, least);
     }
     if (surface.id == m_frame.ids.at(x, y)) {
@@ -232,7 +236,7 @@ void OrderStrip::enterPixel(const ScreenTriangle& triangle, const StripSurface& 
         cover = Cover::perhaps;
     }
     const double surfaceOff = kSurfaceRoundings * DeviceBound::surfaceView(triangle.bound, w, slope);
-    if (cover == Cover::perhaps || surface.isMasked) {
+    if (cover == Cover::perhaps || surface.alphaMode != scene::AlphaMode::opaque) {
         enterPerhaps(surface, x, y, place.least, surfaceOff);
         return;
     }
@@ -275,6 +279,7 @@ PixelFinding OrderStrip::findingAt(std::uint32_t x, std::uint32_t y) const {
     const bool isBackground = m_frame.ids.at(x, y) == 0;
     return {.verdict = isBackground ? verdictOnBackground(order) : verdictOnObject(order, reach),
             .isMasked = order.maskedLeast < kNever && order.maskedLeast <= order.most,
+            .isBlended = order.blendedLeast < kNever && order.blendedLeast <= order.most,
             .offView = static_cast<float>(order.offView)};
 }
 

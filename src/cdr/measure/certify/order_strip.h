@@ -23,14 +23,16 @@ enum class PixelVerdict : std::uint8_t {
 /// A verdict. For a pixel that is cast, also how far off a device may have drawn the distance of the right surface.
 struct PixelFinding {
     PixelVerdict verdict = PixelVerdict::open;
-    bool isMasked = false; ///< a masked surface may be there, no farther than the drawn object surely is
+    bool isMasked = false;  ///< a masked surface may be there, no farther than the drawn object surely is
+    bool isBlended = false; ///< the same of a blended one
     float offView = 0.0f;
 };
 
 /// What a triangle that goes into a strip is part of.
 struct StripSurface {
-    std::uint32_t id = 0;  ///< object index + 1
-    bool isMasked = false; ///< it may be cut away at any pixel
+    std::uint32_t id = 0; ///< object index + 1
+    /// What a mask may cut away at any pixel covers none surely. What is blended hides nothing.
+    scene::AlphaMode alphaMode = scene::AlphaMode::opaque;
     LayerOffset layer{};
 };
 
@@ -78,10 +80,11 @@ class OrderStrip {
         double mostBeside = 0.0;     ///< of its surfaces beyond edges nearby; infinity where it may end there
         double otherLeast = kNever;  ///< of other objects that may be there
         double maskedLeast = kNever; ///< of masked surfaces that may be there
-        double otherMost = kNever;   ///< of the nearest other one that has the pixel within a triangle
-        double offView = 0.0;        ///< most that a distance of the drawn object may be off
-        double statedOffView = 0.0;  ///< of a strip of open pixels: what the device may be off
-        bool isAtDrawn = false;      ///< the nearest sure surface is at the drawn distance
+        double blendedLeast = kNever; ///< of blended ones
+        double otherMost = kNever;    ///< of the nearest other one that has the pixel within a triangle
+        double offView = 0.0;         ///< most that a distance of the drawn object may be off
+        double statedOffView = 0.0;   ///< of a strip of open pixels: what the device may be off
+        bool isAtDrawn = false;       ///< the nearest sure surface is at the drawn distance
     };
     /// Of pixels in a row, none where first > last.
     struct Span {

@@ -1,5 +1,6 @@
 #include <cdr/measure/certify/true_surfaces.h>
 #include <cdr/measure/shadows/shadow_truth.h>
+#include <cdr/measure/truth/layered_truth.h>
 #include <cdr/measure/truth/object_ray.h>
 #include <cdr/measure/truth/surface_hit.h>
 #include <cdr/measure/truth/truth_air.h>
@@ -47,6 +48,26 @@ const SurfaceHit* hitAt(const std::vector<SurfaceHit>& hits, double distanceView
     return nearest == hits.end() ? nullptr : &*nearest;
 }
 
+bool isBlended(const scene::Material& material) {
+    return material.alphaMode == scene::AlphaMode::blend;
+}
+
+/// Lays what is blended over repairs.
+void blendRepairs(const scene::Scene& scene, std::span<const Shape> shapes, const DrawnFrame& frame,
+                  const TruthFinish& finish, platform::WorkerPool& workers,
+                  std::vector<PixelRepair>& repairs) {
+    std::vector<glm::uvec2> pixels(repairs.size());
+    std::transform(repairs.begin(), repairs.end(), pixels.begin(),
+                   [](const PixelRepair& repair) { return glm::uvec2(repair.x, repair.y); });
+    const std::vector<LayeredPixel> shown = castLayersAt(
+        scene, shapes, frame.camera, {frame.ids.width, frame.ids.height}, pixels, frame.hasShadows, workers);
+    for (std::size_t i = 0; i < repairs.size(); ++i) {
+        if (shown[i].fragments > 0) {
+            repairs[i].color = encode(finished(shown[i].color, finish));
+        }
+    }
+}
+
 } // namespace
 
 void lightRepairs(const scene::Scene& scene, std::span<const Shape> shapes, const DrawnFrame& frame,
@@ -78,6 +99,7 @@ void lightRepairs(const scene::Scene& scene, std::span<const Shape> shapes, cons
                            hits);
             }
         }
+        std::erase_if(hits, [](const SurfaceHit& hit) { return hit.isBlended; });
         if (const SurfaceHit* hit = hitAt(hits, repair.distanceView)) {
             repair.normal = hit->normal;
             repair.baseColor = glm::dvec3(hit->baseColor);
@@ -89,6 +111,9 @@ void lightRepairs(const scene::Scene& scene, std::span<const Shape> shapes, cons
             repair.color = encode(finished(throughAir(scene, camera.position, fromCamera, light), finish));
         }
     });
+    if (std::any_of(scene.materials.begin(), scene.materials.end(), isBlended)) {
+        blendRepairs(scene, shapes, frame, finish, workers, repairs);
+    }
 }
 
 } // namespace cdr::measure

@@ -43,6 +43,17 @@ struct View {
     const ShadowTruthCaster* shadows; ///< null: lights reach everything
 };
 
+View viewOf(const scene::Scene& scene, std::span<const Shape> shapes, const scene::Camera& camera,
+            const glm::uvec2& size, const TruthTextures& textures,
+            const std::optional<ShadowTruthCaster>& shadows, platform::WorkerPool& workers) {
+    return {.scene = scene,
+            .camera = camera,
+            .instances = visibleInstances(scene, shapes, camera, size.x, size.y, workers),
+            .slopes = pixelSlopes(camera, size.x, size.y),
+            .textures = textures,
+            .shadows = shadows ? &*shadows : nullptr};
+}
+
 /// All that a pixel's ray meets up to the first opaque surface, nearest first.
 std::vector<SurfaceHit> hitsAt(const View& view, std::uint32_t x, std::uint32_t y) {
     std::vector<SurfaceHit> hits;
@@ -155,12 +166,7 @@ LayeredTruth castView(const scene::Scene& scene, const scene::Camera& camera, co
     if (lights == Lights::castShadows) {
         shadows.emplace(scene, shapes);
     }
-    const View view{.scene = scene,
-                    .camera = camera,
-                    .instances = visibleInstances(scene, shapes, camera, size.x, size.y, workers),
-                    .slopes = pixelSlopes(camera, size.x, size.y),
-                    .textures = textures,
-                    .shadows = shadows ? &*shadows : nullptr};
+    const View view = viewOf(scene, shapes, camera, size, textures, shadows, workers);
     LayeredTruth truth(size.x, size.y);
     const std::size_t bands = (std::size_t{size.y} + kLayeredBandRows - 1) / kLayeredBandRows;
     workers.run(bands, [&](std::size_t band, std::size_t) {
@@ -179,6 +185,24 @@ LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, 
 LayeredTruth castShadowedLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
                                 std::uint32_t height, platform::WorkerPool& workers) {
     return castView(scene, camera, {width, height}, Lights::castShadows, workers);
+}
+
+std::vector<LayeredPixel> castLayersAt(const scene::Scene& scene, std::span<const Shape> shapes,
+                                       const scene::Camera& camera, const glm::uvec2& size,
+                                       std::span<const glm::uvec2> pixels, bool hasShadows,
+                                       platform::WorkerPool& workers) {
+    const TruthTextures textures(scene);
+    std::optional<ShadowTruthCaster> shadows;
+    if (hasShadows) {
+        shadows.emplace(scene, shapes);
+    }
+    const View view = viewOf(scene, shapes, camera, size, textures, shadows, workers);
+    std::vector<LayeredPixel> shown(pixels.size());
+    workers.run(pixels.size(), [&](std::size_t i, std::size_t) {
+        Sequence sequence;
+        castPixel(view, pixels[i].x, pixels[i].y, shown[i], sequence);
+    });
+    return shown;
 }
 
 image::ImageRgba8 pictureOf(const LayeredTruth& truth, const TruthFinish& finish) {

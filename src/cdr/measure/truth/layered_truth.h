@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/image/image.h>
+#include <cdr/measure/truth/shape.h>
 #include <cdr/measure/truth/truth_finish.h>
 #include <cdr/platform/worker_pool.h>
 #include <cdr/scene/camera.h>
@@ -9,6 +10,8 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace cdr::measure {
 
@@ -34,6 +37,13 @@ LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, 
 /// them. Opaque surfaces alone stop it. A pixel on a shadow's edge is no inner one.
 LayeredTruth castShadowedLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
                                 std::uint32_t height, platform::WorkerPool& workers);
+
+/// What some pixels of such a picture show, as castLayers() or, with shadows, castShadowedLayers() has it, but for `isInner`.
+/// @param shapes of the scene's meshes. @param pixels within the size.
+std::vector<LayeredPixel> castLayersAt(const scene::Scene& scene, std::span<const Shape> shapes,
+                                       const scene::Camera& camera, const glm::uvec2& size,
+                                       std::span<const glm::uvec2> pixels, bool hasShadows,
+                                       platform::WorkerPool& workers);
 
 /// The truth as 8-bit sRGB.
 image::ImageRgba8 pictureOf(const LayeredTruth& truth, const TruthFinish& finish = {});
