@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -42,6 +45,22 @@ std::size_t checkedDepth(const BoxTree& tree, std::span<const Box> boxes, std::u
     }
     return 1 + std::max(checkedDepth(tree, boxes, self.first, seen),
                         checkedDepth(tree, boxes, self.first + 1, seen));
+}
+
+/// Who looks at a box must not miss that something was no number, whatever followed it.
+TEST(Box, KeepsWhatIsNotANumber) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const glm::dvec3 bad(0.0, none, 0.0);
+    for (const auto& add : std::vector<std::function<void(Box&)>>{
+             [&](Box& box) { box.add(bad); }, [&](Box& box) { box.add(Box{.low = bad, .high = bad}); },
+             [&](Box& box) { box.add(bad, 1.0); }, [&](Box& box) { box.add(glm::dvec3(0.0), none); }}) {
+        Box box;
+        box.add(glm::dvec3(0.0));
+        add(box);
+        box.add(glm::dvec3(2.0));
+        EXPECT_TRUE(std::isnan(box.low.y) && std::isnan(box.high.y));
+        EXPECT_TRUE(std::isnan(box.diagonal()));
+    }
 }
 
 TEST(BoxTree, HoldsEachItemOnceInBoxesThatFit) {

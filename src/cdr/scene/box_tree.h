@@ -13,23 +13,23 @@
 
 namespace cdr::scene {
 
-/// A box along the axes that grows with what is added; empty until then.
+/// A box along the axes that grows with what is added; empty until then. Once something is added that is not a number, no
+/// side is one.
 struct Box {
     glm::dvec3 low{std::numeric_limits<double>::infinity()};
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 
-    void add(const glm::dvec3& point) {
-        low = glm::min(low, point);
-        high = glm::max(high, point);
-    }
+    void add(const glm::dvec3& point) { add(Box{.low = point, .high = point}); }
     void add(const Box& box) {
         low = glm::min(low, box.low);
         high = glm::max(high, box.high);
+        if (box.low != box.low || box.high != box.high) { // a comparison alone loses what is not a number
+            low = high = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+        }
     }
     /// A sphere.
     void add(const glm::dvec3& centre, double radius) {
-        low = glm::min(low, centre - radius);
-        high = glm::max(high, centre + radius);
+        add(Box{.low = centre - radius, .high = centre + radius});
     }
     bool isEmpty() const { return low.x > high.x; }
     /// The origin where it is empty.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 #include <set>
@@ -275,6 +276,17 @@ TEST(MeshPieces, HostileMeshesStayBounded) {
         }
         EXPECT_GE(triangles, kTriangles);
         EXPECT_LE(triangles, 4 * kTriangles);
+    }
+}
+
+/// What is not a number has no order, by which seams are closed. What holds it stays whole, for a world to refuse it.
+TEST(MeshPieces, AMeshThatIsNotFiniteIsNotCut) {
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        SourceMesh source = bumpySquare(32, glm::dvec3(0.0));
+        EXPECT_GT(cutIntoPieces(source, 6.0).size(), 1u);
+        source.positions[100].z = bad;
+        EXPECT_EQ(cutIntoPieces(source, 6.0).size(), 1u) << bad;
     }
 }
 
