@@ -68,6 +68,45 @@ TEST(WorldValues, ErrorsOfDetailAreFiniteAndNotNegative) {
     }
 }
 
+TEST(WorldValues, SpheresAndConesOfClustersAreFiniteAndNotNegative) {
+    const Mesh box = makeBox(glm::vec3(1.0f));
+    const auto refusalOf = [&](const MeshCluster& cluster, const ClusterGroup& group) {
+        Mesh mesh = box;
+        mesh.clusters = {.indices = box.indices, .clusters = {cluster}, .groups = {group}};
+        return refusalToAdd([&](World& world) { world.addMesh(mesh); });
+    };
+    const MeshCluster sound{.firstIndex = 0,
+                            .indexCount = 36,
+                            .bounds = {.radius = 2.0f},
+                            .coneAxis = {0.0f, 0.6f, 0.8f},
+                            .coneCutoff = 0.5f};
+    EXPECT_EQ(refusalOf(sound, {.bounds = {.radius = 2.0f}}), "taken");
+    EXPECT_EQ(refusalOf({.firstIndex = 0, .indexCount = 36}, {}), "taken"); // faces all ways
+    for (const ClusterSphere& sphere :
+         {ClusterSphere{.radius = -1.0f}, ClusterSphere{.radius = NAN}, ClusterSphere{.radius = INFINITY},
+          ClusterSphere{.centre = {0.0f, NAN, 0.0f}}, ClusterSphere{.centre = {0.0f, 0.0f, -INFINITY}}}) {
+        MeshCluster cluster = sound;
+        cluster.bounds = sphere;
+        EXPECT_EQ(refusalOf(cluster, {}),
+                  "the new mesh: the sphere of a cluster must be finite and its radius 0 or more");
+        EXPECT_EQ(refusalOf(sound, {.bounds = sphere}),
+                  "the new mesh: the sphere of a group of clusters must be finite and its radius 0 or more");
+    }
+    const auto refusalOfCone = [&](const glm::vec3& axis, float cutoff) {
+        MeshCluster cluster = sound;
+        cluster.coneAxis = axis;
+        cluster.coneCutoff = cutoff;
+        return refusalOf(cluster, {});
+    };
+    const std::string cone =
+        "the new mesh: the cone of a cluster must have an axis of length 1 and a cutoff in [0, 1]";
+    for (const float bad : {NAN, INFINITY, 2.0f}) {
+        EXPECT_EQ(refusalOfCone({0.0f, bad, 0.0f}, 0.5f), cone) << bad;
+        EXPECT_EQ(refusalOfCone({0.0f, 1.0f, 0.0f}, bad), cone) << bad;
+        EXPECT_EQ(refusalOfCone({0.0f, 1.0f, 0.0f}, -bad), cone) << bad;
+    }
+}
+
 /// The radius of a removed instance is kNoRadius, which says that there is none.
 TEST(WorldValues, RadiiOfInstancesAreFiniteAndNotNegative) {
     World world;

@@ -27,10 +27,11 @@ struct MeshCluster {
     std::uint32_t madeBy = kNoGroup;
     /// The group whose coarser form takes the place of this cluster; kNoGroup: there is none coarser.
     std::uint32_t coarserBy = kNoGroup;
-    ClusterSphere bounds{};   ///< holds its triangles
-    glm::vec3 coneAxis{0.0f}; ///< the mean direction that its triangles face, of length 1
+    ClusterSphere bounds{}; ///< holds its triangles
+    glm::vec3 coneAxis{
+        0.0f}; ///< the mean direction that its triangles face, of length 1; 0 if they face all ways
     /// All its triangles face away from a camera at c where dot(centre - c, coneAxis) >= coneCutoff * length(centre - c) +
-    /// radius. 1 where they face all ways.
+    /// radius. In [0, 1], and 1 where they face all ways.
     float coneCutoff = 1.0f;
 };
 

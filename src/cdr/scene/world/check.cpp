@@ -47,6 +47,15 @@ void requireIndices(const std::vector<std::uint32_t>& indices, std::size_t verti
     }
 }
 
+bool isSphere(const ClusterSphere& sphere) {
+    return areFinite(sphere.centre) && isSize(sphere.radius);
+}
+
+/// A longer axis would hide triangles that face the camera. Without a cone it is 0.
+bool isCone(const glm::vec3& axis, float cutoff) {
+    return glm::length(axis) < 1.0001f && cutoff >= 0.0f && cutoff <= 1.0f;
+}
+
 void requireClusters(const ClusterTree& tree, std::size_t vertices, const std::string& what) {
     requireIndices(tree.indices, vertices, what);
     const auto isRun = [](std::size_t first, std::size_t count, std::size_t all) {
@@ -61,10 +70,19 @@ void requireClusters(const ClusterTree& tree, std::size_t vertices, const std::s
         if (!isInPlace || !isGroup(cluster.madeBy) || !isGroup(cluster.coarserBy)) {
             refuseUse("{}: a cluster refers to indices or groups that are not there", what);
         }
+        if (!isSphere(cluster.bounds)) {
+            refuseUse("{}: the sphere of a cluster must be finite and its radius 0 or more", what);
+        }
+        if (!isCone(cluster.coneAxis, cluster.coneCutoff)) {
+            refuseUse("{}: the cone of a cluster must have an axis of length 1 and a cutoff in [0, 1]", what);
+        }
     }
     for (const ClusterGroup& group : tree.groups) {
         if (!isRun(group.firstCluster, group.clusterCount, tree.clusters.size())) {
             refuseUse("{}: a group of clusters refers to clusters that are not there", what);
+        }
+        if (!isSphere(group.bounds)) {
+            refuseUse("{}: the sphere of a group of clusters must be finite and its radius 0 or more", what);
         }
         if (!isSize(group.error)) {
             refuseUse("{}: the error of a group of clusters must be finite and 0 or more, not {}", what,

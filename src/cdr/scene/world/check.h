@@ -39,7 +39,8 @@ CDR_EXPORT void requireUsable(const Transform& transform, const std::string& wha
 /// names.
 CDR_EXPORT void requireUsable(const PointLight& light, const std::string& what);
 /// Indices are in range. Vertices are finite and within the bounding radius, which is at most 1e20. There are at most
-/// kMaxLevels levels. Clusters and groups refer to what is there. Errors of levels and groups are finite and 0 or more.
+/// kMaxLevels levels. Clusters and groups refer to what is there, and have spheres and cones as cluster_tree.h says. Errors of
+/// levels and groups are finite and 0 or more.
 CDR_EXPORT void requireUsable(const Mesh& mesh, const std::string& what);
 /// The part of it that vertices decide.
 /// @param boundingRadius object space
