@@ -187,6 +187,35 @@ TEST(MeshPose, AWorldRefusesADeformerThatNamesWhatIsNotThere) {
     EXPECT_EQ(refusalOf(world, pose), "none");
 }
 
+/// finish() and deform() read the influences where it says.
+TEST(MeshPose, AWorldRefusesInfluencesThatAreNotDividedAmongTheVertices) {
+    const DeformerKind kind = test::deformerKinds()[0];
+    const auto sound = test::makeDeformer(kind, 7);
+    World world(oneMesh(*sound));
+    MeshPose pose = test::poseOf(kind, sound, 1);
+    const std::vector<void (*)(std::vector<std::size_t>&)> spoils{
+        [](std::vector<std::size_t>& first) { first.back() += 1; },
+        [](std::vector<std::size_t>& first) { first.back() -= 1; },
+        [](std::vector<std::size_t>& first) { first.front() = 1; },
+        [](std::vector<std::size_t>& first) { first[7] = 1u << 30; },
+        [](std::vector<std::size_t>& first) { first.push_back(first.back()); },
+        [](std::vector<std::size_t>& first) { first.clear(); }};
+    for (std::size_t i = 0; i < spoils.size(); ++i) {
+        auto spoilt = std::make_shared<Deformer>(*sound);
+        spoils[i](spoilt->firstInfluence);
+        EXPECT_EQ(cdr::test::inputErrorOf([&] { finish(*spoilt); }),
+                  "the firstInfluence of a deformer must divide its influences among its vertices")
+            << i;
+        pose.deformer = spoilt; // as finish() left it before
+        EXPECT_NE(refusalOf(world, pose), "none") << i;
+        EXPECT_EQ(cdr::test::inputErrorOf([&] { requireUsable(*spoilt, "it"); }),
+                  "it: its firstInfluence must divide its influences among its vertices")
+            << i;
+    }
+    pose.deformer = sound;
+    EXPECT_EQ(refusalOf(world, pose), "none");
+}
+
 /// deform() looks for the vertices of a part of the mesh.
 TEST(MeshPose, AWorldRefusesMorphTargetsWhoseVerticesDoNotAscend) {
     const DeformerKind kind = test::deformerKinds()[2];

@@ -1,3 +1,4 @@
+#include <cdr/base/error.h>
 #include <cdr/scene/animation/deform.h>
 #include <cdr/scene/box_tree.h>
 
@@ -93,7 +94,7 @@ void measureJoints(Deformer& deformer) {
     });
     deformer.jointReaches.clear();
     for (std::uint32_t joint = 0; joint < boxes.size(); ++joint) {
-        if (!boxes[joint].isEmpty() || std::isnan(radii[joint])) {
+        if (!boxes[joint].isEmpty()) {
             deformer.jointReaches.push_back(
                 {.joint = joint, .centre = boxes[joint].centre(), .radius = radii[joint]});
         }
@@ -128,7 +129,20 @@ void measureReaches(Deformer& deformer) {
 
 } // namespace
 
+bool hasInfluencesByVertex(const Deformer& deformer) {
+    const std::vector<std::size_t>& first = deformer.firstInfluence;
+    if (first.empty()) {
+        return deformer.influences.empty();
+    }
+    return first.size() == deformer.vertices.size() + 1 && first.front() == 0 &&
+           first.back() == deformer.influences.size() && std::is_sorted(first.begin(), first.end());
+}
+
 void finish(Deformer& deformer) {
+    if (!hasInfluencesByVertex(deformer)) {
+        throw base::InputError(
+            "the firstInfluence of a deformer must divide its influences among its vertices");
+    }
     Box box;
     for (const Vertex& vertex : deformer.vertices) {
         box.add(glm::dvec3(vertex.position));

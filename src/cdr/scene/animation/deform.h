@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// @errors None.
+/// @errors None but those that a function names.
 
 #include <cdr/base/export.h>
 #include <cdr/scene/mesh.h>
@@ -43,17 +43,22 @@ struct Deformer {
     bool isFlat = false; ///< three vertices for each triangle in turn, whose normal follows from its corners
     bool derivedTangents = false; ///< tangents that morph targets keep at a right angle to normals
     std::vector<std::vector<MorphDelta>> targets; ///< only vertices that they move, ascending, each once
-    std::vector<std::size_t> firstInfluence;      ///< by vertex, and the end; empty without a skin
-    std::vector<Influence> influences;            ///< vertex by vertex
-    glm::dvec3 centre{0.0};                       ///< of its bounding box
-    std::uint32_t anchor = 0;                     ///< with a skin: the joint that most of it follows
-    double reach = 0.0;                           ///< largest distance of a vertex from `centre`
-    std::vector<double> targetReach;              ///< how far each morph target moves a vertex at most
-    std::vector<JointReach> jointReaches;         ///< of joints that move vertices, ascending
-    double weightError = 0.0; ///< by how much the weights of a vertex miss a sum of one at most
+    /// By vertex, from 0, and the end, which is influences.size(); empty without a skin.
+    std::vector<std::size_t> firstInfluence;
+    std::vector<Influence> influences;    ///< vertex by vertex
+    glm::dvec3 centre{0.0};               ///< of its bounding box
+    std::uint32_t anchor = 0;             ///< with a skin: the joint that most of it follows
+    double reach = 0.0;                   ///< largest distance of a vertex from `centre`
+    std::vector<double> targetReach;      ///< how far each morph target moves a vertex at most
+    std::vector<JointReach> jointReaches; ///< of joints that move vertices, ascending
+    double weightError = 0.0;             ///< by how much the weights of a vertex miss a sum of one at most
 };
 
+/// Whether finish() takes it.
+bool hasInfluencesByVertex(const Deformer& deformer);
+
 /// Fills in `centre` and all that follows it.
+/// @throws base::InputError unless `firstInfluence` divides `influences` among the vertices, or both are empty.
 CDR_EXPORT void finish(Deformer& deformer);
 
 /// Where a deformed mesh stands, and from what its vertices are counted.

@@ -80,6 +80,9 @@ void requireUsable(const Deformer& deformer, const std::string& what) {
                      [](const Influence& influence) { return std::isfinite(influence.weight); })) {
         throw base::InputError(what + ": the weights of its joints must be finite");
     }
+    if (!hasInfluencesByVertex(deformer)) {
+        throw base::InputError(what + ": its firstInfluence must divide its influences among its vertices");
+    }
 }
 
 void requireUsable(const MeshPose& pose, const std::string& what) {

@@ -27,7 +27,8 @@ struct MeshPose {
 };
 
 /// @throws base::InputError where positions, normals, tangents, morph targets or weights are not finite. Or where a morph target
-/// moves a vertex that is not there, or its vertices do not ascend. Takes time by the deformer's size.
+/// moves a vertex that is not there, or its vertices do not ascend, or `firstInfluence` does not divide the influences among the
+/// vertices. Takes time by the deformer's size.
 /// @param what names the mesh in the message, here and below
 CDR_EXPORT void requireUsable(const Deformer& deformer, const std::string& what);
 
