@@ -107,6 +107,18 @@ TEST(WorldValues, SpheresAndConesOfClustersAreFiniteAndNotNegative) {
     }
 }
 
+/// Colours are not bounded: textures multiply them.
+TEST(WorldValues, TheAlphaOfABaseColourIsAShare) {
+    const auto refusalOf = [](const glm::vec4& color) {
+        return refusalToAdd([&](World& world) { world.addMaterial({.baseColorFactor = color}); });
+    };
+    EXPECT_EQ(refusalOf({2.0f, 1.5f, 0.0f, 1.0f}), "taken");
+    EXPECT_EQ(refusalOf({1.0f, 1.0f, 1.0f, 0.0f}), "taken");
+    EXPECT_EQ(refusalOf({1.0f, 1.0f, 1.0f, 1.5f}),
+              "the material: the alpha of its base colour must lie in [0, 1], not 1.5");
+    EXPECT_NE(refusalOf({1.0f, 1.0f, 1.0f, -0.5f}), "taken");
+}
+
 /// The radius of a removed instance is kNoRadius, which says that there is none.
 TEST(WorldValues, RadiiOfInstancesAreFiniteAndNotNegative) {
     World world;

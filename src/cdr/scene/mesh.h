@@ -154,7 +154,7 @@ struct MaterialDetail {
 /// How a surface looks.
 struct Material {
     std::string name{};                                   ///< for messages and captures
-    glm::vec4 baseColorFactor{1.0f};                      ///< linear
+    glm::vec4 baseColorFactor{1.0f};                      ///< linear, 0 or more; alpha in [0, 1]
     std::optional<std::uint32_t> baseColorTexture{};      ///< index into Scene::textures
     std::optional<MetallicRoughness> metallicRoughness{}; ///< empty: Lambert's law alone
     bool doubleSided = false;                             ///< else its back is not drawn

@@ -296,6 +296,11 @@ void requireUsable(const Material& material, std::size_t textures, const std::st
     if (!glm::all(glm::greaterThanEqual(material.baseColorFactor, glm::vec4(0.0f)))) {
         refuseUse("{}: its base colour must be 0 or more", what);
     }
+    // Colours may be above 1, since textures multiply them, but no surface is more than opaque.
+    if (material.baseColorFactor.a > 1.0f) {
+        refuseUse("{}: the alpha of its base colour must lie in [0, 1], not {}", what,
+                  material.baseColorFactor.a);
+    }
     if (!std::isfinite(material.layer)) {
         refuseUse("{}: its layer must be finite", what);
     }
