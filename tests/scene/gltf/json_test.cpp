@@ -45,7 +45,9 @@ TEST_F(GltfJson, DataUrisThatAreRefusedSayWhy) {
         expectSays(tryUri(uri), "cannot be decoded: it is not base64");
     }
     expectSays(tryUri("data:;base64,AAAA"), "'' is no media type of a buffer or a picture");
-    expectSays(tryUri("DATA:audio/wav;base64,AAAA"), "'audio/wav' is no media type of a buffer or a picture");
+    expectSays(tryUri("DATA:audio/wav;base64,AAAA"),
+               "'audio/wav' is no media type of a buffer or a picture; those are application/octet-stream, "
+               "application/gltf-buffer, image/png, image/jpeg, image/bmp, image/gif, text/plain");
     expectSays(tryUri("data:text/plain;charset=utf-8;base64,AAAA"), "'text/plain;charset=utf-8' is no media");
 }
 

@@ -4,6 +4,8 @@
 
 #include <cdr/platform/base64.h>
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -58,7 +60,8 @@ platform::Bytes decodeDataUri(std::string_view uri) {
         mediaTypeOf(uri, uri.substr(kDataScheme.size(), comma - kDataScheme.size()));
     if (std::none_of(kMediaTypes.begin(), kMediaTypes.end(),
                      [&](std::string_view known) { return isAlike(known, type); })) {
-        refuseData(uri, fmt::format("'{}' is no media type of a buffer or a picture", oneLine(type, 40)));
+        refuseData(uri, fmt::format("'{}' is no media type of a buffer or a picture; those are {}",
+                                    oneLine(type, 40), fmt::join(kMediaTypes, ", ")));
     }
     const std::string_view text = uri.substr(std::min(comma + 1, uri.size()));
     std::optional<platform::Bytes> bytes = platform::fromBase64(text);
