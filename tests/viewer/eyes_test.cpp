@@ -44,6 +44,19 @@ TEST_F(ViewerTest, ShowsTwoEyes) {
     EXPECT_EQ(picture("again.png"), one);
 }
 
+/// One eye between them does not make the viewer forget what was asked for.
+TEST_F(ViewerTest, KeepsTheEyesOfTheCommandLine) {
+    const RunResult run =
+        play("--stereo parallel --eye-distance 0.3 --converge 9 " + kEyes,
+             "wait-frame\nkey G\nkey G\nwait-frame\nstate\nkey G\nwait-frame\nstate\nquit\n");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 2u) << run.out;
+    EXPECT_EQ(valueOf(states[0], "eyes"), "");
+    EXPECT_EQ(valueOf(states[1], "eyes"), "side-by-side");
+    EXPECT_EQ(valueOf(states[1], "apart"), "0.3");
+    EXPECT_EQ(valueOf(states[1], "meet"), "9");
+}
+
 /// What is under the cursor is what the eye sees there whose picture it is in.
 TEST_F(ViewerTest, PicksInEachEye) {
     // Where what each click hits is, clicked one after the other.

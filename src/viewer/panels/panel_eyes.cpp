@@ -42,7 +42,7 @@ void drawEyesPanel(const Widgets& widgets, ViewerModel& model) {
     }
     widgets.beside();
     if (widgets.button("fit to what is looked at")) {
-        fitEyes(settings.views, model.camera.surfaceView);
+        fitEyes(settings, model.camera.surfaceView);
     }
     const base::LengthUnit unit = model.interface.unit;
     widgets.value("apart", base::quantityText(settings.views.eyeDistance.value_or(0.0), unit));

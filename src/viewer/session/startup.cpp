@@ -64,6 +64,7 @@ ViewSettings settingsOf(const Arguments& arguments) {
                        .effects = drawn.effects,
                        .focus = drawn.focus};
     settings.views = arguments.views;
+    settings.givenEyes = arguments.views;
     options::ViewsPlan(settings.views, 1, 1); // refuses what contradicts itself
     chooseTechniques(arguments, settings);
     return settings;

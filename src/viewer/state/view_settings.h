@@ -51,7 +51,8 @@ struct ViewSettings {
     std::size_t threads = 1;
     ViewKind view = ViewKind::shaded;
     Finish finish{};
-    options::ViewsArguments views{}; ///< one eye, or two
+    options::ViewsArguments views{};     ///< one eye, or two
+    options::ViewsArguments givenEyes{}; ///< the two of the command line, which come back after one; or none
     /// Who bends skins and morph targets; nothing: the device, if it is a graphics card that can.
     std::optional<scenes::Deform> deform{};
 

@@ -26,10 +26,11 @@ std::optional<options::StereoPicture> stereoPictureOf(const ViewSettings& settin
     return settings.views.stereo ? std::optional(settings.views.picture) : std::nullopt;
 }
 
-void fitEyes(options::ViewsArguments& views, double surfaceView) {
+void fitEyes(ViewSettings& settings, double surfaceView) {
     const bool isUsable = std::isfinite(surfaceView) && surfaceView > 0.0;
-    views.converge = threeDigits(isUsable ? surfaceView : 1.0);
-    views.eyeDistance = threeDigits(*views.converge * kEyeShare);
+    settings.views.converge = threeDigits(isUsable ? surfaceView : 1.0);
+    settings.views.eyeDistance = threeDigits(*settings.views.converge * kEyeShare);
+    settings.givenEyes = {};
 }
 
 ViewSettings withStereo(ViewSettings settings, std::optional<options::StereoPicture> picture,
@@ -39,8 +40,11 @@ ViewSettings withStereo(ViewSettings settings, std::optional<options::StereoPict
         return settings;
     }
     if (!stereoPictureOf(settings)) {
+        settings.views = settings.givenEyes;
+    }
+    if (!stereoPictureOf(settings)) {
         settings.views.stereo = scene::StereoMode::parallel;
-        fitEyes(settings.views, surfaceView);
+        fitEyes(settings, surfaceView);
     }
     settings.views.picture = *picture;
     return settings;

@@ -10,8 +10,8 @@ namespace cdr::viewer {
 /// How two eyes are shown; empty where there is one.
 std::optional<options::StereoPicture> stereoPictureOf(const ViewSettings& settings);
 
-/// The settings with two eyes shown so, or with one. Eyes that were not there before are fitted to a distance by
-/// fitEyes().
+/// The settings with two eyes shown so, or with one. Eyes that were not there before are those of the command line, or else
+/// fitted to a distance by fitEyes().
 /// @param surfaceView view distance of what is looked at; where nothing is, eyes are fitted to 1 unit.
 ViewSettings withStereo(ViewSettings settings, std::optional<options::StereoPicture> picture,
                         double surfaceView);
@@ -20,8 +20,8 @@ ViewSettings withNextStereo(ViewSettings settings, double surfaceView);
 /// Toed-in eyes become parallel and the other way round. Nothing with one eye.
 ViewSettings withOtherEyes(ViewSettings settings);
 /// Pictures of the eyes coincide at that distance. The eyes are a thirtieth of it apart, to three digits, at which most
-/// people see one picture.
-void fitEyes(options::ViewsArguments& views, double surfaceView);
+/// people see one picture. They take the place of those of the command line.
+void fitEyes(ViewSettings& settings, double surfaceView);
 
 /// The pixel in the middle of what a camera sees: of two eyes, the left one.
 glm::dvec2 middleOf(const render::Frame& frame);

@@ -29,6 +29,20 @@ TEST(StereoViewTest, StepsThroughOneEyeTwoAndAnAnaglyph) {
     EXPECT_EQ(withOtherEyes(withOtherEyes(withOtherEyes(beside))), beside);
 }
 
+TEST(StereoViewTest, EyesOfTheCommandLineComeBackAfterOne) {
+    ViewSettings given;
+    given.views = {.kind = {}, .stereo = scene::StereoMode::offAxis, .eyeDistance = 0.3, .converge = 9.0};
+    given.givenEyes = given.views;
+    ViewSettings settings = withNextStereo(withNextStereo(given, 61.2), 61.2);
+    EXPECT_EQ(settings.views, options::ViewsArguments{});
+    settings = withNextStereo(settings, 61.2);
+    EXPECT_EQ(settings, given);
+    fitEyes(settings, 30.0); // a person's last word
+    settings = withStereo(withStereo(settings, {}, 30.0), StereoPicture::anaglyph, 60.0);
+    EXPECT_EQ(settings.views.converge, 60.0);
+    EXPECT_EQ(settings.views.eyeDistance, 2.0);
+}
+
 TEST(StereoViewTest, FitsEyesToOneUnitWhereNothingIsSeen) {
     for (const double nothing : {0.0, -3.0, std::numeric_limits<double>::infinity(), std::nan("")}) {
         EXPECT_EQ(withNextStereo({}, nothing).views.converge, 1.0) << nothing;
