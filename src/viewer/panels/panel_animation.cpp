@@ -54,7 +54,10 @@ void drawAnimationPanel(const Widgets& widgets, const RenderResult* result, View
     }
     widgets.beside();
     widgets.checkbox("loop", playback.loops);
-    if (widgets.slider("time", playback.seconds, {.high = length, .format = "%.3f s"})) {
+    const double start = settings.choice.seconds.value_or(0.0);
+    double moment = playback.moment(settings.choice);
+    if (widgets.slider("time", moment, {.low = start, .high = start + length, .format = "%.3f s"})) {
+        playback.goTo(moment, settings.choice);
         playback.isPlaying = false;
     }
     widgets.slider("speed", playback.speed,

@@ -19,6 +19,14 @@ void Playback::advance(double elapsed, double length) {
     seconds = isPlaying ? std::fmod(seconds, length) : length;
 }
 
+double Playback::moment(const scene::GltfChoice& choice) const {
+    return choice.seconds.value_or(0.0) + seconds;
+}
+
+void Playback::goTo(double moment, const scene::GltfChoice& choice) {
+    seconds = std::max(moment - choice.seconds.value_or(0.0), 0.0);
+}
+
 std::uint32_t Playback::frame(const scene::GltfChoice& choice) const {
     const double frame = std::floor(seconds * choice.framesPerSecond.value_or(kPlaybackRate) + 0.5);
     return static_cast<std::uint32_t>(

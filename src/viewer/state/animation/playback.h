@@ -20,6 +20,11 @@ struct Playback {
     /// @param length seconds that there are
     void advance(double elapsed, double length);
 
+    /// The animation's own time that is shown, seconds: frame 0 may be later than its beginning.
+    double moment(const scene::GltfChoice& choice) const;
+    /// Goes to such a time, not before frame 0.
+    void goTo(double moment, const scene::GltfChoice& choice);
+
     /// The frame at which the scene is shown.
     std::uint32_t frame(const scene::GltfChoice& choice) const;
 };

@@ -82,10 +82,27 @@ TEST(Playback, BeginsWhereTheCommandLineSays) {
     EXPECT_EQ(playback.frame(choice), 5u);
     EXPECT_EQ(chosenNumber(choice, twoAnimations()), 1);
     EXPECT_EQ(playableSeconds(choice, twoAnimations()), 2.0);
+    EXPECT_EQ(playback.moment(choice), 1.5) << "of the animation, which --time begins after a second";
     scene::GltfChoice still;
     EXPECT_EQ(playbackOf(still, 7).seconds, 0.0);
     EXPECT_EQ(still, scene::GltfChoice{});
     EXPECT_EQ(chosenNumber(still, twoAnimations()), -1);
+}
+
+/// The moment that is set is the one that is shown, wherever `--time` begins.
+TEST(Playback, GoesToTheAnimationsOwnTime) {
+    scene::GltfChoice choice;
+    choice.seconds = 1.0;
+    choice.framesPerSecond = 10.0;
+    Playback playback;
+    playback.goTo(2.5, choice);
+    EXPECT_EQ(playback.moment(choice), 2.5);
+    EXPECT_EQ(scene::secondsAt(choice, playback.frame(choice)), 2.5);
+    playback.goTo(0.5, choice); // before frame 0
+    EXPECT_EQ(playback.moment(choice), 1.0);
+    choice.seconds.reset();
+    playback.goTo(0.5, choice);
+    EXPECT_EQ(playback.moment(choice), 0.5);
 }
 
 } // namespace
