@@ -55,7 +55,7 @@ struct Deformer {
 };
 
 /// Whether finish() takes it.
-bool hasInfluencesByVertex(const Deformer& deformer);
+CDR_EXPORT bool hasInfluencesByVertex(const Deformer& deformer);
 
 /// Fills in `centre` and all that follows it.
 /// @throws base::InputError unless `firstInfluence` divides `influences` among the vertices, or both are empty.
