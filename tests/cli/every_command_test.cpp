@@ -19,6 +19,7 @@ struct SmallRun {
     const char* name; ///< as GoogleTest takes it
     const char* arguments;
     const char* refusal = nullptr; ///< in the one line of a device or a checkout that cannot serve it
+    bool usesDevice = true;        ///< one, which its JSON names
 };
 
 void PrintTo(const SmallRun& run, std::ostream* out) {
@@ -27,12 +28,12 @@ void PrintTo(const SmallRun& run, std::ostream* out) {
 
 const SmallRun kSmallRuns[] = {
     {"Render", "render cubes --size 16x16 -o a.png"},
-    {"Devices", "devices"},
-    {"Precision", "precision"},
+    {.name = "Devices", .arguments = "devices", .usesDevice = false},
+    {.name = "Precision", .arguments = "precision", .usesDevice = false},
     {"Pictures", "pictures --scenes cubes --techniques log --frames 1 --size 32x18 --out p"},
     {"Flicker", "flicker --frames 2 --size 32x18 --techniques cdr"},
     {"Probe", "probe --distances 10 --techniques log --formats d32f --size 16x16"},
-    {"Advise", "advise --separation 1"},
+    {.name = "Advise", .arguments = "advise --separation 1", .usesDevice = false},
     {"AdviseMeasured", "advise --separation 1 --far 1000 --format d32f --measured --size 320x180 --frames 1"},
     {"Timing", "timing --frames 1 --size 16x16 --modes log"},
     {"Scaling", "scaling --draws 100 --cascades 2 --repeats 1"},
@@ -72,6 +73,7 @@ TEST_P(EveryCommand, RunsOnTheDevice) {
     const json document = json::parse(readText(folder.path() / "j.json"));
     EXPECT_EQ(document.at("command"), command);
     EXPECT_FALSE(document.at("results").empty());
+    EXPECT_NE(document.at("device").at("name").get<std::string>().empty(), GetParam().usesDevice);
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, EveryCommand, testing::ValuesIn(kSmallRuns),

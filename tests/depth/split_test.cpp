@@ -56,6 +56,22 @@ TEST(Split, RatioFollowsListing52) {
     EXPECT_DOUBLE_EQ(cut(SplitRatio{1000.0}, 0.001, 2e6)[2].farView, 1e6);
 }
 
+/// The product of ratios may round to a little less than far, and the quotient of logarithms to a little more than a whole number.
+TEST(Split, RatioMakesNoCascadeOfRoundingsWhereFarIsAWholePower) {
+    for (const double ratio : {1.3, 1.4, 2.0, 3.0, 7.0, 10.0, 1000.0}) {
+        for (const double nearView : {0.001, 0.1, 0.3, 1.0, 0.7}) {
+            for (std::size_t count = 1; count <= kMaxCascades && std::pow(ratio, count) < 1e30; ++count) {
+                const Cascades cascades =
+                    cut(SplitRatio{ratio}, nearView, nearView * std::pow(ratio, static_cast<double>(count)));
+                ASSERT_EQ(cascades.size(), count) << ratio << ' ' << nearView;
+                EXPECT_NEAR(cascades.back().farView / cascades.back().nearView, ratio, 1e-9 * ratio);
+            }
+        }
+    }
+    EXPECT_EQ(cut(SplitRatio{3.0}, 0.3, 2.7).size(), 2u);
+    EXPECT_EQ(cut(SplitRatio{3.0}, 0.3, 2.7 * (1.0 + 1e-6)).size(), 3u);
+}
+
 TEST(Split, CountHasEqualRatios) {
     const Cascades cascades = cut(SplitCount{5}, 0.1, 1e5);
     ASSERT_EQ(cascades.size(), 5u);

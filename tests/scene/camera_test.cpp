@@ -47,6 +47,15 @@ TEST(LookAlong, GivesLookAtCamerasBackToTheBit) {
     }
 }
 
+TEST(LookAt, TakesPointsThatAreVeryCloseOrFarApart) {
+    for (const double distance : {1e-320, 1e-170, 1.0, 1e170, 1e300}) {
+        const Camera camera = lookAt({}, glm::dvec3(0.0), {0.0, 0.0, distance});
+        EXPECT_EQ(camera.back, glm::dvec3(0.0, 0.0, -1.0)) << distance;
+    }
+    EXPECT_THROW(lookAt({}, glm::dvec3(1.0), glm::dvec3(1.0)), base::InputError);
+    EXPECT_THROW(lookAt({}, glm::dvec3(1.0), glm::dvec3(1.0, NAN, 1.0)), base::InputError);
+}
+
 TEST(LookAlong, KeepsTheDirectionWhereATargetLosesIt) {
     const Camera camera = lookAt({}, glm::dvec3(0.0), glm::dvec3(0.3, -0.2, -1.0));
     const glm::dvec3 eye(1e8, 2e8, -3e8);

@@ -40,6 +40,27 @@ TEST(AddInstance, RefusesAMeshThatIsNotThere) {
     EXPECT_THROW(placeInstance(scene, 0, {0.0, 0.0, 0.0}, glm::mat3(1.0f)), base::InputError);
 }
 
+/// Squares of such lengths are 0 or infinite in float32.
+TEST(AddInstance, GivesARadiusThatHoldsTheMeshAtAnyScale) {
+    for (const float half : {1e-5f, 1.0f, 1e10f}) {
+        for (const float scale : {1e-30f, 2e-23f, 1.2e-22f, 3e-22f, 1e-15f, 1.0f, 1e15f, 1e22f}) {
+            Scene scene;
+            scene.meshes.push_back(makeBox(glm::vec3(half)));
+            addInstance(scene, 0, 0, 0, {0.0, 0.0, -5.0}, glm::mat3(scale));
+            const double needed = std::sqrt(3.0) * static_cast<double>(half) * static_cast<double>(scale);
+            EXPECT_GE(scene.instances.radius[0] / needed, 1.0) << half << ' ' << scale;
+            EXPECT_LT(scene.instances.radius[0] / needed, 1.0001) << half << ' ' << scale;
+        }
+    }
+}
+
+TEST(MakeBox, HasARadiusThatHoldsItsCornersAtAnySize) {
+    for (const float half : {1e-25f, 1.0f, 5e19f}) {
+        const double needed = std::sqrt(3.0) * static_cast<double>(half);
+        EXPECT_NEAR(makeBox(glm::vec3(half)).boundingRadius / needed, 1.0, 1e-7) << half;
+    }
+}
+
 TEST(DirectionalLight, ShinesAlikeAllOverItsSphere) {
     const glm::dvec3 centre(4e6, -2e6, 1e6);
     const glm::vec3 color(0.5f, 2.0f, 1.0f);

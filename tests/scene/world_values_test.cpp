@@ -42,6 +42,15 @@ TEST(WorldValues, HalfSidesOfABoxAreFiniteAndNotNegative) {
     }
 }
 
+TEST(WorldValues, VerticesLieWithinTheBoundingRadiusAtAnySize) {
+    for (const float half : {1e-23f, 1.0f, 5e19f}) {
+        Mesh mesh = makeBox(glm::vec3(half));
+        EXPECT_EQ(refusalToAdd([&](World& world) { world.addMesh(mesh); }), "taken") << half;
+        mesh.boundingRadius = half;
+        EXPECT_NE(refusalToAdd([&](World& world) { world.addMesh(mesh); }), "taken") << half;
+    }
+}
+
 TEST(WorldValues, ErrorsOfDetailAreFiniteAndNotNegative) {
     const Mesh box = makeBox(glm::vec3(1.0f));
     const auto ofLevel = [&](float error) {

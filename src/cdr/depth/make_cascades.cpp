@@ -39,14 +39,18 @@ struct Cut {
     }
 
     base::Result<Cascades> operator()(const SplitRatio& split) const {
+        // Roundings must not make one more, as thin as they are, where far is a whole number of ratios away.
+        constexpr double kRounding = 1e-9;
         const double cascades =
-            std::ceil(std::log(context.farView / context.nearView) / std::log(split.ratio));
+            std::ceil(std::log(context.farView / context.nearView) / std::log(split.ratio) - kRounding);
         if (cascades > static_cast<double>(kMaxCascades)) {
             return tooMany(split, cascades);
         }
         std::vector<double> boundaries;
-        for (double b = context.nearView * split.ratio; b < context.farView; b *= split.ratio) {
-            boundaries.push_back(b);
+        double boundary = context.nearView;
+        for (double i = 1.0; i < cascades; ++i) {
+            boundary *= split.ratio;
+            boundaries.push_back(boundary);
         }
         return cutAt(boundaries, context);
     }

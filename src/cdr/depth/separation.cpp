@@ -91,7 +91,7 @@ std::optional<Crossing> findCrossing(const std::function<double(double)>& curve,
 std::vector<std::optional<Crossing>> findCrossings(const std::function<double(double)>& curve,
                                                    std::span<const double> separations, double nearView,
                                                    double farView) {
-    // A cascade spans a ratio of 1.01 at the very least, so this grid steps into each.
+    // Fine enough to step into each cascade of the thesis. A thinner one may lie between two steps.
     constexpr int kSteps = 200'000;
     const auto grid = [&](int i) {
         return i == kSteps ? farView

@@ -77,15 +77,15 @@ Camera level(Camera camera) {
 
 Camera lookAt(Camera camera, const glm::dvec3& eye, const glm::dvec3& target) {
     const glm::dvec3 toEye = eye - target;
-    const double distance = glm::length(toEye);
-    if (!isFinite(eye) || !isFinite(target) || !std::isfinite(distance)) {
+    if (!isFinite(eye) || !isFinite(target)) {
         throw base::InputError("camera: eye and target must be finite");
     }
-    if (distance <= 0.0) {
+    if (toEye == glm::dvec3(0.0)) {
         throw base::InputError("camera: eye and target are the same point");
     }
     camera.position = eye;
-    camera.back = toEye / distance;
+    const double distance = glm::length(toEye);
+    camera.back = std::isnormal(distance) ? toEye / distance : unit(toEye, "way from target to eye");
     return level(camera);
 }
 

@@ -20,7 +20,7 @@ float boundingRadiusOf(std::span<const Vertex> vertices) {
 Mesh makeBox(const glm::vec3& halfSides) {
     Mesh mesh;
     mesh.name = "box";
-    mesh.boundingRadius = glm::length(halfSides);
+    mesh.boundingRadius = static_cast<float>(glm::length(glm::dvec3(halfSides)));
     mesh.boxHalfSides = halfSides;
     for (int axis = 0; axis < 3; ++axis) {
         for (const float side : {-1.0f, 1.0f}) {

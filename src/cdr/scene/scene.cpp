@@ -13,8 +13,8 @@ namespace cdr::scene {
 namespace {
 
 /// An upper bound of the factor by which `basis` stretches a vector: exact for orthogonal columns (rotation
-/// and scale), else the Frobenius norm.
-float largestStretch(const glm::mat3& basis) {
+/// and scale), else the Frobenius norm. For components of about 1.
+float stretchOf(const glm::mat3& basis) {
     // One root: the longest column is the one of the largest square.
     const float longest = std::sqrt(
         std::max({glm::dot(basis[0], basis[0]), glm::dot(basis[1], basis[1]), glm::dot(basis[2], basis[2])}));
@@ -27,6 +27,26 @@ float largestStretch(const glm::mat3& basis) {
     }
     return std::sqrt(glm::dot(basis[0], basis[0]) + glm::dot(basis[1], basis[1]) +
                      glm::dot(basis[2], basis[2]));
+}
+
+/// The same for any components.
+float largestStretch(const glm::mat3& basis) {
+    const float stretch = stretchOf(basis);
+    constexpr float kUnsquared = 1e15f;
+    if (stretch > 1.0f / kUnsquared && stretch < kUnsquared) {
+        return stretch;
+    }
+    // Squares may be 0 or infinite. A power of two rounds nothing.
+    float largest = 0.0f;
+    for (glm::length_t column = 0; column < 3; ++column) {
+        const glm::vec3 lengths = glm::abs(basis[column]);
+        largest = std::max({largest, lengths.x, lengths.y, lengths.z});
+    }
+    if (!(largest > 0.0f && std::isfinite(largest))) {
+        return stretch;
+    }
+    const double scale = std::exp2(std::ilogb(largest));
+    return static_cast<float>(static_cast<double>(stretchOf(glm::mat3(glm::dmat3(basis) / scale))) * scale);
 }
 
 float placedRadius(const Scene& scene, std::uint32_t mesh, const glm::mat3& basis) {

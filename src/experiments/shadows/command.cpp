@@ -73,6 +73,7 @@ void run(Command& command, ShadowArguments& arguments) {
         requireDistinct(experiment.methods);
     }
     const scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed, arguments.choice);
+    const gpu::Device& device = command.device(); // which the document names
     const auto columns = shadowColumns();
     output::Table table = output::tableOf(columns, std::vector<experiments::ShadowResult>());
     auto document = command.makeDocument({{"scene", arguments.scene},
@@ -83,7 +84,7 @@ void run(Command& command, ShadowArguments& arguments) {
                                           {"snap_bits", experiment.options.snapBits},
                                           {"threads", experiment.options.threads}});
     options::addChoiceJson(document["options"], arguments.choice);
-    experiments::runShadows(command.device(), setup, cameras, experiment, command.progressOf(arguments.scene),
+    experiments::runShadows(device, setup, cameras, experiment, command.progressOf(arguments.scene),
                             [&](const experiments::ShadowResult& result) {
                                 nlohmann::ordered_json row = output::jsonOf(columns, result);
                                 const std::string stem =

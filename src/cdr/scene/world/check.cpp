@@ -251,14 +251,16 @@ void requireUsable(std::span<const Vertex> vertices, float boundingRadius, const
         refuseUse("{}: its bounding radius must lie in [0, 1e20], not {}", what, boundingRadius);
     }
     // What is beyond by roundings is culled right as well, since an instance's radius has slack.
-    const float most = boundingRadius * 1.00001f;
+    const double most = static_cast<double>(boundingRadius) * 1.00001;
     for (const Vertex& vertex : vertices) {
         if (!areFinite(vertex.position) || !areFinite(vertex.normal) || !areFinite(vertex.uv)) {
             refuseUse("{}: its vertices must be finite", what);
         }
-        if (!(glm::length(vertex.position) <= most)) {
-            refuseUse("{}: a vertex is {} from its origin, beyond its bounding radius of {}", what,
-                      glm::length(vertex.position), boundingRadius);
+        const double distance =
+            glm::length(glm::dvec3(vertex.position)); // squares of floats may be 0 or infinite
+        if (!(distance <= most)) {
+            refuseUse("{}: a vertex is {} from its origin, beyond its bounding radius of {}", what, distance,
+                      boundingRadius);
         }
     }
 }

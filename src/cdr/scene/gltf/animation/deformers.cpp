@@ -102,9 +102,8 @@ std::vector<MorphDelta> deltasOf(const std::map<std::string, int>& target, const
                                        : glm::vec3(accessor->vector(source.fileVertices[i]));
         };
         const MorphDelta delta{i, of(position), of(normal), of(tangent)};
-        const float sum = glm::dot(delta.position, delta.position) + glm::dot(delta.normal, delta.normal) +
-                          glm::dot(delta.tangent, delta.tangent);
-        if (!std::isfinite(sum)) {
+        const glm::vec3 sum = delta.position + delta.normal + delta.tangent;
+        if (!std::isfinite(sum.x) || !std::isfinite(sum.y) || !std::isfinite(sum.z)) {
             refuse("{}: a morph target moves vertex {} by more than a float32 holds", where, i);
         }
         if (delta.position != glm::vec3(0.0f) || delta.normal != glm::vec3(0.0f) ||
