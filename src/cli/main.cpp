@@ -17,9 +17,11 @@
 #include <program/build_info.h>
 #include <ranks/join.h>
 
+#include <algorithm>
 #include <exception>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -42,6 +44,32 @@ std::string explainMissing(const CLI::App& program, const CLI::RequiredError& er
     }
     const std::vector<std::string_view> known(names.begin(), names.end());
     return cdr::base::unknownName("command", rest.front(), known);
+}
+
+/// Names the first word that nothing takes. CLI11 lists all such words, from the last to the first.
+std::string explainExtras(const CLI::App& program) {
+    const std::vector<CLI::App*> commands = program.get_subcommands();
+    const std::string of = commands.empty() ? std::string("cdr") : "cdr " + commands.front()->get_name();
+    const std::vector<std::string> words = program.remaining(true);
+    const std::string word = words.empty() ? std::string() : words.front();
+    if (!word.starts_with("-")) {
+        return fmt::format("{} takes no further word '{}'; {} --help says what it takes", of, word, of);
+    }
+    std::vector<std::string> names;
+    const auto add = [&](const CLI::App& app) {
+        for (const CLI::Option* option : app.get_options()) {
+            for (const std::string& name : option->get_lnames()) {
+                names.push_back("--" + name);
+            }
+        }
+    };
+    std::for_each(commands.begin(), commands.end(), [&](const CLI::App* command) { add(*command); });
+    add(program);
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string given = word.substr(0, word.find('='));
+    const std::optional<std::string_view> nearest = cdr::base::nearestName(given, known);
+    return nearest ? fmt::format("{} has no option {}; did you mean {}?", of, given, *nearest)
+                   : fmt::format("{} has no option {}; {} --help lists them", of, given, of);
 }
 
 /// In the groups that help shows; a command keeps the group that its parent has when it is added.
@@ -124,6 +152,8 @@ int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
         return status;
     } catch (const CLI::RequiredError& error) {
         throw cdr::base::InputError(explainMissing(program, error));
+    } catch (const CLI::ExtrasError&) {
+        throw cdr::base::InputError(explainExtras(program));
     } catch (const CLI::ParseError& error) {
         throw cdr::base::InputError(error.what());
     }

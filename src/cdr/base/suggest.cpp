@@ -67,6 +67,10 @@ std::optional<std::string_view> closestOf(std::string_view shown, std::span<cons
 
 } // namespace
 
+std::optional<std::string_view> nearestName(std::string_view given, std::span<const std::string_view> known) {
+    return closestOf(given.substr(0, kShown), known);
+}
+
 std::string unknownName(std::string_view what, std::string_view given,
                         std::span<const std::string_view> known) {
     const std::string_view shown = given.substr(0, kShown);

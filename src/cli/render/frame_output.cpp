@@ -5,12 +5,23 @@
 #include <fmt/format.h>
 #include <output/wrong_pixels_columns.h>
 
+#include <cmath>
 #include <functional>
 #include <utility>
 
 namespace cdr::cli {
 
 namespace {
+
+/// Rounded down: only where all pixels are certified does it say 100 %.
+std::string certifiedText(const RenderRow& row) {
+    const auto& certified = row.made.certified();
+    if (!certified) {
+        return {};
+    }
+    const double percent = 100.0 * certified->certificate.certifiedFraction();
+    return percent < 100.0 ? fmt::format("{:.2f} %", std::floor(100.0 * percent) / 100.0) : "100 %";
+}
 
 /// Of a certificate, absent where none was asked for.
 output::Columns<RenderRow> certificateColumns(bool isShown) {
@@ -32,7 +43,7 @@ output::Columns<RenderRow> certificateColumns(bool isShown) {
         {.key = "certified_fraction",
          .value = of([](const CertifiedOutput& made) { return made.certificate.certifiedFraction(); }),
          .heading = isShown ? "certified" : "",
-         .format = {.pattern = "{} %", .scale = 100.0}},
+         .text = certifiedText},
         {.key = "cast",
          .value = ofRays(&measure::Certificate::cast),
          .heading = isShown ? "cast" : "",

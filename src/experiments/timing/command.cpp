@@ -63,7 +63,7 @@ void run(Command& command, TimingArguments& arguments) {
 
 void addOptions(CLI::App& command, TimingArguments& arguments) {
     experiments::TimingOptions& options = arguments.options;
-    command.add_option("--frames", arguments.frames, "Measured frames of each mode")
+    command.add_option("--frames", arguments.frames, "Measured frames of each mode (not with --memory)")
         ->check(CLI::Range(1u, kMaxFrames))
         ->default_str(fmt::format("{}, or {} per run with --against, or {} with --stages", options.frames,
                                   kRunFrames, kStageFrames));
@@ -73,14 +73,14 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
         .add_option_function<std::string>(
             "--scene",
             [&options](const std::string& name) { options.scene = experiments::parseTimingScene(name); },
-            fmt::format("Scene to draw: {}; only traffic moves",
+            fmt::format("Scene to draw: {}; only traffic moves (not with --against, --stages or --memory)",
                         fmt::join(experiments::timingSceneNames(), ", ")))
         ->default_str(std::string(nameOf(options.scene)));
     command
         .add_option(
             "--in-flight", options.framesInFlight,
             fmt::format("Frames in flight, 1 to {}: 1 measures latency, as the thesis does, more measure "
-                        "throughput",
+                        "throughput (not with --against, --stages or --memory)",
                         render::kMaxFramesInFlight))
         ->check(CLI::Range(std::size_t{1}, render::kMaxFramesInFlight))
         ->capture_default_str();
@@ -90,7 +90,7 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
             "--modes", arguments.modes,
             "Modes to measure beside standard, separated by commas, such as cdr-2,log,logcdr-5,naive,log-fragment. "
             "/NAME after a mode draws it with the batching, submission, surface or targets of that name, as render "
-            "takes them; also /in-plane and /occlusion-culling")
+            "takes them; also /in-plane and /occlusion-culling (not with --memory)")
         ->delimiter(',')
         ->default_str("all");
     addRivalList(command, arguments.rivalsBeside, "none");
