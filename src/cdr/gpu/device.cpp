@@ -85,6 +85,7 @@ vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFami
     vk::PhysicalDeviceVulkan12Features v12{.pNext = &v13,
                                            .drawIndirectCount = gpuDriven,
                                            .shaderBufferInt64Atomics = info.hasInt64Atomics,
+                                           .separateDepthStencilLayouts = true,
                                            .timelineSemaphore = true};
     const vk::PhysicalDeviceFeatures2 features{
         .pNext = &v12,

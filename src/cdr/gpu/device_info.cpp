@@ -99,7 +99,8 @@ std::vector<std::string> missingForGpuDriven(vk::PhysicalDevice physical) {
                   {v12Properties.shaderRoundingModeRTEFloat32, "shaderRoundingModeRTEFloat32"},
                   {v12Properties.shaderRoundingModeRTEFloat64, "shaderRoundingModeRTEFloat64"}});
     if (limits.maxPerStageDescriptorStorageBuffers < kGpuDrivenStorageBuffers ||
-        limits.maxComputeWorkGroupInvocations < kGpuDrivenInvocations) {
+        limits.maxComputeWorkGroupInvocations < kGpuDrivenInvocations ||
+        limits.maxComputeWorkGroupSize[0] < kGpuDrivenInvocations) {
         missing.push_back(fmt::format("{} storage buffers and {} invocations a workgroup",
                                       kGpuDrivenStorageBuffers, kGpuDrivenInvocations));
     }

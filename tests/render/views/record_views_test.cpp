@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace cdr::render_test {
@@ -223,6 +224,25 @@ TEST_F(RecordViewsTest, NothingWaitsForFramesThatAreNotSubmitted) {
         renderer.record(cameras, host.begin(commands));
         renderer.dropRecorded();
     } // nor does the destructor wait
+}
+
+/// A refused frame leaves the one before to the device: dropRecorded() gives nothing back that the host submitted.
+TEST_F(RecordViewsTest, ARefusedFrameLeavesTheOneBefore) {
+    const render::RenderOptions options = eyeOptions(depth::parseTechnique("anchored"));
+    const std::vector<scene::Camera> cameras = bothEyes(scene::StereoMode::parallel);
+    TwoEyes host(device());
+    ViewsRenderer renderer(device(), m_scene, *m_onDevice, options, 2);
+    const std::vector<HostFrame> frames = host.begin(EyeCommands::shared);
+    renderer.record(cameras, frames);
+    std::vector<HostFrame> refused = frames;
+    refused[1].color.format = VK_FORMAT_R32G32B32A32_UINT;
+    EXPECT_THROW(renderer.record(cameras, refused), base::InputError);
+    renderer.dropRecorded();
+    std::thread submitting([&] { host.submit(); });
+    renderer.finish(); // waits for what is being submitted
+    EXPECT_GE(vk::Device(device().handle()).getSemaphoreCounterValue(frames[0].done), frames[0].doneValue);
+    submitting.join();
+    vk::Device(device().handle()).waitIdle(); // for the host's other submission
 }
 
 } // namespace

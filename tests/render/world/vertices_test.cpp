@@ -97,6 +97,28 @@ TEST_F(VerticesTest, BringTheirTangents) {
     EXPECT_EQ(pictures.size(), 4u);
 }
 
+/// Pipelines of snapped vertices are made anew for a size, and gpu-driven ones group the instances anew. AddressSanitizer would
+/// see instances of the old scene looked up in the new one.
+TEST_F(VerticesTest, ASizeMayChangeAfterTheWorldDid) {
+    for (const render::Submission submission : submissions()) {
+        scene::World world(deformedScene(shapeAt(0)));
+        render::GpuScene onDevice(device(), world);
+        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+        options.submission = submission;
+        options.snapBits = 8;
+        render::Renderer renderer(device(), onDevice, options);
+        renderer.render({});
+        world = scene::World(boxScene());
+        world.addInstance({.mesh = world.mesh(0),
+                           .material = world.material(0),
+                           .transform = {.position = {0.0, 0.0, -5.0}}});
+        options.width += 16;
+        renderer.resize(options.width, options.height);
+        EXPECT_EQ(renderer.render({}).color.pixels, draw(world.scene(), {}, options).color.pixels)
+            << nameOf(submission);
+    }
+}
+
 } // namespace
 
 } // namespace cdr::render_test

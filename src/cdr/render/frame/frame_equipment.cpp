@@ -36,7 +36,8 @@ void FrameEquipment::resize(std::uint32_t width, std::uint32_t height) {
 }
 
 void FrameEquipment::giveLightRoom(std::size_t lights) {
-    m_slots->giveLightRoom(*m_passes, lights + lights / 2);
+    const std::size_t most = std::max(lights, ShadingPass::maxLights(m_device));
+    m_slots->giveLightRoom(*m_passes, std::min(lights + lights / 2, most));
 }
 
 void FrameEquipment::remake(const SceneNeeds& needs, const RenderOptions& options) {

@@ -1,3 +1,4 @@
+#include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
 #include <cdr/render/shading/air_record.h>
 #include <cdr/render/shading/finish.h>
@@ -17,6 +18,8 @@
 #include <cdr/shaders/shading_occluded_shadowed_frag.h>
 #include <cdr/shaders/shading_shadowed_frag.h>
 #include <cdr/shaders/shading_vert.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -150,7 +153,16 @@ FullscreenPass& ShadingPass::passFor(const Form& form) {
                      .first->second;
 }
 
+std::size_t ShadingPass::maxLights(const gpu::Device& device) {
+    return (device.info().maxStorageBufferBytes - sizeof(shaders::ShadingHeader)) /
+           sizeof(shaders::LightRecord);
+}
+
 ShadingInputs ShadingPass::makeInputs(std::size_t lights) const {
+    if (lights > maxLights(m_device)) {
+        throw base::RunError(fmt::format("the scene has {} lights, and a buffer of {} has room for {}",
+                                         lights, m_device.info().name, maxLights(m_device)));
+    }
     ShadingInputs inputs;
     inputs.m_effects = m_effects;
     inputs.m_finishes = m_options.finishes;

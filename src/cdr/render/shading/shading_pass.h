@@ -74,7 +74,9 @@ class ShadingPass {
     ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::Image& into,
                 const ShadingOptions& options);
 
-    /// Inputs for at most so many lights.
+    /// Most lights that a buffer of a device has room for.
+    static std::size_t maxLights(const gpu::Device& device);
+    /// Inputs for at most so many lights. base::RunError, with both numbers, for more than maxLights().
     ShadingInputs makeInputs(std::size_t lights) const;
 
     /// Takes the G-buffer from colour attachment to shader read layout. Comes before record().

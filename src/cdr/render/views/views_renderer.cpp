@@ -242,13 +242,13 @@ void ViewsRenderer::submit(Cameras cameras, const FrameSync& sync) {
 }
 
 void ViewsRenderer::record(Cameras cameras, std::span<const HostFrame> frames) {
+    for (const auto& view : m_views) {
+        view->slots().keepRecorded(); // the frames before were submitted, also where these are refused
+    }
     requireCameras(cameras, views());
     requireFrames(frames, views());
     for (std::size_t i = 0; i < frames.size(); ++i) {
         m_views[i]->requireRecordable(frames[i]);
-    }
-    for (const auto& view : m_views) {
-        view->slots().keepRecorded(); // the frames before were submitted
     }
     try {
         launch(cameras, {.hosts = frames});
