@@ -106,6 +106,10 @@ void runOnce(const Device& device, const std::function<void(vk::CommandBuffer)>&
     CommandPool pool(device, vk::CommandBufferLevel::ePrimary, "one-time pool");
     const vk::CommandBuffer commands = beginOnce(pool);
     record(commands);
+    // A fence makes what was copied available to the device, and no more.
+    memoryBarrier(commands, vk::PipelineStageFlagBits2::eAllTransfer, vk::AccessFlagBits2::eTransferWrite,
+                  vk::PipelineStageFlagBits2::eAllCommands,
+                  vk::AccessFlagBits2::eMemoryRead | vk::AccessFlagBits2::eMemoryWrite);
     commands.end();
     const vk::UniqueFence done = vk::Device(device.handle()).createFenceUnique({});
     submit(device, {&commands, 1}, *done);

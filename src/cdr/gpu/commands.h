@@ -50,7 +50,8 @@ void waitAndReset(const Device& device, vk::Fence done);
 /// Waits until a timeline semaphore reaches a value. base::RunError when the device is lost.
 void waitForTimeline(const Device& device, vk::Semaphore timeline, std::uint64_t value);
 
-/// Records commands once, submits them and waits: for uploads, not for frames.
+/// Records commands once, submits them and waits: for uploads, not for frames. What they copy is seen by all that is submitted
+/// after.
 void runOnce(const Device& device, const std::function<void(vk::CommandBuffer)>& record);
 
 /// How an image is used: in which stages, how, and in which layout.

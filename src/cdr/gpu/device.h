@@ -53,7 +53,7 @@ struct DeviceInfo {
     std::vector<std::string> deformMissing;       ///< why it cannot deform meshes; empty when it can
     std::vector<depth::DepthFormat> depthFormats; ///< that it can draw to
     std::uint32_t queues = 0;                     ///< in the family cdr would use
-    std::uint32_t maxImageSide = 0;               ///< pixels
+    std::uint32_t maxImageSide = 0;               ///< pixels, of what is drawn to too
     std::uint64_t maxStorageBufferBytes = 0;      ///< that a shader can address in one buffer
     std::uint32_t subPixelBits = 0; ///< that vertices are rounded to at the coarsest (subPixelPrecisionBits)
     bool hasFragmentStores = false; ///< fragment shaders may write buffers (fragmentStoresAndAtomics)

@@ -192,7 +192,8 @@ DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {
     if (const auto family = findQueueFamily(physical)) {
         info.queues = physical.getQueueFamilyProperties()[*family].queueCount;
     }
-    info.maxImageSide = core.limits.maxImageDimension2D;
+    info.maxImageSide = std::min(
+        {core.limits.maxImageDimension2D, core.limits.maxFramebufferWidth, core.limits.maxFramebufferHeight});
     info.maxStorageBufferBytes = core.limits.maxStorageBufferRange;
     info.subPixelBits = core.limits.subPixelPrecisionBits;
     const vk::PhysicalDeviceFeatures features = physical.getFeatures();

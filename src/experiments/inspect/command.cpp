@@ -226,7 +226,7 @@ void addOptions(CLI::App& command, InspectArguments& arguments) {
         .add_option(
             "--fail-above", arguments.failAbove,
             "Exit with status 3 if a larger share of the pixels that show an object, 0 to 1, is wrong or "
-            "coplanar")
+            "coplanar; pixels on edges are not judged")
         ->check(options::numberFrom(0.0, 1.0));
     options::addFile(
         command, "--heat-map", arguments.heatMap,
