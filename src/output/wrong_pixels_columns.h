@@ -18,7 +18,7 @@ struct WrongPixelsHeadings {
 
 /// The fields that say how a picture compares with the truth. They are named alike wherever one is counted:
 /// "pixels" (inner ones), "wrong", "wrong_fraction", "overlap_pixels", "overlap_wrong",
-/// "overlap_wrong_fraction" and "edge_wrong".
+/// "overlap_wrong_fraction" and "edge_wrong". A fraction of no pixels is null, and an empty cell.
 Columns<measure::WrongPixels> wrongPixelsColumns(const WrongPixelsHeadings& headings = {});
 
 } // namespace cdr::output

@@ -57,6 +57,25 @@ TEST(FlickerCommand, WrongPixelsComeInTheThesisOrder) {
                            [](double a, double b) { return std::abs(a - b) < 1e-3; }));
 }
 
+TEST(FlickerCommand, SharesOfNothingAreNullAndBlank) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("flicker --frames 2 --size 64x36 --techniques standard,log --json f.json", folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(readText(folder.path() / "f.json"));
+    for (const json& row : document.at("results")) {
+        EXPECT_EQ(row.at("pixels"), 0) << "the cubes are too small here to have pixels off edges";
+        EXPECT_EQ(row.at("wrong_fraction"), nullptr);
+        EXPECT_EQ(row.at("overlap_wrong_fraction"), nullptr);
+        EXPECT_EQ(row.at("flips_per_thousand"), nullptr);
+    }
+    ASSERT_EQ(document.at("pairs").size(), 1u);
+    EXPECT_EQ(document.at("pairs")[0].at("observer"), nullptr);
+    EXPECT_EQ(document.at("pairs")[0].at("agree"), nullptr);
+    EXPECT_EQ(result.out.find("neither"), std::string::npos) << result.out;
+    EXPECT_EQ(result.out.find("0 %"), std::string::npos) << result.out;
+}
+
 TEST(FlickerCommand, WritesVideosFramesAndStateAndGoesOnFromIt) {
     const TemporaryFolder folder;
     const std::string arguments = "--validate flicker --frames 3 --size 128x72 --techniques standard,log "

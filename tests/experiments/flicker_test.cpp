@@ -225,8 +225,8 @@ TEST_F(FlickerTest, MovingTheBoundaryDecidesAboutCdr) {
     options.techniques.push_back(depth::namedTechnique("cdr"));
     const auto results = runFlicker(device(), options);
     EXPECT_EQ(results[0].technique, "cdr-before");
-    EXPECT_LT(results[0].wrong.fraction(), 0.2 * results[2].wrong.fraction());
-    EXPECT_GT(results[1].wrong.fraction(), 1.5 * results[2].wrong.fraction());
+    EXPECT_LT(results[0].wrong.fraction(), 0.2 * results[2].wrong.fraction().value());
+    EXPECT_GT(results[1].wrong.fraction(), 1.5 * results[2].wrong.fraction().value());
 }
 
 /// Fitting near and far to the field helps until something is beside the camera; fitting cascades still does.
@@ -290,6 +290,16 @@ TEST(FlickerPairs, TheObserverTakesTheSideWithFewerFlips) {
     EXPECT_EQ(pairs[5].observer, std::nullopt); // as many on both sides
     EXPECT_FALSE(pairs[5].agree());
     EXPECT_EQ(comparePairs({resultOf("cdr", 1), resultOf("log", 1), resultOf("reversed", 0)}).size(), 1u);
+}
+
+TEST(FlickerPairs, WithoutPixelsThatCouldFlipThereIsNoVerdict) {
+    FlickerResult none = resultOf("cdr", 0);
+    none.flips.compared = 0;
+    const auto pairs = comparePairs({none, resultOf("log", 0), resultOf("standard", 1)});
+    ASSERT_EQ(pairs.size(), 3u);
+    EXPECT_FALSE(pairs[0].couldJudge()) << pairs[0].left << " " << pairs[0].right;
+    EXPECT_EQ(pairs[0].observer, std::nullopt);
+    EXPECT_TRUE(pairs[2].couldJudge()) << pairs[2].left << " " << pairs[2].right;
 }
 
 /// The pairs add up to Table 6.2.

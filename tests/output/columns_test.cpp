@@ -57,8 +57,10 @@ TEST(Columns, OfAPartStandAmongTheRowsOwn) {
     const std::vector<Row> rows{{.name = "a", .bound = {}, .wrong = {.pixels = 8, .wrong = 1}}};
     EXPECT_EQ(jsonOf(all, rows.front()).dump(),
               R"({"name":"a","pixels":8,"wrong":1,"wrong_fraction":0.125,"overlap_pixels":0,)"
-              R"("overlap_wrong":0,"overlap_wrong_fraction":0.0,"edge_wrong":0})");
+              R"("overlap_wrong":0,"overlap_wrong_fraction":null,"edge_wrong":0})");
     EXPECT_EQ(tableOf(all, rows).rows.front(), (std::vector<std::string>{"a", "1", "12.5 %"}));
+    EXPECT_EQ(jsonOf(all, kRows.front()).at("wrong_fraction"), nullptr) << "a share of nothing";
+    EXPECT_EQ(tableOf(all, kRows).rows.front(), (std::vector<std::string>{"a", "0", ""}));
 }
 
 TEST(Columns, CsvReadsTheJson) {

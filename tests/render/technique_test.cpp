@@ -30,7 +30,7 @@ TEST_F(TechniqueTest, AfcWrongPixelsComeInTheThesisOrder) {
     }
     EXPECT_GT(wrong["standard"].fraction(), 0.20);
     EXPECT_GT(wrong["cdr"].fraction(), 0.10);
-    EXPECT_LT(wrong["cdr"].fraction(), std::min(0.30, wrong["standard"].fraction()));
+    EXPECT_LT(wrong["cdr"].fraction(), std::min(0.30, wrong["standard"].fraction().value()));
     EXPECT_GT(wrong["log"].fraction(), 0.008);
     EXPECT_LT(wrong["log"].fraction(), 0.03);
     EXPECT_LT(wrong["logcdr"].fraction(), 0.01);

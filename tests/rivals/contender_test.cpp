@@ -121,7 +121,7 @@ TEST_F(Contenders, DistancesFromTheObjectResolveWhatOnesFromTheCameraDoNot) {
     Arena arena(device(), "mixed");
     const scene::Camera camera = arena.setup.path.at(0);
     const auto wrongShare = [&](const Competing& competing) {
-        return wrongIn(make(arena, competing).render(camera), arena, camera).fraction();
+        return wrongIn(make(arena, competing).render(camera), arena, camera).fraction().value();
     };
     // Anchored depth is wrong only where the device's rounding of vertices tilts a face, and that strikes rivals as well.
     const double rounded = wrongShare(depth::namedTechnique("anchored").technique);

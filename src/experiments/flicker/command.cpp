@@ -44,7 +44,7 @@ output::Columns<experiments::FlickerResult> flickerColumns() {
            .heading = "flips"},
           {.key = "compared", .value = [](const Result& result) { return result.flips.compared; }},
           {.key = "flips_per_thousand",
-           .value = [](const Result& result) { return result.flips.perThousand(); },
+           .value = [](const Result& result) { return output::finiteOrNull(result.flips.perThousand()); },
            .heading = "flips / 1000"},
           {.key = "mean_flip",
            .value =
@@ -78,7 +78,10 @@ output::Columns<experiments::FlickerPair> pairColumns() {
                  return pair.observer ? output::Json(sideName(pair, *pair.observer)) : output::Json(nullptr);
              },
          .heading = "observer takes",
-         .format = {.missing = "neither"}},
+         .text =
+             [sideName](const Pair& pair) {
+                 return pair.observer ? sideName(pair, *pair.observer) : pair.couldJudge() ? "neither" : "";
+             }},
         {.key = "humans_left",
          .value = [](const Pair& pair) { return pair.humans.left; },
          .heading = "twelve people",
@@ -88,9 +91,14 @@ output::Columns<experiments::FlickerPair> pairColumns() {
         {.key = "humans",
          .value = [sideName](const Pair& pair) { return sideName(pair, pair.humansChoice()); }},
         {.key = "agree",
-         .value = &Pair::agree,
+         .value =
+             [](const Pair& pair) {
+                 return pair.couldJudge() ? output::Json(pair.agree()) : output::Json(nullptr);
+             },
          .heading = "agree",
-         .text = [](const Pair& pair) { return pair.agree() ? "yes" : "no"; }},
+         .text = [](const Pair& pair) { return !pair.couldJudge() ? ""
+                                               : pair.agree()     ? "yes"
+                                                                  : "no"; }},
         {.key = "chi_squared", .value = &Pair::chiSquared, .heading = "chi-squared"},
         {.key = "chi_squared_p",
          .value = [](const Pair& pair) { return measure::chiSquaredTail(pair.chiSquared()); }},

@@ -7,7 +7,7 @@ namespace cdr::experiments {
 namespace {
 
 std::optional<Side> steadier(const measure::FlipCount& left, const measure::FlipCount& right) {
-    if (left.flips == right.flips) {
+    if (left.compared == 0 || right.compared == 0 || left.flips == right.flips) {
         return std::nullopt;
     }
     return left.flips < right.flips ? Side::left : Side::right;

@@ -34,11 +34,14 @@ struct FlickerPair {
     std::string right;
     measure::FlipCount flipsLeft;
     measure::FlipCount flipsRight;
-    /// The side with fewer flips; empty when they have as many.
+    /// The side with fewer flips; empty when they have as many, or when nothing could flip.
     std::optional<Side> observer;
     measure::ChoiceCounts humans;
 
     Side humansChoice() const { return humans.left > humans.right ? Side::left : Side::right; }
+    /// Whether both sides have pixels that could flip; else there is no verdict.
+    bool couldJudge() const { return flipsLeft.compared > 0 && flipsRight.compared > 0; }
+    /// Of a pair that could be judged.
     bool agree() const { return observer == humansChoice(); }
     double chiSquared() const { return measure::chiSquared(humans); }
     double binomialP() const { return measure::binomialTail(humans); }

@@ -74,6 +74,11 @@ std::vector<scene::Camera> camerasOf(const scene::SceneSetup& setup, const Inspe
 output::Columns<experiments::InspectedTechnique> techniqueColumns() {
     using Row = experiments::InspectedTechnique;
     const output::CellFormat percent{.pattern = "{} %", .scale = 100.0};
+    const auto ofInner = [](double (Row::*share)() const) {
+        return [share](const Row& row) {
+            return row.wrong.pixels > 0 ? output::Json((row.*share)()) : output::Json(nullptr);
+        };
+    };
     return output::joined<Row>(
         {{{.key = "technique", .value = &Row::name, .heading = "technique"},
           {.key = "format",
@@ -81,11 +86,11 @@ output::Columns<experiments::InspectedTechnique> techniqueColumns() {
            .heading = "format"},
           {.key = "cascades", .value = &Row::cascades, .heading = "cascades"},
           {.key = "predicted_fraction",
-           .value = [](const Row& row) { return row.predictedFraction(); },
+           .value = ofInner(&Row::predictedFraction),
            .heading = "predicted wrong",
            .format = percent},
           {.key = "undecided_fraction",
-           .value = [](const Row& row) { return row.undecidedFraction(); },
+           .value = ofInner(&Row::undecidedFraction),
            .heading = "undecided",
            .format = percent,
            .before = "measured wrong"}},

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 namespace cdr::cli {
 
@@ -88,7 +89,8 @@ void printTable(const Console& console, const std::vector<experiments::OrbitResu
             rows.push_back(
                 {std::to_string(result.frame), fmt::format("{}", output::Readable{result.fovYDegrees})});
         }
-        rows.back().push_back(fmt::format("{} %", output::percent(result.wrong.fraction())));
+        const std::optional<double> wrong = result.wrong.fraction();
+        rows.back().push_back(wrong ? fmt::format("{} %", output::percent(*wrong)) : std::string());
     }
     console.table({header, rows});
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace cdr::experiments {
 
@@ -39,9 +40,9 @@ std::string orbitPlot(const std::vector<OrbitResult>& results, const std::string
     for (std::size_t i = 0; i < techniques.size(); ++i) {
         data += fmt::format("$data{} << END\n", i);
         for (const OrbitResult& result : results) {
-            if (result.technique == techniques[i]) {
-                data += fmt::format("{} {}\n", result.fovYDegrees,
-                                    std::max(100.0 * result.wrong.fraction(), kNone));
+            const std::optional<double> wrong = result.wrong.fraction();
+            if (result.technique == techniques[i] && wrong) {
+                data += fmt::format("{} {}\n", result.fovYDegrees, std::max(100.0 * *wrong, kNone));
             }
         }
         data += "END\n";

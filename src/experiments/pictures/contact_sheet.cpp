@@ -6,6 +6,7 @@
 #include <output/readable.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace cdr::experiments {
 
@@ -27,7 +28,8 @@ void caption(image::ImageRgba8& sheet, const std::string& text, std::uint32_t x,
 }
 
 std::string wrongText(const measure::WrongPixels& wrong) {
-    return fmt::format("{} %", output::percent(wrong.fraction()));
+    const std::optional<double> share = wrong.fraction();
+    return share ? fmt::format("{} %", output::percent(*share)) : "no pixel off edges";
 }
 
 } // namespace

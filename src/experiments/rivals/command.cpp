@@ -32,7 +32,7 @@ output::Columns<experiments::RivalScene> rivalSceneColumns() {
          {{.key = "flips", .value = [](const Result& result) { return result.flips.flips; }},
           {.key = "compared", .value = [](const Result& result) { return result.flips.compared; }},
           {.key = "flips_per_thousand",
-           .value = [](const Result& result) { return result.flips.perThousand(); },
+           .value = [](const Result& result) { return output::finiteOrNull(result.flips.perThousand()); },
            .heading = "flips / 1000"},
           {.key = "frame_ms", .value = &Result::frameMs, .heading = "frame ms"},
           {.key = "execute_ms", .value = &Result::executeMs},

@@ -15,18 +15,21 @@ export function movedBoundaries(document) {
 
 /** The thesis' six pairs: people's choice, the observer's, and the statistics of Table 6.9. */
 export function pairRows(document) {
-    const flips = new Map(techniques(document).map((row) => [row.technique, row.flips]));
+    const rows = new Map(techniques(document).map((row) => [row.technique, row]));
     return pairs.map((pair) => {
-        const [left, right] = [flips.get(pair.left), flips.get(pair.right)];
+        const sides = [rows.get(pair.left), rows.get(pair.right)];
+        const flips = sides.map((row) => row?.flips ?? null);
+        const couldJudge = sides.every((row) => row && row.compared !== 0); // of no pixels nothing can be said
         const people = pair.chosen[0] > pair.chosen[1] ? pair.left : pair.right;
         const x = chiSquared(...pair.chosen);
-        let observer = null; // a tie, or not measured
-        if (left !== undefined && right !== undefined && left !== right) {
-            observer = left < right ? pair.left : pair.right;
+        let observer = null; // a tie, or nothing to judge by
+        if (couldJudge && flips[0] !== flips[1]) {
+            observer = flips[0] < flips[1] ? pair.left : pair.right;
         }
         return {
             ...pair,
-            flips: [left ?? null, right ?? null],
+            flips,
+            couldJudge,
             people,
             observer,
             agree: observer === people,

@@ -6,10 +6,16 @@ export function scenes(document) {
     return names.map((name) => ({ name, results: document.results.filter((result) => result.scene === name) }));
 }
 
-/** Places of the rows with the largest and smallest error (default: wrong pixels); of equal rows the first and the last. */
+/**
+ * Places of the rows with the largest and smallest error (default: wrong pixels); of equal rows the first and the last.
+ * Rows whose error is null do not count, unless all are such.
+ */
 export function worstAndBest(rows, errorOf = (row) => row.wrong_fraction) {
     const errors = rows.map(errorOf);
-    return [errors.indexOf(Math.max(...errors)), errors.lastIndexOf(Math.min(...errors))];
+    const known = errors.filter((error) => error !== null);
+    return known.length > 0
+        ? [errors.indexOf(Math.max(...known)), errors.lastIndexOf(Math.min(...known))]
+        : [0, errors.length - 1];
 }
 
 /** Places of the rows of two modes that a section is about; worstAndBest() where one of them is missing. */

@@ -79,6 +79,9 @@ function judgePictures(document) {
     if (!standard || !log || !cdr) {
         return { status: "missing", sentence: "The scene cubes was not drawn with all three techniques." };
     }
+    if ([standard.overlap_wrong_fraction, log.wrong_fraction, cdr.wrong_fraction].includes(null)) {
+        return { status: "open", sentence: "The pictures of cubes are too small: they have no pixels off edges to judge by." };
+    }
     const bad = standard.overlap_wrong_fraction;
     const good = [log, cdr].every((row) => row.wrong_fraction < 0.001);
     const rest = `Logarithmic is wrong in ${percent(log.wrong_fraction)} and CDR in ${percent(cdr.wrong_fraction)} of all pixels off edges`;
@@ -97,6 +100,9 @@ function judgeOrder(document) {
     if (rows.some((row) => !row)) {
         return { status: "missing", sentence: "Not all four techniques were measured." };
     }
+    if (rows.some((row) => row.wrong_fraction === null)) {
+        return { status: "open", sentence: "The frames are too small: they have no pixels off edges to judge by." };
+    }
     const share = (row) => `${techniqueTitles[row.technique]} ${percent(row.wrong_fraction)}`;
     const kept = rows.slice(1).filter((row, i) => row.wrong_fraction < rows[i].wrong_fraction).length;
     const sentence = `Wrong pixels off edges: ${list(rows.map(share))}`;
@@ -112,6 +118,9 @@ function judgePeople(document) {
     const apart = rows.filter((row) => !row.agree);
     if (rows.every((row) => row.flips.includes(null))) {
         return { status: "missing", sentence: "Not all four techniques were measured." };
+    }
+    if (rows.every((row) => !row.couldJudge)) {
+        return { status: "open", sentence: "No pixel off edges shows the same object in two frames that follow each other, so none can flip." };
     }
     if (rows.every((row) => row.observer === null)) {
         return { status: "open", sentence: `In ${document.options.frames} frames every pair flips equally often: too few to choose.` };

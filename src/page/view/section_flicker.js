@@ -57,13 +57,19 @@ function people(document) {
         table("Tables 6.3 to 6.9: what twelve people said flickers less, and what an observer takes who only counts flips.",
             ["Pair", "people", "observer takes", "agree", "\u03c7\u00b2 thesis", "\u03c7\u00b2 here", "p of \u03c7\u00b2", "exact p"],
             rows.map((row) => [
-                `${techniqueTitle(row.left)} : ${techniqueTitle(row.right)}`, row.chosen.join(" : "), row.observer ? techniqueTitle(row.observer) : "neither",
-                h("span", { class: row.agree ? "mark-good" : "mark-bad" }, row.agree ? "yes" : "no"),
+                `${techniqueTitle(row.left)} : ${techniqueTitle(row.right)}`, row.chosen.join(" : "), observed(row),
+                row.couldJudge ? h("span", { class: row.agree ? "mark-good" : "mark-bad" }, row.agree ? "yes" : "no") : "",
                 figure(row.chiSquared), figure(row.recomputed), figure(row.chiSquaredP), figure(row.exactP)])),
         table("Table 6.2: how often each was chosen. People: of 36 times shown to twelve. Observer: of 3 pairs.",
             ["", ...thesisTechniques.map(techniqueTitle)],
             [["People", ...thesisTechniques.map((name) => table62[name])], ["Observer", ...thesisTechniques.map((name) => wins[name] ?? 0)]]),
     ];
+}
+
+/** Blank where there is nothing to judge by. */
+function observed(row) {
+    const tie = row.couldJudge ? "neither" : "";
+    return row.observer ? techniqueTitle(row.observer) : tie;
 }
 
 function videos(document, folder) {

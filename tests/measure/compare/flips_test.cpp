@@ -55,7 +55,7 @@ TEST(Flips, APixelThatComesAndGoesFlipsEachTime) {
 TEST(Flips, FromOneWrongObjectToAnotherIsAFlip) {
     const FlipCount count = sum({drawing(frameOf(7), 1, 3, 8), drawing(frameOf(7), 1, 3, 9)});
     EXPECT_EQ(count, (FlipCount{.flips = 1, .compared = 9}));
-    EXPECT_NEAR(count.perThousand(), 1000.0 / 9.0, 1e-12);
+    EXPECT_NEAR(count.perThousand().value(), 1000.0 / 9.0, 1e-12);
 }
 
 TEST(Flips, EdgesDoNotCount) {
@@ -66,7 +66,7 @@ TEST(Flips, EdgesDoNotCount) {
 TEST(Flips, WhereTheTruthChangesNothingIsCompared) {
     const FlipCount count = sum({frameOf(7), frameOf(8)});
     EXPECT_EQ(count, (FlipCount{.flips = 0, .compared = 0}));
-    EXPECT_EQ(count.perThousand(), 0.0);
+    EXPECT_EQ(count.perThousand(), std::nullopt);
 }
 
 TEST(Flips, BackgroundIsNeverInner) {

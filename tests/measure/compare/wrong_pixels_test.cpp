@@ -78,7 +78,8 @@ TEST(CountWrong, EqualImagesHaveNone) {
     EXPECT_EQ(count.edgeWrong, 0u);
     EXPECT_EQ(count.overlapPixels, 0u);
     EXPECT_EQ(count.fraction(), 0.0);
-    EXPECT_EQ(count.overlapFraction(), 0.0);
+    EXPECT_EQ(count.overlapFraction(), std::nullopt) << "a share of nothing";
+    EXPECT_EQ(measure::countWrong(image::ImageU32(6, 5), TruthImage(6, 5)).fraction(), std::nullopt);
 }
 
 TEST(CountWrong, TellsInnerEdgeAndOverlapApart) {
@@ -100,8 +101,8 @@ TEST(CountWrong, TellsInnerEdgeAndOverlapApart) {
     EXPECT_EQ(count.edgeWrong, 4u);
     EXPECT_EQ(count.overlapPixels, 3u);
     EXPECT_EQ(count.overlapWrong, 1u);
-    EXPECT_DOUBLE_EQ(count.fraction(), 2.0 / 6.0);
-    EXPECT_DOUBLE_EQ(count.overlapFraction(), 1.0 / 3.0);
+    EXPECT_DOUBLE_EQ(count.fraction().value(), 2.0 / 6.0);
+    EXPECT_DOUBLE_EQ(count.overlapFraction().value(), 1.0 / 3.0);
 }
 
 TEST(CountWrong, Adds) {

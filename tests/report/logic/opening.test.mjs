@@ -34,7 +34,10 @@ test("the table has a row for each technique and a column for each scene that wa
 });
 
 test("a wipe starts at the most and the fewest wrong pixels", () => {
-    assert.deepEqual(worstAndBest([0.3, 0.9, 0, 0].map((share) => row("x", share))), [1, 3]);
+    const places = (...shares) => worstAndBest(shares.map((share) => row("x", share)));
+    assert.deepEqual(places(0.3, 0.9, 0, 0), [1, 3]);
+    assert.deepEqual(places(null, 0.3, 0.2), [1, 2]); // a share of nothing is not the best
+    assert.deepEqual(places(null, null), [0, 1]);
 });
 
 test("a sweep of another submission is a series of its own", () => {

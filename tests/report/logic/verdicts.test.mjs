@@ -85,6 +85,19 @@ test("an observer that counts flips is compared with people, and a disagreement 
     assert.ok(pairRows(still).every((row) => row.observer === null && !row.agree));
 });
 
+test("shares of no pixels are no verdict", () => {
+    const names = ["standard", "cdr", "log", "logcdr"];
+    const nothing = Object.fromEntries(names.map((name) => [name, null]));
+    const still = flicker(nothing, Object.fromEntries(names.map((name) => [name, 0])));
+    still.results.forEach((row) => { row.compared = 0; });
+    assert.ok(pairRows(still).every((row) => !row.couldJudge && row.observer === null));
+    const sections = { flicker: still, pictures: pictures(null, null, null) };
+    for (const id of ["table-6-2", "order", "figures-6"]) {
+        assert.equal(verdictOf(id, sections).status, "open", id);
+        assert.match(verdictOf(id, sections).sentence, /[Nn]o pixels? off edges/, id);
+    }
+});
+
 test("the order of quality is judged step by step", () => {
     const flips = { standard: 4, cdr: 3, log: 2, logcdr: 1 };
     const verdict = verdictOf("order", { flicker: flicker({ standard: 0.2, cdr: 0.3, log: 0.1, logcdr: 0.05 }, flips) });

@@ -135,7 +135,7 @@ TEST(PaintWrong, IsTheHeatMapWithTheAnswerAsTruth) {
     EXPECT_EQ(count.inner, expected.pixels);
     EXPECT_EQ(count.wrong, expected.wrong);
     EXPECT_EQ(count.edgeWrong, expected.edgeWrong);
-    EXPECT_DOUBLE_EQ(count.share(), expected.fraction());
+    EXPECT_DOUBLE_EQ(count.share(), expected.fraction().value());
     EXPECT_EQ(countWrong(frame, reference).wrong, expected.wrong);
 }
 

@@ -4,6 +4,7 @@
 #include <cdr/measure/truth/truth.h>
 
 #include <cstdint>
+#include <optional>
 
 namespace cdr::measure {
 
@@ -18,8 +19,11 @@ struct FlipCount {
     std::uint64_t flips = 0;    ///< see countFlips()
     std::uint64_t compared = 0; ///< pixels where the truth stays the same
 
-    double perThousand() const {
-        return compared ? 1000.0 * static_cast<double>(flips) / static_cast<double>(compared) : 0.0;
+    /// None where no pixel can be compared.
+    std::optional<double> perThousand() const {
+        return compared > 0
+                   ? std::optional(1000.0 * static_cast<double>(flips) / static_cast<double>(compared))
+                   : std::nullopt;
     }
     FlipCount& operator+=(const FlipCount& other);
     bool operator==(const FlipCount&) const = default;

@@ -4,6 +4,7 @@
 #include <cdr/measure/truth/truth.h>
 
 #include <cstdint>
+#include <optional>
 
 namespace cdr::measure {
 
@@ -19,13 +20,16 @@ struct WrongPixels {
     std::uint64_t overlapPixels = 0; ///< inner pixels with a second object behind the first
     std::uint64_t overlapWrong = 0;  ///< those of them that are wrong
 
-    double fraction() const {
-        return pixels ? static_cast<double>(wrong) / static_cast<double>(pixels) : 0.0;
-    }
-    double overlapFraction() const {
-        return overlapPixels ? static_cast<double>(overlapWrong) / static_cast<double>(overlapPixels) : 0.0;
-    }
+    /// Share of the inner pixels; none where there are none to judge by.
+    std::optional<double> fraction() const { return shareOf(wrong, pixels); }
+    /// Share of the inner pixels with a second object; none likewise.
+    std::optional<double> overlapFraction() const { return shareOf(overlapWrong, overlapPixels); }
     WrongPixels& operator+=(const WrongPixels& other);
+
+  private:
+    static std::optional<double> shareOf(std::uint64_t part, std::uint64_t all) {
+        return all > 0 ? std::optional(static_cast<double>(part) / static_cast<double>(all)) : std::nullopt;
+    }
 };
 
 /// Per pixel: 1 where the truth is an object's, not doubtful, and its eight neighbours share the id, else 0.
