@@ -285,6 +285,8 @@ TEST(InspectCommand, AddsSharesOfOneTotal) {
     EXPECT_GT(wrong + run.document.at("coplanar_fraction").get<double>(), 1.0) << "of what is judged, of all";
     EXPECT_EQ(run.status, 0);
     EXPECT_NE(run.out.find("reversed with d16: of the object pixels, "), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("Other pixels at edges are not judged and count as right.\n"), std::string::npos)
+        << run.out;
 }
 
 /// Of its inner pixels alone a quarter is wrong.
@@ -371,6 +373,9 @@ TEST(InspectCommand, JudgesNothingByAnEmptyView) {
     ASSERT_EQ(result.status, 0) << result.err;
     const json document = json::parse(readText(folder.path() / "a.json"));
     EXPECT_TRUE(document.at("simplest").is_null());
+    for (const char* share : {"predicted_fraction", "undecided_fraction", "wrong_fraction"}) {
+        EXPECT_TRUE(document.at("results")[0].at(share).is_null()) << share;
+    }
     EXPECT_TRUE(isSaid(document, "No technique could be judged"));
     EXPECT_EQ(runProgram(away + " --fail-above 0.5", folder.path()).status, 3);
 }

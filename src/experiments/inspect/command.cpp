@@ -139,7 +139,8 @@ void print(const Command& command, const InspectArguments& arguments, const Insp
     }
     if (arguments.failAbove) {
         console.line(fmt::format(
-            "{}: of the object pixels, {} % are wrong and {} % coplanar; at most {} % are allowed.",
+            "{}: of the object pixels, {} % are wrong and {} % coplanar; at most {} % are allowed. Other pixels at edges are "
+            "not judged and count as right.",
             nameOf(inspection.techniques[inspection.judged]), output::percent(inspection.wrongFraction()),
             output::percent(inspection.coplanarFraction()), output::percent(*arguments.failAbove)));
     }
@@ -231,7 +232,7 @@ void addOptions(CLI::App& command, InspectArguments& arguments) {
         .add_option(
             "--fail-above", arguments.failAbove,
             "Exit with status 3 if a larger share of the pixels that show an object, 0 to 1, is wrong or "
-            "coplanar; pixels on edges are not judged")
+            "coplanar; other pixels at edges are not judged and count as right")
         ->check(options::numberFrom(0.0, 1.0));
     options::addFile(
         command, "--heat-map", arguments.heatMap,
