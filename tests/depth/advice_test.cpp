@@ -185,12 +185,17 @@ TEST(Advice, MeasurementsDecideWhereThereAreAny) {
         return static_cast<std::size_t>(rowOf(predicted, name, DepthFormat::d32f) - predicted.rows.begin());
     };
     measurements[index("reversed")] = {.resolvedView = 0.7, .largestView = 1.0};
-    measurements[index("logcdr")] = {.resolvedView = 0.45, .largestView = 1.0, .timeRatio = 1.25};
+    measurements[index("logcdr")] = {.resolvedView = 0.45,
+                                     .largestView = 1.0,
+                                     .timeRatio = 1.25,
+                                     .timeRatioLow = 0.90849,
+                                     .timeRatioHigh = 1.42153};
     Advice advice = advise(asked, measurements);
     EXPECT_FALSE(rowOf(advice, "reversed", DepthFormat::d32f)->suffices);
     EXPECT_EQ(nameOf(advice.rows[*advice.simplest].technique), "logcdr");
     EXPECT_NE(explain(asked, advice)[0].find("was measured to resolve 0.45"), std::string::npos);
-    EXPECT_NE(explain(asked, advice)[1].find("+25.0 %"), std::string::npos);
+    EXPECT_NE(explain(asked, advice)[1].find("+25 % of a frame (-9.151 to +42.15)."), std::string::npos)
+        << "digits as in the table";
 
     // Nothing that was tried came out right: wider gaps stay unanswered, narrower ones are refused.
     measurements.assign(predicted.rows.size(), std::nullopt);

@@ -161,7 +161,7 @@ std::string costLine(const AdviceRow& row) {
     const Measurement& measured = *row.measured;
     const auto percent = [](double ratio) {
         const double more = 100.0 * (ratio - 1.0);
-        return base::concat(std::signbit(more) ? "" : "+", base::fixed(more, 1));
+        return base::concat(more > 0.0 ? "+" : "", base::quantityText(more, base::NumberStyle::plain));
     };
     return base::concat("Cost over standard: ", costOf(row), "; measured, ", percent(measured.timeRatio),
                         " % of a frame (", percent(measured.timeRatioLow), " to ",
