@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -41,6 +42,25 @@ std::map<std::string, int> tracksOf(const json& trace) {
         }
     }
     return events;
+}
+
+TEST(TimingCommand, HelpNamesWhatItsFilesAndRivalsExclude) {
+    const TemporaryFolder folder;
+    const std::string help = runProgram("timing --help", folder.path()).out;
+    const auto meaningOf = [&help](const std::string& option) {
+        const std::size_t begin = help.find("\n  --" + option);
+        std::istringstream words(help.substr(begin, help.find("\n  --", begin + 1) - begin));
+        std::string text;
+        for (std::string word; words >> word;) {
+            text += word + " ";
+        }
+        return text;
+    };
+    for (const char* option : {"rivals", "csv", "trace"}) {
+        EXPECT_NE(meaningOf(option).find("(not with --against, --stages or --memory)"), std::string::npos)
+            << option << ": " << help;
+    }
+    EXPECT_NE(meaningOf("plot").find("(not with --against or --memory)"), std::string::npos) << help;
 }
 
 /// Never the times themselves, only what must hold of any.

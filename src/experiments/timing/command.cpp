@@ -61,6 +61,12 @@ void run(Command& command, TimingArguments& arguments) {
     }
 }
 
+/// What checkArguments() refuses, in the words that help has for excludes().
+void sayNotWith(CLI::App& command, const char* option, const char* others) {
+    CLI::Option* found = command.get_option(option);
+    found->description(fmt::format("{} (not with {})", found->get_description(), others));
+}
+
 void addOptions(CLI::App& command, TimingArguments& arguments) {
     experiments::TimingOptions& options = arguments.options;
     command.add_option("--frames", arguments.frames, "Measured frames of each mode (not with --memory)")
@@ -114,6 +120,10 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
     addCsv(command, arguments.csv);
     addPlot(command, arguments.plot, "overheads over standard, or the stages of --stages,");
     addTrace(command, arguments.trace, "the frames before the measured ones");
+    for (const char* option : {"--rivals", "--csv", "--trace"}) {
+        sayNotWith(command, option, "--against, --stages or --memory");
+    }
+    sayNotWith(command, "--plot", "--against or --memory");
 }
 
 } // namespace
