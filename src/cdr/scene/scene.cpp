@@ -29,20 +29,20 @@ float stretchOf(const glm::mat3& basis) {
                      glm::dot(basis[2], basis[2]));
 }
 
-/// The same for any components.
+/// The same for small ones too.
 float largestStretch(const glm::mat3& basis) {
     const float stretch = stretchOf(basis);
-    constexpr float kUnsquared = 1e15f;
-    if (stretch > 1.0f / kUnsquared && stretch < kUnsquared) {
+    constexpr float kSquared = 1e-15f;
+    if (stretch > kSquared) {
         return stretch;
     }
-    // Squares may be 0 or infinite. A power of two rounds nothing.
+    // Squares may have been 0. A power of two rounds nothing.
     float largest = 0.0f;
     for (glm::length_t column = 0; column < 3; ++column) {
         const glm::vec3 lengths = glm::abs(basis[column]);
         largest = std::max({largest, lengths.x, lengths.y, lengths.z});
     }
-    if (!(largest > 0.0f && std::isfinite(largest))) {
+    if (!(largest > 0.0f)) {
         return stretch;
     }
     const double scale = std::exp2(std::ilogb(largest));
