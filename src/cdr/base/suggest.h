@@ -12,8 +12,7 @@ namespace cdr::base {
 
 /// The known name that is nearest to one that is given, by edit distance; none where nothing is similar.
 /// @errors None.
-CDR_EXPORT std::optional<std::string_view> nearestName(std::string_view given,
-                                                       std::span<const std::string_view> known);
+std::optional<std::string_view> nearestName(std::string_view given, std::span<const std::string_view> known);
 
 /// "unknown WHAT 'GIVEN'; did you mean 'CLOSEST'? (known: a, b, c)". The closest is by edit distance, and
 /// left out when nothing is similar.
