@@ -162,8 +162,7 @@ void requireDistinct(const std::vector<std::string>& names) {
     std::set<std::string> seen;
     for (const std::string& name : names) {
         if (!seen.insert(name).second) {
-            throw base::InputError(
-                fmt::format("{} is given twice: both would write the same pictures", name));
+            throw base::InputError(fmt::format("{} is given twice", name));
         }
     }
 }

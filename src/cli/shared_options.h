@@ -105,7 +105,7 @@ void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help
 /// The names in a list that was divided at commas, some of which are part of a name: "standard/at:1,2", "anchored/fitted:1,max=2".
 std::vector<std::string> techniqueNames(const std::vector<std::string>& parts);
 
-/// base::InputError where a name is there twice. For commands that name pictures after what is in the list.
+/// base::InputError where a name is there twice: it would be measured twice, and both would write the same pictures.
 void requireDistinct(const std::vector<std::string>& names);
 void requireDistinct(const std::vector<depth::NamedTechnique>& techniques);
 

@@ -60,9 +60,7 @@ output::Columns<experiments::CoplanarResult> coplanarColumns() {
 void run(Command& command, CoplanarArguments& arguments) {
     experiments::CoplanarOptions& options = arguments.options;
     const PictureFolder folder(arguments.folder, command.files());
-    if (folder.isWanted()) {
-        requireDistinct(options.techniques);
-    }
+    requireDistinct(options.techniques);
     command.keepUnits(arguments.state);
     const auto results = experiments::runCoplanar(command.device(), options,
                                                   command.progressOf("pairs of views"), command.ranks());

@@ -160,9 +160,7 @@ std::vector<experiments::FlickerResult> measure(Command& command, const FlickerA
 void run(Command& command, FlickerArguments& arguments) {
     experiments::FlickerOptions& options = arguments.options;
     options.techniques = techniquesOf(arguments);
-    if (arguments.tga) {
-        requireDistinct(options.techniques);
-    }
+    requireDistinct(options.techniques);
     std::error_code error; // a path that cannot be looked at is refused below
     if (options.state && std::filesystem::is_directory(*options.state, error)) {
         *options.state /= "flicker_state.json";

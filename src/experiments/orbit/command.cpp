@@ -98,9 +98,7 @@ void printTable(const Console& console, const std::vector<experiments::OrbitResu
 void run(Command& command, OrbitArguments& arguments) {
     const experiments::OrbitOptions& options = arguments.options;
     const PictureFolder folder(arguments.folder, command.files(), "orbit_");
-    if (folder.isWanted()) {
-        requireDistinct(options.techniques);
-    }
+    requireDistinct(options.techniques);
     command.files().mayPlot(arguments.plot);
     if (!arguments.files.model.empty()) {
         command.reads(arguments.files.model);

@@ -68,10 +68,8 @@ void run(Command& command, ShadowArguments& arguments) {
     }
     const options::FrameCameras cameras(arguments.camera);
     const PictureFolder folder(arguments.folder, command.files());
-    if (folder.isWanted()) {
-        requireDistinct(experiment.techniques);
-        requireDistinct(experiment.methods);
-    }
+    requireDistinct(experiment.techniques);
+    requireDistinct(experiment.methods);
     const scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed, arguments.choice);
     const gpu::Device& device = command.device(); // which the document names
     const auto columns = shadowColumns();

@@ -180,9 +180,14 @@ std::vector<TimingMode> timingModesNamed(const std::vector<std::string>& names) 
     const std::vector<TimingMode> all = timingModes();
     std::vector<TimingMode> chosen(all.begin(), all.begin() + 2);
     for (const std::string& name : names) {
-        if (name != chosen[0].name && name != chosen[1].name) {
-            chosen.push_back(modeNamed(name));
+        if (name == chosen[0].name || name == chosen[1].name) {
+            continue; // always measured
         }
+        if (std::any_of(chosen.begin(), chosen.end(),
+                        [&](const TimingMode& mode) { return mode.name == name; })) {
+            throw base::InputError("mode " + name + " is given twice");
+        }
+        chosen.push_back(modeNamed(name));
     }
     return chosen;
 }

@@ -123,13 +123,11 @@ void run(Command& command, TranslucencyArguments& arguments) {
     experiments::TranslucencyExperiment& experiment = arguments.experiment;
     experiment.maxBytes = arguments.memoryMiB << 20u;
     const PictureFolder folder(arguments.folder, command.files());
-    if (folder.isWanted()) {
-        std::vector<std::string> numbers;
-        for (const unsigned cascades : experiment.cascades) {
-            numbers.push_back(fmt::format("--cascades {}", cascades));
-        }
-        requireDistinct(numbers);
+    std::vector<std::string> numbers;
+    for (const unsigned cascades : experiment.cascades) {
+        numbers.push_back(fmt::format("--cascades {}", cascades));
     }
+    requireDistinct(numbers);
     experiment.keepsPictures = folder.isWanted();
     const scene::SceneSetup setup = command.openScene(experiment.scene, experiment.seed, arguments.choice);
     command.keepUnits(arguments.state);
