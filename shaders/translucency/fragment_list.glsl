@@ -6,7 +6,7 @@
 
 layout(set = CDR_LIST_SET, binding = 0, std430) buffer Heads { uint heads[]; }; // by pixel, row by row
 layout(set = CDR_LIST_SET, binding = 1, std430) buffer Nodes { FragmentNode nodes[]; };
-// Fragments there were, even those that found no room.
+// Fragments there were, even those that found no room; at most kMostCounted.
 layout(set = CDR_LIST_SET, binding = 2, std430) buffer Count { uint fragmentCount; };
 
 #endif

@@ -64,6 +64,9 @@ struct FragmentNode {
 // walk.
 CDR_CONST kNoNode = 0u;
 
+// Where counting fragments ends. A device never runs as many shaders at once, so the counter does not get to 2^32.
+CDR_CONST kMostCounted = 0x80000000u;
+
 static_assert(sizeof(TranslucentRecord) == 80);
 static_assert(sizeof(TranslucentPush) == 44);
 static_assert(sizeof(TranslucentSlice) == 16);

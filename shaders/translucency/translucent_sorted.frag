@@ -20,6 +20,8 @@ void main() {
         vec4 color = fragment.color;
         nodes[node] = FragmentNode(color.r, color.g, color.b, color.a, fragment.distanceView.x,
                                    fragment.distanceView.y, inId & kIdMask, next);
+    } else if (node > kMostCounted) {
+        atomicMin(fragmentCount, kMostCounted); // at 2^32 it would begin anew, and give nodes twice
     }
 #ifdef COUNTED
     outCount = vec4(1.0, 0.0, 0.0, 0.0);

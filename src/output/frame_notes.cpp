@@ -37,7 +37,8 @@ std::string noteOn(const render::ListRefusal& refusal, std::string_view device, 
     if (refusal.fragments == 0) {
         return noteOnLists(refusal, device, fmt::format("lists of a {}x{} picture", width, height));
     }
-    const std::string fragments = fmt::format("{} translucent fragments", refusal.fragments);
+    const std::string fragments =
+        fmt::format("{}{} translucent fragments", refusal.mayBeMore ? "at least " : "", refusal.fragments);
     if (refusal.cause == render::ListRefusal::Cause::bound) {
         return fmt::format("{} need {} MiB, {} are allowed", fragments, refusal.neededBytes >> 20u,
                            refusal.allowedBytes >> 20u);

@@ -34,6 +34,12 @@ TEST(FrameNotes, SayWhatFragmentsLack) {
         "70 translucent fragments need a 9000 byte buffer, the device allows 4096");
     EXPECT_EQ(noteOf({.cause = Cause::memory, .fragments = 70, .neededBytes = 9000, .allowedBytes = 4096}),
               "70 translucent fragments need 9000 bytes, the device has 4096 free");
+    EXPECT_EQ(noteOf({.cause = Cause::bound,
+                      .fragments = 70,
+                      .neededBytes = needed,
+                      .allowedBytes = allowed,
+                      .mayBeMore = true}),
+              "at least 70 translucent fragments need 40 MiB, 16 are allowed");
 }
 
 } // namespace

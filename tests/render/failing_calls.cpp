@@ -107,6 +107,19 @@ void VKAPI_PTR propertiesOf(VkPhysicalDevice physical, VkPhysicalDevicePropertie
     most = std::min(most, storageBuffers().value_or(most));
 }
 
+std::uint32_t& firstCount() {
+    static std::uint32_t first = 0;
+    return first;
+}
+
+PFN_vkCmdFillBuffer realFill = nullptr;
+
+void VKAPI_PTR fillFrom(VkCommandBuffer commands, VkBuffer buffer, VkDeviceSize offset, VkDeviceSize bytes,
+                        std::uint32_t data) {
+    const bool isCounter = bytes == sizeof(std::uint32_t) && data == 0;
+    realFill(commands, buffer, offset, bytes, isCounter ? firstCount() : data);
+}
+
 PFN_vkGetDeviceProcAddr realDeviceLoader = nullptr;
 
 PFN_vkVoidFunction VKAPI_PTR failableDeviceLoader(VkDevice device, const char* name) {
@@ -129,6 +142,10 @@ PFN_vkVoidFunction VKAPI_PTR failableLoader(VkInstance instance, const char* nam
     if (std::string_view(name) == "vkGetPhysicalDeviceProperties") {
         realProperties = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties>(found);
         return reinterpret_cast<PFN_vkVoidFunction>(&propertiesOf);
+    }
+    if (std::string_view(name) == "vkCmdFillBuffer") {
+        realFill = reinterpret_cast<PFN_vkCmdFillBuffer>(found);
+        return reinterpret_cast<PFN_vkVoidFunction>(&fillFrom);
     }
     return failableOf(name, found);
 }
@@ -164,6 +181,14 @@ FewStorageBuffers::FewStorageBuffers(std::uint32_t most) {
 
 FewStorageBuffers::~FewStorageBuffers() {
     storageBuffers().reset();
+}
+
+CounterFrom::CounterFrom(std::uint32_t first) {
+    firstCount() = first;
+}
+
+CounterFrom::~CounterFrom() {
+    firstCount() = 0;
 }
 
 } // namespace cdr::render_test

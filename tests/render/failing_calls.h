@@ -39,4 +39,13 @@ class FewStorageBuffers {
     FewStorageBuffers& operator=(const FewStorageBuffers&) = delete;
 };
 
+/// While it lives, a counter of four bytes that a frame sets to 0 begins with `first`.
+class CounterFrom {
+  public:
+    explicit CounterFrom(std::uint32_t first);
+    ~CounterFrom();
+    CounterFrom(const CounterFrom&) = delete;
+    CounterFrom& operator=(const CounterFrom&) = delete;
+};
+
 } // namespace cdr::render_test

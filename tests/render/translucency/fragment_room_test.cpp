@@ -64,6 +64,28 @@ TEST_F(FragmentRoomTest, FramesThatOverlapAreDrawnWeightedWhereListsMayNotGrow) 
     }
 }
 
+/// A counter that went on to 2^32 would begin anew there, and the frame would seem to have found room.
+TEST_F(FragmentRoomTest, CountingEndsLongBeforeTheCounterBeginsAnew) {
+    const scene::Scene scene = panes(3);
+    render::RenderOptions options = sorted();
+    options.translucency.method = Translucency::weighted;
+    const std::string weighted = hashOf(draw(scene, {}, options));
+    options = sorted();
+    constexpr std::uint32_t kMost = std::uint32_t{1} << 31u;
+    for (const std::uint32_t left : {2u * 192 * 108, 0u}) { // the third pane exceeds it, or each
+        const CounterFrom before(kMost - left);
+        const render::Frame frame = draw(scene, {}, options);
+        EXPECT_EQ(frame.stats.translucency.method, Translucency::weighted);
+        ASSERT_TRUE(frame.stats.translucency.refusal.has_value());
+        const render::ListRefusal& refusal = *frame.stats.translucency.refusal;
+        EXPECT_EQ(refusal.cause, render::ListRefusal::Cause::bound);
+        EXPECT_EQ(refusal.fragments, kMost);
+        EXPECT_TRUE(refusal.mayBeMore);
+        EXPECT_EQ(hashOf(frame), weighted);
+    }
+    EXPECT_FALSE(draw(scene, {}, options).stats.translucency.refusal.has_value());
+}
+
 /// The larger list takes the place of the smaller one.
 TEST_F(FragmentRoomTest, ListsGrowWhereBothWouldNotFit) {
     const scene::Scene scene = panes(2);

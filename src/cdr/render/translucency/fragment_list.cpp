@@ -72,7 +72,8 @@ FragmentList::FragmentList(const gpu::Device& device, const gpu::SetLayout& layo
 
 std::uint64_t FragmentList::mostFragments() const {
     const std::uint64_t left = m_maxBytes - std::min<std::uint64_t>(m_maxBytes, m_heads.size());
-    constexpr std::uint64_t kMaxNodes = 0xffffffffu; // what a link can name
+    constexpr std::uint64_t kMaxNodes =
+        shaders::kMostCounted; // so that more fragments than fit are told apart
     const std::uint64_t nodes =
         std::min({left / kNodeBytes, m_device.info().maxStorageBufferBytes / kNodeBytes, kMaxNodes});
     return nodes - std::min<std::uint64_t>(nodes, 1);
@@ -93,7 +94,7 @@ void FragmentList::recordClear(vk::CommandBuffer primary) const {
     gpu::memoryBarrier(primary, PipelineStage::eFragmentShader | PipelineStage::eTransfer,
                        Access::eShaderStorageWrite, PipelineStage::eTransfer, Access::eTransferWrite);
     primary.fillBuffer(m_heads.handle(), 0, VK_WHOLE_SIZE, shaders::kNoNode);
-    primary.fillBuffer(m_count.handle(), 0, VK_WHOLE_SIZE, 0);
+    primary.fillBuffer(m_count.handle(), 0, sizeof(std::uint32_t), 0);
     gpu::memoryBarrier(primary, PipelineStage::eTransfer, Access::eTransferWrite,
                        PipelineStage::eFragmentShader,
                        Access::eShaderStorageRead | Access::eShaderStorageWrite);
@@ -112,8 +113,11 @@ std::uint32_t FragmentList::count() const {
 
 std::optional<ListRefusal> FragmentList::grow(std::uint64_t fragments) {
     const auto refused = [&](ListRefusal::Cause cause, std::uint64_t needed, std::uint64_t allowed) {
-        return ListRefusal{
-            .cause = cause, .fragments = fragments, .neededBytes = needed, .allowedBytes = allowed};
+        return ListRefusal{.cause = cause,
+                           .fragments = fragments,
+                           .neededBytes = needed,
+                           .allowedBytes = allowed,
+                           .mayBeMore = fragments >= shaders::kMostCounted};
     };
     const std::uint64_t wanted = bytesFor(fragments);
     if (m_heads.size() + wanted > m_maxBytes) {

@@ -31,7 +31,8 @@ class FragmentList {
     void recordClear(vk::CommandBuffer primary) const;
     /// Copies the counter to where count() reads it; behind a barrier from the last draw to transfers.
     void recordCount(vk::CommandBuffer primary) const;
-    /// Fragments that the last frame had, room or not; the frame must have finished.
+    /// Fragments that the last frame had, room or not; shaders::kMostCounted where it had as many or more. The frame must have
+    /// finished.
     std::uint32_t count() const;
 
     /// Makes room for `fragments`, which it must not have yet; no frame may be using the lists. Else says why

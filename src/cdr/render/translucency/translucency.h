@@ -61,6 +61,7 @@ struct ListRefusal {
     std::uint64_t fragments = 0;           ///< that were to be kept; 0 where empty lists have no room
     std::uint64_t neededBytes = 0;         ///< more than are allowed
     std::uint64_t allowedBytes = 0;        ///< by what was in the way
+    bool mayBeMore = false; ///< `fragments` is the least there were, since counting ended there
 
     bool operator==(const ListRefusal&) const = default;
 };
