@@ -6,6 +6,9 @@ layout(set = 0, binding = 1) uniform sampler2D weightImage;
 
 layout(location = 0) out vec4 outColor;
 
+// The largest half float. Where sums exceed it they are infinite, and then taken for it: colours get too dark, but are numbers.
+const float kMostHalf = 65504.0;
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 sum = texelFetch(sumImage, pixel, 0);
@@ -13,5 +16,5 @@ void main() {
     if (!(weight > 0.0)) {
         discard; // nothing, or nothing but alpha 0
     }
-    outColor = vec4(sum.rgb / weight * (1.0 - sum.a), sum.a);
+    outColor = vec4(min(sum.rgb, kMostHalf) / min(weight, kMostHalf) * (1.0 - sum.a), sum.a);
 }

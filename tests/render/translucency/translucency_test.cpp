@@ -234,6 +234,40 @@ TEST_F(TranslucencyTest, SortedHoldsAnyNumberOfLayers) {
     EXPECT_EQ(frame.fragmentCounts.at(24, 18), kLayers);
 }
 
+/// First sums of colours exceed half floats, then those of weights too.
+TEST_F(TranslucencyTest, WeightedStaysFiniteHoweverManyBrightLayersThereAre) {
+    struct Layers {
+        float brightness;
+        std::uint32_t count;
+    };
+    for (const auto& [brightness, count] : {Layers{40.0f, 40}, Layers{1.0f, 2000}}) {
+        scene::Scene scene = boxScene();
+        scene.meshes.push_back(scenes::makeSquare(100.0f));
+        scene.materials.push_back({.name = "bright",
+                                   .baseColorFactor = glm::vec4(glm::vec3(brightness), 1.0f),
+                                   .doubleSided = true,
+                                   .unlit = true,
+                                   .alphaMode = scene::AlphaMode::blend});
+        for (std::uint32_t i = 0; i < count; ++i) {
+            scene::addInstance(scene, 1, 1, i, glm::dvec3(0.0, 0.0, -1.05), glm::mat3(1.0f));
+        }
+        scene::Camera camera;
+        camera.nearView = 1.0;
+        camera.farView = 1000.0;
+        render::RenderOptions options =
+            optionsFor(countOf(depth::Mapping::reversed, 1), Translucency::weighted);
+        options.width = 32;
+        options.height = 18;
+        options.linear = true;
+        const render::Frame frame = draw(scene, camera, options);
+        ASSERT_EQ(frame.linear.pixels.size(), 32u * 18u);
+        for (const glm::vec3& light : frame.linear.pixels) {
+            ASSERT_TRUE(light.r > 0.99f && light.r < 1.01f * brightness)
+                << light.r << " of " << count << " layers";
+        }
+    }
+}
+
 TEST_F(TranslucencyTest, ListsThatDoNotFitAreDrawnWeightedAndSaySo) {
     render::RenderOptions options = optionsFor(countOf(depth::Mapping::anchored, 4), Translucency::weighted);
     const std::string weighted = hashOf(draw(m_sheets.scene, m_camera, options));
