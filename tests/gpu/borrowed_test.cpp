@@ -33,6 +33,7 @@ class BorrowedDevices : public testing::Test {
     const std::string& name() const { return m_device.info().name; }
     bool hasFloat64() const { return m_device.info().hasFloat64; }
     bool hasCondition() const { return m_device.info().hasConditionalRendering; }
+    std::uint32_t maxIndex() const { return m_device.info().maxIndex; }
     bool canDeform() const { return m_device.info().deformMissing.empty(); }
 
   private:
@@ -89,6 +90,26 @@ TEST_F(BorrowedDevices, RenderConditionallyWhereTheirOwnerNamesTheFeature) {
     v13.pNext = nullptr; // an owner that does not know the extension
     EXPECT_FALSE(hasConditionalRendering(features));
     EXPECT_FALSE(Device(borrowed).info().hasConditionalRendering);
+}
+
+TEST_F(BorrowedDevices, DrawMeshesOfAnySizeWhereTheirOwnerNamesTheFeature) {
+    constexpr std::uint32_t kSure = 0xffffff; // by Vulkan without the feature
+    EXPECT_GE(maxIndex(), kSure);
+    EXPECT_EQ(Device(lent()).info().maxIndex, kSure);
+    VkPhysicalDeviceVulkan13Features v13{};
+    v13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+    VkPhysicalDeviceVulkan12Features v12{};
+    v12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+    v12.pNext = &v13;
+    VkPhysicalDeviceFeatures2 features{};
+    features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+    features.pNext = &v12;
+    BorrowedDevice borrowed = lent();
+    borrowed.features = &features;
+    enableFeatures(borrowed.instance, borrowed.physical, features);
+    EXPECT_EQ(Device(borrowed).info().maxIndex, features.features.fullDrawIndexUint32 ? maxIndex() : kSure);
+    features.features.fullDrawIndexUint32 = VK_FALSE;
+    EXPECT_EQ(Device(borrowed).info().maxIndex, kSure);
 }
 
 TEST_F(BorrowedDevices, UseThePipelineCacheOfTheirOwnerAndLeaveIt) {

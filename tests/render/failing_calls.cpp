@@ -107,6 +107,19 @@ void VKAPI_PTR propertiesOf(VkPhysicalDevice physical, VkPhysicalDevicePropertie
     most = std::min(most, storageBuffers().value_or(most));
 }
 
+std::optional<std::uint32_t>& mostIndices() {
+    static std::optional<std::uint32_t> most;
+    return most;
+}
+
+PFN_vkGetPhysicalDeviceProperties2 realProperties2 = nullptr;
+
+void VKAPI_PTR properties2Of(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties) {
+    realProperties2(physical, properties);
+    std::uint32_t& last = properties->properties.limits.maxDrawIndexedIndexValue;
+    last = mostIndices() ? std::min(last, *mostIndices() - 1) : last;
+}
+
 std::uint32_t& firstCount() {
     static std::uint32_t first = 0;
     return first;
@@ -142,6 +155,10 @@ PFN_vkVoidFunction VKAPI_PTR failableLoader(VkInstance instance, const char* nam
     if (std::string_view(name) == "vkGetPhysicalDeviceProperties") {
         realProperties = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties>(found);
         return reinterpret_cast<PFN_vkVoidFunction>(&propertiesOf);
+    }
+    if (std::string_view(name) == "vkGetPhysicalDeviceProperties2") {
+        realProperties2 = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties2>(found);
+        return reinterpret_cast<PFN_vkVoidFunction>(&properties2Of);
     }
     if (std::string_view(name) == "vkCmdFillBuffer") {
         realFill = reinterpret_cast<PFN_vkCmdFillBuffer>(found);
@@ -181,6 +198,14 @@ FewStorageBuffers::FewStorageBuffers(std::uint32_t most) {
 
 FewStorageBuffers::~FewStorageBuffers() {
     storageBuffers().reset();
+}
+
+FewIndices::FewIndices(std::uint32_t most) {
+    mostIndices() = most;
+}
+
+FewIndices::~FewIndices() {
+    mostIndices().reset();
 }
 
 CounterFrom::CounterFrom(std::uint32_t first) {

@@ -39,6 +39,15 @@ class FewStorageBuffers {
     FewStorageBuffers& operator=(const FewStorageBuffers&) = delete;
 };
 
+/// While it lives, physical devices say that draws name at most so many vertices of a mesh, from 0 on.
+class FewIndices {
+  public:
+    explicit FewIndices(std::uint32_t most);
+    ~FewIndices();
+    FewIndices(const FewIndices&) = delete;
+    FewIndices& operator=(const FewIndices&) = delete;
+};
+
 /// While it lives, a counter of four bytes that a frame sets to 0 begins with `first`.
 class CounterFrom {
   public:

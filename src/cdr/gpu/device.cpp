@@ -25,6 +25,9 @@ namespace {
 /// memory of their own (memory.cpp).
 constexpr vk::DeviceSize kBlockBytes = vk::DeviceSize{32} << 20;
 
+/// What each device draws without fullDrawIndexUint32.
+constexpr std::uint32_t kSureIndex = (std::uint32_t{1} << 24u) - 1;
+
 constexpr const char* kPortabilitySubset = "VK_KHR_portability_subset"; // its own macro is a beta one
 
 std::string lower(std::string text) {
@@ -89,7 +92,8 @@ vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFami
                                            .timelineSemaphore = true};
     const vk::PhysicalDeviceFeatures2 features{
         .pNext = &v12,
-        .features = {.multiDrawIndirect = gpuDriven,
+        .features = {.fullDrawIndexUint32 = physical.getFeatures().fullDrawIndexUint32,
+                     .multiDrawIndirect = gpuDriven,
                      .drawIndirectFirstInstance = gpuDriven,
                      .depthClamp = true,
                      .fragmentStoresAndAtomics = info.hasFragmentStores,
@@ -268,6 +272,9 @@ Device::Device(const BorrowedDevice& borrowed) : m_handles(std::make_unique<Hand
     info.hasFloat64 = info.hasFloat64 && hasFloat64;
     if (info.deformMissing.empty() && !info.hasFloat64) {
         info.deformMissing = {"shaderFloat64"};
+    }
+    if (borrowed.features == nullptr || borrowed.features->features.fullDrawIndexUint32 == 0) {
+        info.maxIndex = std::min(info.maxIndex, kSureIndex);
     }
     info.hasInt64Atomics = false;
     info.hasConditionalRendering = info.hasConditionalRendering && borrowed.features != nullptr &&

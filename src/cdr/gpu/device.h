@@ -55,6 +55,9 @@ struct DeviceInfo {
     std::uint32_t queues = 0;                     ///< in the family cdr would use
     std::uint32_t maxImageSide = 0;               ///< pixels, of what is drawn to too
     std::uint64_t maxStorageBufferBytes = 0;      ///< that a shader can address in one buffer
+    /// The last vertex of a mesh that draws can name (maxDrawIndexedIndexValue). Of a borrowed device that was made without
+    /// fullDrawIndexUint32, at most 2^24 - 1.
+    std::uint32_t maxIndex = 0;
     std::uint32_t subPixelBits = 0; ///< that vertices are rounded to at the coarsest (subPixelPrecisionBits)
     bool hasFragmentStores = false; ///< fragment shaders may write buffers (fragmentStoresAndAtomics)
     bool hasFloat64 = false;        ///< shaders may compute in float64 (shaderFloat64)

@@ -195,6 +195,7 @@ DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {
     info.maxImageSide = std::min(
         {core.limits.maxImageDimension2D, core.limits.maxFramebufferWidth, core.limits.maxFramebufferHeight});
     info.maxStorageBufferBytes = core.limits.maxStorageBufferRange;
+    info.maxIndex = core.limits.maxDrawIndexedIndexValue;
     info.subPixelBits = core.limits.subPixelPrecisionBits;
     const vk::PhysicalDeviceFeatures features = physical.getFeatures();
     info.hasFragmentStores = features.fragmentStoresAndAtomics != 0;

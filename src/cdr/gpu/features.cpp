@@ -115,6 +115,9 @@ void enableFeatures(VkInstance instance, VkPhysicalDevice physical, VkPhysicalDe
     v12->timelineSemaphore = VK_TRUE;           // by which frames that a host records say that they are done
     core.depthClamp = VK_TRUE;
     core.shaderClipDistance = VK_TRUE;
+    if (vk::PhysicalDevice(physical).getFeatures().fullDrawIndexUint32 != 0) {
+        core.fullDrawIndexUint32 = VK_TRUE; // for meshes of more than 2^24 vertices
+    }
     if (info.gpuDrivenMissing.empty()) {
         core.shaderFloat64 = VK_TRUE;
         core.multiDrawIndirect = VK_TRUE;

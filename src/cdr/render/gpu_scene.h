@@ -40,7 +40,8 @@ class CDR_EXPORT GpuScene {
     /// For a scene that does not change. Uploads and waits. The device and the scene must outlive this.
     /// @param threads that make the smaller levels of large textures, at most; 0: as many as there are processors. What is
     ///        uploaded is the same to the bit. None of them outlives the call, or that of update().
-    /// @throws base::InputError as scene::requireUsable(), and for a texture larger than the device's images.
+    /// @throws base::InputError as scene::requireUsable(), and for a texture larger than the device's images, or a mesh of more
+    ///         vertices than its draws can name (gpu::DeviceInfo::maxIndex).
     /// @throws base::RunError with both figures when the device has too little memory.
     /// @throws std::system_error for Vulkan's other errors, a lost device among them.
     GpuScene(const gpu::Device& device, const scene::Scene& scene, std::size_t threads = 0);
@@ -59,7 +60,7 @@ class CDR_EXPORT GpuScene {
     /// Follows the world's edits since the last call; renderers call it at the start of a frame. Time is proportional to the
     /// number of changed instances. What is uploaded, meshes, vertices and textures, waits for all that the queue was given
     /// before. What is replaced or removed is kept until that is done.
-    /// @errors base::InputError for a texture larger than the device's images: once it is gone, the next call follows.
+    /// @errors base::InputError for a texture or a mesh, as the constructors: once it is gone, the next call follows.
     ///         base::RunError and std::system_error as the constructors.
     void update();
 

@@ -1,7 +1,10 @@
+#include <cdr/base/error.h>
 #include <cdr/gpu/upload.h>
 #include <cdr/render/materials/packed_vertex.h>
 #include <cdr/render/upload/closed_mesh.h>
 #include <cdr/render/upload/scene_meshes.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -102,6 +105,22 @@ SceneMeshes::Counts SceneMeshes::countsOf(const scene::Scene& scene) {
     return counts;
 }
 
+void SceneMeshes::requireIndices(const scene::Scene& scene, std::uint32_t mesh) const {
+    const std::size_t vertices = scene.meshes[mesh].vertices.size();
+    const std::uint64_t most = std::uint64_t{m_device.info().maxIndex} + 1;
+    if (vertices > most) {
+        throw base::InputError(
+            fmt::format("mesh {} of scene {} has {} vertices, {} draws at most {} of a mesh", mesh,
+                        scene.name, vertices, m_device.info().name, most));
+    }
+}
+
+void SceneMeshes::requireIndices(const scene::Scene& scene) const {
+    for (std::uint32_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
+        requireIndices(scene, mesh);
+    }
+}
+
 MeshRange SceneMeshes::place(const scene::Mesh& mesh, Packed& into) {
     const auto placeIndices = [&](const std::vector<std::uint32_t>& indices) {
         const auto first = static_cast<std::uint32_t>(m_used.indices);
@@ -131,6 +150,11 @@ MeshRange SceneMeshes::place(const scene::Mesh& mesh, Packed& into) {
     into.vertices.insert(into.vertices.end(), vertices.begin(), vertices.end());
     m_used.vertices += mesh.vertices.size();
     return range;
+}
+
+void SceneMeshes::upload(const scene::Scene& scene) {
+    requireIndices(scene);
+    upload(scene, countsOf(scene));
 }
 
 void SceneMeshes::upload(const scene::Scene& scene, const Counts& room) {
@@ -169,6 +193,7 @@ void SceneMeshes::follow(const scene::Scene& scene, std::optional<std::span<cons
     if (changed && append(scene, {changed->begin(), changed->end()})) {
         return;
     }
+    requireIndices(scene);
     const std::uint64_t bytes = predictBytes(scene);
     gpu::requireDeviceBytes(m_device, bytes, "the meshes of scene " + scene.name);
     const std::size_t times = 2 * bytes <= gpu::freeDeviceBytes(m_device) ? 2 : 1;
@@ -183,6 +208,7 @@ bool SceneMeshes::append(const scene::Scene& scene, const std::set<std::uint32_t
     const Counts before = m_used;
     Counts after = before;
     for (const std::uint32_t mesh : changed) {
+        requireIndices(scene, mesh);
         const Counts added = countsOf(scene.meshes[mesh]);
         after.vertices += added.vertices;
         after.indices += added.indices;

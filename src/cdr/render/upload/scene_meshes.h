@@ -25,13 +25,14 @@ class SceneMeshes {
     explicit SceneMeshes(const gpu::Device& device) : m_device(device) {}
 
     /// Uploads all, and waits.
-    void upload(const scene::Scene& scene) { upload(scene, countsOf(scene)); }
+    /// @throws base::InputError for a mesh of more vertices than the device's draws can name.
+    void upload(const scene::Scene& scene);
 
     /// Follows meshes that came, went or are others now, and waits for what it uploads. Takes time by the size of those that
     /// changed: they go behind those that are there, where nothing that was submitted reads. Where they find no room, all
     /// are uploaded again into twice the room that they need.
     /// @param changed places, repeats allowed; nothing where all may have changed.
-    /// base::RunError, with both figures, when the device's memory does not suffice.
+    /// base::InputError as upload(); base::RunError, with both figures, when the device's memory does not suffice.
     void follow(const scene::Scene& scene, std::optional<std::span<const std::uint32_t>> changed,
                 gpu::Retired& retired);
 
@@ -68,6 +69,9 @@ class SceneMeshes {
         std::size_t indices = 0;
     };
     struct Packed;
+    /// base::InputError for a mesh of more vertices than draws can name.
+    void requireIndices(const scene::Scene& scene, std::uint32_t mesh) const;
+    void requireIndices(const scene::Scene& scene) const;
     static Counts countsOf(const scene::Mesh& mesh);
     static Counts countsOf(const scene::Scene& scene);
     void upload(const scene::Scene& scene, const Counts& room);
