@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <limits>
 #include <numeric>
 #include <string>
 
@@ -65,6 +66,23 @@ TEST(Memory, AnImageOfTooManyPixelsASideIsRefused) {
     EXPECT_NO_THROW(imageOf(most, 1));
     EXPECT_THROW(imageOf(most + 1, 1), InputError);
     EXPECT_THROW(imageOf(1, most + 1), InputError);
+}
+
+TEST(Memory, ABufferOfMoreBytesThanTheDeviceHasInOneIsRefused) {
+    const Instance instance;
+    const Device device(instance, "");
+    const std::uint64_t most = device.info().maxBufferBytes;
+    EXPECT_GE(most, std::uint64_t{1} << 30); // by Vulkan
+    EXPECT_LE(device.info().maxStorageBufferBytes, most);
+    if (most == std::numeric_limits<std::uint64_t>::max()) {
+        GTEST_SKIP() << device.info().name << " has buffers of any size";
+    }
+    EXPECT_EQ(cdr::test::runErrorOf([&] {
+                  const Buffer buffer(device, most + 1, vk::BufferUsageFlagBits::eTransferDst,
+                                      MemoryUse::deviceOnly, "long");
+              }),
+              "long: " + std::to_string(most + 1) + " bytes, where " + device.info().name +
+                  " has buffers of at most " + std::to_string(most));
 }
 
 TEST(Memory, UploadsArriveWhole) {

@@ -112,12 +112,23 @@ std::optional<std::uint32_t>& mostIndices() {
     return most;
 }
 
+std::optional<std::uint64_t>& bufferBytes() {
+    static std::optional<std::uint64_t> most;
+    return most;
+}
+
 PFN_vkGetPhysicalDeviceProperties2 realProperties2 = nullptr;
 
 void VKAPI_PTR properties2Of(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties) {
     realProperties2(physical, properties);
     std::uint32_t& last = properties->properties.limits.maxDrawIndexedIndexValue;
     last = mostIndices() ? std::min(last, *mostIndices() - 1) : last;
+    for (auto* next = static_cast<VkBaseOutStructure*>(properties->pNext); next != nullptr;
+         next = next->pNext) {
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES && bufferBytes()) {
+            reinterpret_cast<VkPhysicalDeviceVulkan13Properties*>(next)->maxBufferSize = *bufferBytes();
+        }
+    }
 }
 
 std::uint32_t& firstCount() {
@@ -206,6 +217,14 @@ FewIndices::FewIndices(std::uint32_t most) {
 
 FewIndices::~FewIndices() {
     mostIndices().reset();
+}
+
+SmallBuffers::SmallBuffers(std::uint64_t bytes) {
+    bufferBytes() = bytes;
+}
+
+SmallBuffers::~SmallBuffers() {
+    bufferBytes().reset();
 }
 
 CounterFrom::CounterFrom(std::uint32_t first) {

@@ -48,6 +48,15 @@ class FewIndices {
     FewIndices& operator=(const FewIndices&) = delete;
 };
 
+/// While it lives, physical devices say that a buffer has at most so many bytes.
+class SmallBuffers {
+  public:
+    explicit SmallBuffers(std::uint64_t bytes);
+    ~SmallBuffers();
+    SmallBuffers(const SmallBuffers&) = delete;
+    SmallBuffers& operator=(const SmallBuffers&) = delete;
+};
+
 /// While it lives, a counter of four bytes that a frame sets to 0 begins with `first`.
 class CounterFrom {
   public:

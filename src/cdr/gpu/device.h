@@ -54,6 +54,7 @@ struct DeviceInfo {
     std::vector<depth::DepthFormat> depthFormats; ///< that it can draw to
     std::uint32_t queues = 0;                     ///< in the family cdr would use
     std::uint32_t maxImageSide = 0;               ///< pixels, of what is drawn to too
+    std::uint64_t maxBufferBytes = 0;             ///< of one buffer
     std::uint64_t maxStorageBufferBytes = 0;      ///< that a shader can address in one buffer
     /// The last vertex of a mesh that draws can name (maxDrawIndexedIndexValue). Of a borrowed device that was made without
     /// fullDrawIndexUint32, at most 2^24 - 1.

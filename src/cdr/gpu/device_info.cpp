@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 namespace cdr::gpu {
 
@@ -107,6 +108,19 @@ std::vector<std::string> missingForGpuDriven(vk::PhysicalDevice physical) {
     return missing;
 }
 
+/// Of one buffer; the largest number where the device does not say.
+std::uint64_t maxBufferBytes(vk::PhysicalDevice physical) {
+    constexpr std::uint64_t kUnsaid = std::numeric_limits<std::uint64_t>::max();
+    if (physical.getProperties().apiVersion < VK_API_VERSION_1_3) {
+        return kUnsaid; // and is refused for it
+    }
+    const std::uint64_t bytes =
+        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan13Properties>()
+            .get<vk::PhysicalDeviceVulkan13Properties>()
+            .maxBufferSize;
+    return bytes != 0 ? bytes : kUnsaid;
+}
+
 bool hasBufferInt64Atomics(vk::PhysicalDevice physical) {
     if (physical.getProperties().apiVersion < VK_API_VERSION_1_3) {
         return false; // and is refused for it
@@ -194,7 +208,9 @@ DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {
     }
     info.maxImageSide = std::min(
         {core.limits.maxImageDimension2D, core.limits.maxFramebufferWidth, core.limits.maxFramebufferHeight});
-    info.maxStorageBufferBytes = core.limits.maxStorageBufferRange;
+    info.maxBufferBytes = maxBufferBytes(physical);
+    info.maxStorageBufferBytes =
+        std::min<std::uint64_t>(core.limits.maxStorageBufferRange, info.maxBufferBytes);
     info.maxIndex = core.limits.maxDrawIndexedIndexValue;
     info.subPixelBits = core.limits.subPixelPrecisionBits;
     const vk::PhysicalDeviceFeatures features = physical.getFeatures();

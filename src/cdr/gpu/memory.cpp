@@ -85,6 +85,10 @@ void AllocationDeleter::operator()(VkImage image) const {
 Buffer::Buffer(const Device& device, std::size_t bytes, vk::BufferUsageFlags usage, MemoryUse use,
                const std::string& name)
     : m_bytes(bytes) {
+    if (bytes > device.info().maxBufferBytes) {
+        throw base::RunError(fmt::format("{}: {} bytes, where {} has buffers of at most {}", name, bytes,
+                                         device.info().name, device.info().maxBufferBytes));
+    }
     // Vulkan has no buffers of no bytes; an empty scene still gets its buffers.
     const vk::BufferCreateInfo bufferInfo{.size = std::max<std::size_t>(bytes, 4), .usage = usage};
     const VmaAllocationCreateInfo memory =

@@ -32,6 +32,7 @@ struct AllocationDeleter {
 class Buffer {
   public:
     Buffer() = default;
+    /// @throws base::RunError with both figures where the device has no buffers of that size.
     Buffer(const Device& device, std::size_t bytes, vk::BufferUsageFlags usage, MemoryUse use,
            const std::string& name);
 

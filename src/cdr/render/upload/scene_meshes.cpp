@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -105,6 +106,25 @@ SceneMeshes::Counts SceneMeshes::countsOf(const scene::Scene& scene) {
     return counts;
 }
 
+SceneMeshes::Counts SceneMeshes::most() const {
+    const std::uint64_t bytes = m_device.info().maxBufferBytes;
+    // As MeshRange holds their numbers.
+    constexpr std::uint64_t kVertices = std::numeric_limits<std::int32_t>::max();
+    constexpr std::uint64_t kIndices = std::numeric_limits<std::uint32_t>::max();
+    return {.vertices = std::min(bytes / sizeof(PackedVertex), kVertices),
+            .indices = std::min(bytes / sizeof(std::uint32_t), kIndices)};
+}
+
+void SceneMeshes::requireRoom(const scene::Scene& scene) const {
+    const Counts needed = countsOf(scene);
+    const Counts room = most();
+    if (needed.vertices > room.vertices || needed.indices > room.indices) {
+        throw base::RunError(fmt::format(
+            "the meshes of scene {} have {} vertices and {} indices, {} has buffers for {} and {}",
+            scene.name, needed.vertices, needed.indices, m_device.info().name, room.vertices, room.indices));
+    }
+}
+
 void SceneMeshes::requireIndices(const scene::Scene& scene, std::uint32_t mesh) const {
     const std::size_t vertices = scene.meshes[mesh].vertices.size();
     const std::uint64_t most = std::uint64_t{m_device.info().maxIndex} + 1;
@@ -154,6 +174,7 @@ MeshRange SceneMeshes::place(const scene::Mesh& mesh, Packed& into) {
 
 void SceneMeshes::upload(const scene::Scene& scene) {
     requireIndices(scene);
+    requireRoom(scene);
     upload(scene, countsOf(scene));
 }
 
@@ -194,6 +215,7 @@ void SceneMeshes::follow(const scene::Scene& scene, std::optional<std::span<cons
         return;
     }
     requireIndices(scene);
+    requireRoom(scene);
     const std::uint64_t bytes = predictBytes(scene);
     gpu::requireDeviceBytes(m_device, bytes, "the meshes of scene " + scene.name);
     const std::size_t times = 2 * bytes <= gpu::freeDeviceBytes(m_device) ? 2 : 1;
@@ -201,7 +223,9 @@ void SceneMeshes::follow(const scene::Scene& scene, std::optional<std::span<cons
     for (gpu::Buffer* buffer : {&m_vertices, &m_indices, &m_details}) {
         retired.add(std::exchange(*buffer, {}));
     }
-    upload(scene, {.vertices = times * needed.vertices, .indices = times * needed.indices});
+    const Counts room = most();
+    upload(scene, {.vertices = std::min(times * needed.vertices, room.vertices),
+                   .indices = std::min(times * needed.indices, room.indices)});
 }
 
 bool SceneMeshes::append(const scene::Scene& scene, const std::set<std::uint32_t>& changed) {

@@ -26,13 +26,14 @@ class SceneMeshes {
 
     /// Uploads all, and waits.
     /// @throws base::InputError for a mesh of more vertices than the device's draws can name.
+    /// @throws base::RunError, with both figures, for more vertices or indices than a buffer of the device holds.
     void upload(const scene::Scene& scene);
 
     /// Follows meshes that came, went or are others now, and waits for what it uploads. Takes time by the size of those that
     /// changed: they go behind those that are there, where nothing that was submitted reads. Where they find no room, all
-    /// are uploaded again into twice the room that they need.
+    /// are uploaded again into twice the room that they need, as far as the device has it.
     /// @param changed places, repeats allowed; nothing where all may have changed.
-    /// base::InputError as upload(); base::RunError, with both figures, when the device's memory does not suffice.
+    /// Errors as of upload(), and base::RunError, with both figures, when the device's memory does not suffice.
     void follow(const scene::Scene& scene, std::optional<std::span<const std::uint32_t>> changed,
                 gpu::Retired& retired);
 
@@ -69,6 +70,10 @@ class SceneMeshes {
         std::size_t indices = 0;
     };
     struct Packed;
+    /// The most for which the device has buffers, and draws have numbers.
+    Counts most() const;
+    /// base::RunError, with both figures, where the scene has more.
+    void requireRoom(const scene::Scene& scene) const;
     /// base::InputError for a mesh of more vertices than draws can name.
     void requireIndices(const scene::Scene& scene, std::uint32_t mesh) const;
     void requireIndices(const scene::Scene& scene) const;
