@@ -131,6 +131,21 @@ void VKAPI_PTR properties2Of(VkPhysicalDevice physical, VkPhysicalDeviceProperti
     }
 }
 
+VkFormat& withheldFormat() {
+    static VkFormat only = VK_FORMAT_UNDEFINED;
+    return only;
+}
+
+PFN_vkGetPhysicalDeviceFormatProperties realFormat = nullptr;
+
+void VKAPI_PTR formatOf(VkPhysicalDevice physical, VkFormat format, VkFormatProperties* properties) {
+    realFormat(physical, format, properties);
+    if (format == withheldFormat()) {
+        properties->optimalTilingFeatures &=
+            ~VkFormatFeatureFlags{VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT};
+    }
+}
+
 std::uint32_t& firstCount() {
     static std::uint32_t first = 0;
     return first;
@@ -170,6 +185,10 @@ PFN_vkVoidFunction VKAPI_PTR failableLoader(VkInstance instance, const char* nam
     if (std::string_view(name) == "vkGetPhysicalDeviceProperties2") {
         realProperties2 = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties2>(found);
         return reinterpret_cast<PFN_vkVoidFunction>(&properties2Of);
+    }
+    if (std::string_view(name) == "vkGetPhysicalDeviceFormatProperties") {
+        realFormat = reinterpret_cast<PFN_vkGetPhysicalDeviceFormatProperties>(found);
+        return reinterpret_cast<PFN_vkVoidFunction>(&formatOf);
     }
     if (std::string_view(name) == "vkCmdFillBuffer") {
         realFill = reinterpret_cast<PFN_vkCmdFillBuffer>(found);
@@ -225,6 +244,14 @@ SmallBuffers::SmallBuffers(std::uint64_t bytes) {
 
 SmallBuffers::~SmallBuffers() {
     bufferBytes().reset();
+}
+
+NoDepthFormat::NoDepthFormat(VkFormat format) {
+    withheldFormat() = format;
+}
+
+NoDepthFormat::~NoDepthFormat() {
+    withheldFormat() = VK_FORMAT_UNDEFINED;
 }
 
 CounterFrom::CounterFrom(std::uint32_t first) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vulkan/vulkan_core.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -55,6 +57,15 @@ class SmallBuffers {
     ~SmallBuffers();
     SmallBuffers(const SmallBuffers&) = delete;
     SmallBuffers& operator=(const SmallBuffers&) = delete;
+};
+
+/// While it lives, physical devices say that they do not draw to depth images of this format.
+class NoDepthFormat {
+  public:
+    explicit NoDepthFormat(VkFormat format);
+    ~NoDepthFormat();
+    NoDepthFormat(const NoDepthFormat&) = delete;
+    NoDepthFormat& operator=(const NoDepthFormat&) = delete;
 };
 
 /// While it lives, a counter of four bytes that a frame sets to 0 begins with `first`.

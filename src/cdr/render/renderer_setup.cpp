@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cdr::render {
 
@@ -87,6 +88,22 @@ void requireShadows(const RenderOptions& options) {
     }
     if (options.part != CascadePart{}) { // what another part draws casts shadows too
         throw base::InputError("cascades that are drawn apart do without shadows");
+    }
+}
+
+/// Vulkan has each device read D32_SFLOAT, but draw to it only where it lacks D24.
+void requireFloatDepth(const gpu::Device& device, const RenderOptions& options) {
+    const vk::FormatProperties has =
+        vk::PhysicalDevice(device.physical()).getFormatProperties(vk::Format::eD32Sfloat);
+    if (has.optimalTilingFeatures & vk::FormatFeatureFlagBits::eDepthStencilAttachment) {
+        return;
+    }
+    for (const auto& [isOn, what] : {std::pair{options.shadows.isOn(), "shadows need"},
+                                     {options.occlusionCulling, "occlusion culling needs"}}) {
+        if (isOn) {
+            throw base::InputError(
+                fmt::format("{} a depth buffer of D32_SFLOAT, which {} lacks", what, device.info().name));
+        }
     }
 }
 
@@ -185,6 +202,7 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
         requireDivisible(options, scene);
     }
     requireCompatible(options);
+    requireFloatDepth(device, options);
     const std::uint32_t most = device.info().maxImageSide;
     for (const std::uint32_t side : {options.width, options.height}) {
         if (side < 1 || side > most) {
