@@ -91,7 +91,7 @@ void requireShadows(const RenderOptions& options) {
     }
 }
 
-/// Vulkan has each device read D32_SFLOAT, but draw to it only where it lacks D24.
+/// Vulkan asks each device to read D32_SFLOAT, but to draw to it only those without D24.
 void requireFloatDepth(const gpu::Device& device, const RenderOptions& options) {
     const vk::FormatProperties has =
         vk::PhysicalDevice(device.physical()).getFormatProperties(vk::Format::eD32Sfloat);

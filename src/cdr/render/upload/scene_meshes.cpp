@@ -127,11 +127,11 @@ void SceneMeshes::requireRoom(const scene::Scene& scene) const {
 
 void SceneMeshes::requireIndices(const scene::Scene& scene, std::uint32_t mesh) const {
     const std::size_t vertices = scene.meshes[mesh].vertices.size();
-    const std::uint64_t most = std::uint64_t{m_device.info().maxIndex} + 1;
-    if (vertices > most) {
+    const std::uint64_t nameable = std::uint64_t{m_device.info().maxIndex} + 1;
+    if (vertices > nameable) {
         throw base::InputError(
             fmt::format("mesh {} of scene {} has {} vertices, {} draws at most {} of a mesh", mesh,
-                        scene.name, vertices, m_device.info().name, most));
+                        scene.name, vertices, m_device.info().name, nameable));
     }
 }
 
