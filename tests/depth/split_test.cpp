@@ -167,6 +167,9 @@ TEST(Split, RefusesUnusableRanges) {
                                {1.0, kInfinity},
                                {1e-300, 1.0},
                                {1.0, 1e160},
+                               {1e-31, 1.0},
+                               {1.0, 1e31},
+                               {1e-20, 1e20},
                                {kInfinity, kInfinity}}) {
         EXPECT_THROW(cut(SplitNone{}, n, f), InputError) << n << " " << f;
     }

@@ -1,3 +1,6 @@
+#include <cdr/depth/cascade.h>
+#include <cdr/depth/cascade_constants.h>
+#include <cdr/depth/mapping.h>
 #include <cdr/depth/view_constants.h>
 
 #include <gtest/gtest.h>
@@ -5,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace cdr::depth {
 
@@ -29,6 +33,37 @@ TEST(ViewConstants, PairsKeep48Bits) {
     expectPairs(axes.right, made.right, made.rightRest);
     expectPairs(axes.up, made.up, made.upRest);
     expectPairs(axes.forward, made.forward, made.forwardRest);
+}
+
+/// Devices may take subnormal numbers for 0. The thinnest of these cascades is as thin as float32 resolves.
+TEST(CascadeConstants, AreNormalFloatsAtTheEndsOfTheRange) {
+    const Cascades ranges{{kMinView, kMinView * (1.0 + 0x1p-23)},
+                          {kMinView, kMinView * kMaxFarOverNear},
+                          {kMaxView * (1.0 - 0x1p-23), kMaxView},
+                          {kMaxView / kMaxFarOverNear, kMaxView},
+                          {kMinView, 10.0 * kMinView},
+                          {0.1 * kMaxView, kMaxView}};
+    for (const Cascade& range : ranges) {
+        for (const Mapping mapping : kMappings) {
+            for (const FarEnd farEnd : {FarEnd::open, FarEnd::closed}) {
+                const CascadeConstants made =
+                    cascadeConstants(mapping, {range}, 0, {.fovY = 1.0, .aspect = 1.5}, farEnd);
+                for (const float constant : {made.anchorView, made.scale, made.offset, made.nearAhead,
+                                             made.farAhead, made.projectionX, made.projectionY}) {
+                    EXPECT_TRUE(constant == 0.0f || std::isnormal(constant))
+                        << nameOf(mapping) << " " << range.nearView << " " << range.farView << " "
+                        << constant;
+                }
+                EXPECT_TRUE(made.scale != 0.0f || farEnd == FarEnd::open) << nameOf(mapping);
+                EXPECT_LT(made.nearAhead, made.farAhead) << nameOf(mapping);
+            }
+        }
+    }
+    for (const auto& [nearView, farView] : {std::pair{kMinView, kMinView * kMaxFarOverNear},
+                                            {10.0 * kMaxView / kMaxFarOverNear, kMaxView},
+                                            {kMinView, 10.0 * kMinView}}) {
+        EXPECT_FALSE(rangeProblem(nearView, farView)) << nearView << " " << farView;
+    }
 }
 
 } // namespace

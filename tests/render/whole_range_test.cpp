@@ -44,7 +44,7 @@ class AnyCamera {
 
     scene::Camera next() {
         scene::Camera camera{
-            .fovY = mostly(1e-12, 3.14), .nearView = mostly(1e-40, 1e3), .farView = mostly(1.0, 1e40)};
+            .fovY = mostly(1e-12, 3.14), .nearView = mostly(1e-30, 1e3), .farView = mostly(1.0, 1e30)};
         const glm::dvec3 forward(any(), any(), mostly(1e-3, 1.0));
         const glm::dvec3 eye(mostly(1e-3, 1e20), any(), mostly(1e-3, 1e20));
         return below(3) == 0 ? camera : scene::lookAlong(camera, eye, forward);
@@ -87,6 +87,7 @@ TEST_F(RenderTest, WholeRangeOfCamerasEndsInAFrameOrIsRefused) {
                 const scene::Camera camera = random.next();
                 const bool isUsable = camera.nearView >= depth::kMinView &&
                                       camera.farView > camera.nearView && camera.farView <= depth::kMaxView &&
+                                      camera.farView <= depth::kMaxFarOverNear * camera.nearView &&
                                       camera.fovY > 0.0 && camera.fovY < 3.2 &&
                                       std::isfinite(glm::length(camera.position / 1e200));
                 const render::Frame frame = renderer.render(camera);

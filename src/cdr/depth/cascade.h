@@ -28,13 +28,16 @@ using Cascades = std::vector<Cascade>;
 /// Most cascades that a split may give; the id buffer keeps the cascade in one byte.
 inline constexpr std::size_t kMaxCascades = 64;
 
-/// The range of near and far planes. float32 in the shaders holds no more, and within it no formula of this
-/// library overflows or underflows float64.
-inline constexpr double kMinView = 1e-40;
+/// The range of near and far planes. Within it, what a cascade hands to shaders is a normal float32, and no formula of
+/// this library overflows or underflows float64. Devices take smaller numbers for 0. Terms of a cascade as thin as float32
+/// resolves are 2^24 times smaller or larger than its distances, so the range ends that much before float32's.
+inline constexpr double kMinView = 1e-30;
 /// The same at the other end.
-inline constexpr double kMaxView = 1e40;
+inline constexpr double kMaxView = 1e30;
+/// The greatest far plane over its near plane: shaders compute depths of about near / far, and distances over near.
+inline constexpr double kMaxFarOverNear = 1e36;
 
-/// Why these are no near and far plane: empty where kMinView <= near < far <= kMaxView.
+/// Why these are no near and far plane: empty where kMinView <= near < far <= kMaxView and far <= kMaxFarOverNear * near.
 CDR_EXPORT std::optional<base::Refusal> rangeProblem(double nearView, double farView);
 /// @throws base::InputError where there is a rangeProblem().
 CDR_EXPORT void requireRange(double nearView, double farView);

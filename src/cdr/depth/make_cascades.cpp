@@ -88,9 +88,15 @@ std::optional<base::Refusal> rangeProblem(double nearView, double farView) {
             base::concat("a split needs 0 < near < far, both finite, not near ", nearView, " far ", farView)};
     }
     if (nearView < kMinView || farView > kMaxView) {
-        return base::Refusal{base::concat("near and far must lie from ", base::general(kMinView), " to ",
-                                          base::general(kMaxView), ", not near ", nearView, " far ",
-                                          farView)};
+        return base::Refusal{base::concat(
+            "near and far must lie from ", base::general(kMinView), " to ", base::general(kMaxView),
+            ", where float32 holds what shaders compute of them, not near ", nearView, " far ", farView)};
+    }
+    if (farView > kMaxFarOverNear * nearView) {
+        return base::Refusal{base::concat("far must be at most ", base::general(kMaxFarOverNear),
+                                          " times near, since shaders divide one by the other in float32, "
+                                          "not near ",
+                                          nearView, " far ", farView)};
     }
     return std::nullopt;
 }

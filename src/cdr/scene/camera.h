@@ -85,7 +85,7 @@ struct LensEdges {
 CDR_EXPORT Camera withLens(Camera camera, const LensEdges& edges);
 
 /// @throws base::InputError with the value unless the camera is usable. Lens, position and axes are finite, and no lens shift
-///         is beyond its limit. depth::kMinView <= near < far <= depth::kMaxView, and 0 < fovY < pi. Axes have length 1 to
+///         is beyond its limit. depth::requireRange() takes near and far, and 0 < fovY < pi. Axes have length 1 to
 ///         1e-5. Whether axes are at right angles is not looked at.
 CDR_EXPORT void requireUsable(const Camera& camera);
 

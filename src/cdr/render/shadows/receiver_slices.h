@@ -35,8 +35,8 @@ struct ReceiverSlice {
 
 /// By how much a slice's far end is farther than its near one: then a texel that suits one suits the other.
 inline constexpr double kSliceRatio = 2.0;
-/// Of a frame: powers of two from depth::kMinView to depth::kMaxView.
-inline constexpr std::uint32_t kMaxReceiverSlices = 267;
+/// Of a frame: intervals between powers of two, over a range of depth::kMaxFarOverNear.
+inline constexpr std::uint32_t kMaxReceiverSlices = 121;
 
 /// Those of visible instances.
 std::vector<SeenSphere> seenSpheres(const scene::Camera& camera, const visibility::VisibleCells& visible);
