@@ -313,6 +313,22 @@ TEST(Advice, NothingSufficesBelowAStepOfTheDepthBuffer) {
               std::string::npos);
 }
 
+/// Of the measured 9e-7, 8.2e-7 are the step. float32 distances are 2.4e-7 apart there.
+TEST(Advice, NamesTheDepthBufferWhereItsStepIsMostOfWhatWasMeasured) {
+    AdviceQuestion asked{
+        .scene = {.nearView = 1.0, .farView = 100.0, .footprintSlope = 1e-3, .atView = 3.0, .spanView = 0.1},
+        .separationView = 1e-12,
+        .formats = {DepthFormat::d24},
+        .techniques = {parseTechnique("log")}};
+    const auto firstLine = [&](double resolved) {
+        const std::vector<std::optional<Measurement>> measured(
+            advise(asked).rows.size(), Measurement{.resolvedView = resolved, .largestView = 1.0});
+        return explain(asked, advise(asked, measured)).front();
+    };
+    EXPECT_NE(firstLine(9e-7).find("limited by the steps of the depth buffer"), std::string::npos);
+    EXPECT_NE(firstLine(5e-6).find("limited by float32 view distances"), std::string::npos);
+}
+
 TEST(Advice, RefusesNonsense) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     using cdr::base::InputError;

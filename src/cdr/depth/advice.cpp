@@ -115,6 +115,19 @@ std::string resolvesText(const AdviceRow& row, const LengthText& lengthText) {
                       : base::concat("resolves ", lengthText(row.resolvedView()));
 }
 
+/// Whether steps are most of what a row resolves. Roundings add the rest of what was measured.
+bool isLimitedBySteps(const AdviceRow& row) {
+    const double step = row.forecast.bufferStepView;
+    const double gap = row.forecast.rounding.distanceGapView;
+    if (row.measured && row.measured->resolvedView) {
+        const double resolved = row.resolvedView();
+        if (step == resolved || (step > gap && 2.0 * step >= resolved)) {
+            return true;
+        }
+    }
+    return step >= 4.0 * gap;
+}
+
 std::string limitOf(const AdviceRow& row) {
     const bool isBeyondMeasured = row.measured && row.forecast.rounding.snapGapView == row.resolvedView();
     if (isBeyondMeasured ||
@@ -122,8 +135,7 @@ std::string limitOf(const AdviceRow& row) {
             std::max(row.forecast.bufferStepView, row.forecast.rounding.distanceGapView)) {
         return "the snapping of vertices to sub-pixels";
     }
-    const bool isStepMeasured = row.measured && row.forecast.bufferStepView == row.resolvedView();
-    if (isStepMeasured || row.forecast.bufferStepView >= 4.0 * row.forecast.rounding.distanceGapView) {
+    if (isLimitedBySteps(row)) {
         return "the steps of the depth buffer";
     }
     return isAnchored(row.technique.mapping) ? "float32 distances to the anchor plane"
