@@ -44,7 +44,7 @@ std::map<std::string, int> tracksOf(const json& trace) {
     return events;
 }
 
-TEST(TimingCommand, HelpNamesWhatItsFilesAndRivalsExclude) {
+TEST(TimingCommand, HelpNamesWhatItsOptionsExclude) {
     const TemporaryFolder folder;
     const std::string help = runProgram("timing --help", folder.path()).out;
     const auto meaningOf = [&help](const std::string& option) {
@@ -56,8 +56,12 @@ TEST(TimingCommand, HelpNamesWhatItsFilesAndRivalsExclude) {
         }
         return text;
     };
-    for (const char* option : {"rivals", "csv", "trace"}) {
+    for (const char* option : {"scene", "in-flight", "rivals", "csv", "trace"}) {
         EXPECT_NE(meaningOf(option).find("(not with --against, --stages or --memory)"), std::string::npos)
+            << option << ": " << help;
+    }
+    for (const char* option : {"frames", "modes"}) {
+        EXPECT_NE(meaningOf(option).find("(not with --memory) (default:"), std::string::npos)
             << option << ": " << help;
     }
     EXPECT_NE(meaningOf("plot").find("(not with --against or --memory)"), std::string::npos) << help;

@@ -69,7 +69,7 @@ void sayNotWith(CLI::App& command, const char* option, const char* others) {
 
 void addOptions(CLI::App& command, TimingArguments& arguments) {
     experiments::TimingOptions& options = arguments.options;
-    command.add_option("--frames", arguments.frames, "Measured frames of each mode (not with --memory)")
+    command.add_option("--frames", arguments.frames, "Measured frames of each mode")
         ->check(CLI::Range(1u, kMaxFrames))
         ->default_str(fmt::format("{}, or {} per run with --against, or {} with --stages", options.frames,
                                   kRunFrames, kStageFrames));
@@ -79,14 +79,14 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
         .add_option_function<std::string>(
             "--scene",
             [&options](const std::string& name) { options.scene = experiments::parseTimingScene(name); },
-            fmt::format("Scene to draw: {}; only traffic moves (not with --against, --stages or --memory)",
+            fmt::format("Scene to draw: {}; only traffic moves",
                         fmt::join(experiments::timingSceneNames(), ", ")))
         ->default_str(std::string(nameOf(options.scene)));
     command
         .add_option(
             "--in-flight", options.framesInFlight,
             fmt::format("Frames in flight, 1 to {}: 1 measures latency, as the thesis does, more measure "
-                        "throughput (not with --against, --stages or --memory)",
+                        "throughput",
                         render::kMaxFramesInFlight))
         ->check(CLI::Range(std::size_t{1}, render::kMaxFramesInFlight))
         ->capture_default_str();
@@ -96,7 +96,7 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
             "--modes", arguments.modes,
             "Modes to measure beside standard, separated by commas, such as cdr-2,log,logcdr-5,naive,log-fragment. "
             "/NAME after a mode draws it with the batching, submission, surface or targets of that name, as render "
-            "takes them; also /in-plane and /occlusion-culling (not with --memory)")
+            "takes them; also /in-plane and /occlusion-culling")
         ->delimiter(',')
         ->default_str("all");
     addRivalList(command, arguments.rivalsBeside, "none");
@@ -120,8 +120,11 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
     addCsv(command, arguments.csv);
     addPlot(command, arguments.plot, "overheads over standard, or the stages of --stages,");
     addTrace(command, arguments.trace, "the frames before the measured ones");
-    for (const char* option : {"--rivals", "--csv", "--trace"}) {
+    for (const char* option : {"--scene", "--in-flight", "--rivals", "--csv", "--trace"}) {
         sayNotWith(command, option, "--against, --stages or --memory");
+    }
+    for (const char* option : {"--frames", "--modes"}) {
+        sayNotWith(command, option, "--memory");
     }
     sayNotWith(command, "--plot", "--against or --memory");
 }
