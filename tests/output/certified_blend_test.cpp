@@ -1,4 +1,5 @@
 #include "../support/shared_device.h"
+#include "wrong_after_repair.h"
 
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/renderer.h>
@@ -39,14 +40,7 @@ class CertifiedBlendTest : public test::DeviceTest {
         EXPECT_GT(blended, leastBlended);
         EXPECT_GE(certificate.blended, blended) << "each pixel that the device blends, and some at edges";
         EXPECT_LT(certificate.blended, blended + blended / 4);
-        putRight(frame, certificate);
-        const measure::TruthImage truth =
-            measure::castTruth(setup.scene, camera, options.width, options.height, m_workers);
-        std::uint64_t wrong = 0;
-        for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-            wrong += truth.pixels[i].id != frame.gbuffer.pixels[i].id() ? 1 : 0;
-        }
-        EXPECT_EQ(wrong, 0u);
+        EXPECT_EQ(test::wrongAfterRepair(frame, certificate, setup.scene, camera, m_workers), 0u);
     }
 
     platform::WorkerPool m_workers{2};

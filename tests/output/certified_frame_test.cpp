@@ -1,4 +1,5 @@
 #include "../support/shared_device.h"
+#include "wrong_after_repair.h"
 
 #include <cdr/base/error.h>
 #include <cdr/gpu/vulkan_hpp.h>
@@ -80,15 +81,6 @@ class CertifiedFrameTest : public test::DeviceTest {
         return measure::Certifier(scene, workers).certify(drawn, workers);
     }
 
-    /// Pixels, edges included, whose object is not the true one.
-    static std::uint64_t wrongIn(const render::Frame& frame, const measure::TruthImage& truth) {
-        std::uint64_t wrong = 0;
-        for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-            wrong += truth.pixels[i].id != frame.gbuffer.pixels[i].id() ? 1 : 0;
-        }
-        return wrong;
-    }
-
     /// Certifies, repairs, and expects the truth in every pixel. @return what was wrong before.
     static std::uint64_t expectRightOnceRepaired(ReadyScene& scene, std::uint32_t frameNumber,
                                                  const render::RenderOptions& options) {
@@ -96,9 +88,9 @@ class CertifiedFrameTest : public test::DeviceTest {
         const measure::Certificate certificate = scene.certify(frame, options);
         EXPECT_EQ(certificate.refused, 0u);
         const measure::TruthImage& truth = scene.truth(frameNumber, options);
-        EXPECT_EQ(certificate.wrong, wrongIn(frame, truth));
+        EXPECT_EQ(certificate.wrong, test::wrongIn(frame, truth));
         putRight(frame, certificate);
-        EXPECT_EQ(wrongIn(frame, truth), 0u);
+        EXPECT_EQ(test::wrongIn(frame, truth), 0u);
         return certificate.wrong;
     }
 };

@@ -1,4 +1,5 @@
 #include "../support/shared_device.h"
+#include "wrong_after_repair.h"
 
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/renderer.h>
@@ -29,14 +30,7 @@ class CertifiedLayerTest : public test::DeviceTest {
         if (certificate.isRefused()) {
             return certificate;
         }
-        putRight(frame, certificate);
-        const measure::TruthImage truth =
-            measure::castTruth(m_setup.scene, camera, options.width, options.height, m_workers);
-        std::uint64_t wrong = 0;
-        for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-            wrong += truth.pixels[i].id != frame.gbuffer.pixels[i].id() ? 1 : 0;
-        }
-        EXPECT_EQ(wrong, 0u);
+        EXPECT_EQ(test::wrongAfterRepair(frame, certificate, m_setup.scene, camera, m_workers), 0u);
         return certificate;
     }
 

@@ -1,4 +1,5 @@
 #include "../support/shared_device.h"
+#include "wrong_after_repair.h"
 
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/renderer.h>
@@ -39,14 +40,7 @@ class CertifiedMaskTest : public test::DeviceTest {
         const measure::Certificate certificate =
             m_certifier.certify(drawnFrame(frame, options, device().info().subPixelBits), m_workers);
         EXPECT_EQ(certificate.refused, 0u);
-        putRight(frame, certificate);
-        const measure::TruthImage truth =
-            measure::castTruth(m_garden.scene, camera, options.width, options.height, m_workers);
-        std::uint64_t wrong = 0;
-        for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-            wrong += truth.pixels[i].id != frame.gbuffer.pixels[i].id() ? 1 : 0;
-        }
-        EXPECT_EQ(wrong, 0u);
+        EXPECT_EQ(test::wrongAfterRepair(frame, certificate, m_garden.scene, camera, m_workers), 0u);
         return certificate;
     }
 
