@@ -43,11 +43,7 @@ output::Columns<experiments::CoplanarResult> coplanarColumns() {
             {.key = "pixels", .value = &Result::pixels},
             {.key = "wrong", .value = &Result::wrong, .heading = "wrong"},
             {.key = "wrong_share",
-             .value =
-                 [](const Result& result) {
-                     return output::Json(static_cast<double>(result.wrong) /
-                                         static_cast<double>(std::max<std::uint64_t>(result.pixels, 1)));
-                 },
+             .value = [](const Result& result) { return output::finiteOrNull(result.wrongShare()); },
              .heading = "of all",
              .format = {.pattern = "{} %", .scale = 100.0}},
             {.key = "coverage", .value = &Result::coverage},

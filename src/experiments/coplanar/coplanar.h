@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,6 +65,12 @@ struct CoplanarResult {
     std::uint64_t coverageFlips = 0; ///< of those: where either view has a coverage difference
     image::ImageRgba8
         picture{}; ///< heat map of the view with the most wrong pixels; empty where there is none
+
+    /// Wrong pixels of all; none where there are none to judge by.
+    std::optional<double> wrongShare() const {
+        return pixels > 0 ? std::optional(static_cast<double>(wrong) / static_cast<double>(pixels))
+                          : std::nullopt;
+    }
 };
 
 /// By technique, then by method; counts and pictures are the first rank's, which share techniques and then views.

@@ -44,7 +44,7 @@ output::Columns<experiments::ShadowResult> shadowColumns() {
         {.key = "shadowed", .value = &Wrong::shadowed, .heading = "shadowed"},
         {.key = "wrong", .value = &Wrong::wrong, .heading = "wrong"},
         {.key = "wrong_fraction",
-         .value = &Wrong::fraction,
+         .value = [](const Wrong& count) { return output::finiteOrNull(count.fraction()); },
          .heading = "wrong",
          .format = {.pattern = "{} %", .scale = 100.0}},
         {.key = "edge_wrong", .value = &Wrong::edgeWrong, .heading = "wrong at edges"}};

@@ -84,7 +84,8 @@ std::string wrongText(const std::vector<WrongCount>& sides) {
     }
     std::vector<std::string> shares;
     for (const WrongCount& side : sides) {
-        shares.push_back(shareText(side.share()));
+        const std::optional<double> share = side.share();
+        shares.push_back(share ? shareText(*share) : "-");
     }
     return fmt::format("wrong\u00a0{}", fmt::join(shares, "\u00a0|\u00a0"));
 }

@@ -4,6 +4,7 @@
 #include <cdr/render/frame.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,11 @@ struct WrongCount {
     std::uint64_t edgeWrong = 0; ///< elsewhere, where rasterisation decides
     std::size_t objects = 0;     ///< in view: none, one, or 2 for more; of one, no pixel can show another
 
-    double share() const { return inner ? static_cast<double>(wrong) / static_cast<double>(inner) : 0.0; }
+    /// Wrong pixels of the inner ones; none where there are none to judge by.
+    std::optional<double> share() const {
+        return inner > 0 ? std::optional(static_cast<double>(wrong) / static_cast<double>(inner))
+                         : std::nullopt;
+    }
 };
 
 /// measure::heatMap() with the anchored answer in place of the truth. Red where wrong off edges, orange on
@@ -27,7 +32,7 @@ WrongCount paintWrong(const render::Frame& frame, const render::Frame& reference
 /// The count alone.
 WrongCount countWrong(const render::Frame& frame, const render::Frame& reference);
 
-/// "wrong 23.0 % | 0 %", a share for each side, or that of one object none can be. Empty without
+/// "wrong 23.0 % | 0 %", a share for each side, "-" without inner pixels, or that of one object none can be. Empty without
 /// counts and where nothing is in view.
 std::string wrongText(const std::vector<WrongCount>& sides);
 

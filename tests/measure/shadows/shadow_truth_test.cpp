@@ -188,6 +188,8 @@ TEST(WrongShadows, InnerPixelsAndEdgesAreCountedApart) {
     EXPECT_EQ(wrong.wrong, 1u);
     EXPECT_EQ(wrong.edgeWrong, 1u);
     EXPECT_EQ(wrong.shadowed, 0u);
+    EXPECT_EQ(wrong.fraction(), 1.0 / 8.0);
+    EXPECT_EQ(measure::WrongShadows{}.fraction(), std::nullopt);
     const image::ImageRgba8 map = measure::shadowHeatMap({reached, 2}, truth, image::ImageRgba8(7, 5));
     EXPECT_EQ(map.at(2, 2), (image::Rgba8{0, 114, 255, 255}));
     EXPECT_EQ(map.at(5, 2), (image::Rgba8{255, 165, 0, 255}));

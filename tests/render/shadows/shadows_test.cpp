@@ -108,7 +108,7 @@ TEST_F(ShadowsTest, OffEdgesNextToNonePixelIsWrongAndPlainMapsAreWorse) {
                 if (each.isDeep && frame == 0) {
                     RenderOptions plain = options;
                     plain.shadows.method = ShadowMethod::plain;
-                    EXPECT_GT(wrongWith(plain).fraction(), 20.0 * wrong.fraction() + 1e-3);
+                    EXPECT_GT(wrongWith(plain).fraction(), 20.0 * wrong.fraction().value() + 1e-3);
                 }
             }
         }

@@ -135,7 +135,7 @@ TEST(PaintWrong, IsTheHeatMapWithTheAnswerAsTruth) {
     EXPECT_EQ(count.inner, expected.pixels);
     EXPECT_EQ(count.wrong, expected.wrong);
     EXPECT_EQ(count.edgeWrong, expected.edgeWrong);
-    EXPECT_DOUBLE_EQ(count.share(), expected.fraction().value());
+    EXPECT_DOUBLE_EQ(count.share().value(), expected.fraction().value());
     EXPECT_EQ(countWrong(frame, reference).wrong, expected.wrong);
 }
 
@@ -145,6 +145,8 @@ TEST(WrongText, SaysWhyNothingCanBeWrong) {
     EXPECT_EQ(wrongText({{.inner = 9, .objects = 1}}), "one object in view: none can be taken for another");
     EXPECT_EQ(wrongText({{.inner = 1000, .wrong = 230, .objects = 2}, {.inner = 1000, .objects = 2}}),
               "wrong\u00a023\u00a0%\u00a0|\u00a00\u00a0%");
+    EXPECT_EQ(wrongText({{.objects = 2}, {.inner = 1000, .objects = 2}}),
+              "wrong\u00a0-\u00a0|\u00a00\u00a0%");
     EXPECT_EQ(shareText(1.0), "100\u00a0%");
     EXPECT_EQ(shareText(1e-6), "0.0001\u00a0%");
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace cdr::measure {
 
@@ -17,8 +18,10 @@ struct WrongShadows {
     std::uint64_t wrong = 0;     ///< inner pixels that are lit in the picture or in truth, not in both
     std::uint64_t edgeWrong = 0; ///< all others
 
-    double fraction() const {
-        return pixels > 0 ? static_cast<double>(wrong) / static_cast<double>(pixels) : 0.0;
+    /// Share of the inner pixels; none where there are none to judge by.
+    std::optional<double> fraction() const {
+        return pixels > 0 ? std::optional(static_cast<double>(wrong) / static_cast<double>(pixels))
+                          : std::nullopt;
     }
     WrongShadows& operator+=(const WrongShadows& other);
 };
