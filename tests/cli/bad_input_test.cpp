@@ -52,6 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"render afc --near nan -o a.png", "near"}, BadInput{"render afc --far inf -o a.png", "far"},
         BadInput{"render afc --fov nan -o a.png", "field of view"},
         BadInput{"render afc --fov 180 -o a.png", "field of view"},
+        BadInput{"render afc --fov 1e-36 -o a.png", "field of view must be at least 1e-28 degrees"},
         BadInput{"render afc --eye 1,2 -o a.png", "three numbers"},
         BadInput{"render afc --eye 1,2,inf -o a.png", "finite number"},
         BadInput{"render afc --eye 1,2,3 --target 1,2,3 -o a.png", "same point"},

@@ -138,6 +138,16 @@ TEST(Camera, IsRefusedWithAxesThatAreNotFinite) {
 }
 
 /// Zero axes draw nothing, and longer ones another size. Those of an engine that computes in float32 are good enough.
+TEST(Camera, IsRefusedWithALensTooNarrowForFloats) {
+    Camera camera;
+    camera.fovY = radiansOf(1e-28);
+    EXPECT_NO_THROW(requireUsable(camera));
+    for (const double degrees : {9e-29, 1e-36, 1e-300, 4.9e-324}) {
+        camera.fovY = degrees / 57.0;
+        EXPECT_THROW(requireUsable(camera), base::InputError) << degrees;
+    }
+}
+
 TEST(Camera, IsRefusedWithAxesThatAreNotUnitOnes) {
     for (glm::dvec3 Camera::*axis : {&Camera::right, &Camera::up, &Camera::back}) {
         for (const double length : {0.0, 0.999, 1.001, 2.0}) {

@@ -186,6 +186,11 @@ void requireUsable(const Camera& camera) {
         throw base::InputError(fmt::format("field of view must lie between 0 and 180 degrees, not {}",
                                            camera.fovY * 180.0 / std::numbers::pi));
     }
+    if (camera.fovY < kMinFovY) {
+        throw base::InputError(fmt::format(
+            "field of view must be at least 1e-28 degrees, for which float32 has a projection, not {}",
+            camera.fovY * 180.0 / std::numbers::pi));
+    }
     requireShift(camera);
     if (!isFinite(camera.position)) {
         throw base::InputError("camera: position must be finite");

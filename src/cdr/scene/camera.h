@@ -16,6 +16,10 @@ static_assert(
 /// Of Camera::lensShift, in halves of the picture's height.
 inline constexpr double kMaxLensShift = 1000.0;
 
+/// Least field of view in radians, 1e-28 degrees. Below, shaders multiply by numbers near the end of float32, and pictures
+/// become empty.
+inline constexpr double kMinFovY = 1.745e-30;
+
 /// A perspective camera in float64. View space is right-handed, y up, looking down -z; the view distance of a
 /// point is w = -z_view.
 struct Camera {
@@ -23,7 +27,7 @@ struct Camera {
     glm::dvec3 right{1.0, 0.0, 0.0}; ///< world space, unit; right, up and back are orthonormal
     glm::dvec3 up{0.0, 1.0, 0.0};    ///< world space, unit
     glm::dvec3 back{0.0, 0.0, 1.0};  ///< world space, unit: away from what is looked at
-    double fovY = 1.0;               ///< vertical field of view, radians, in (0, pi)
+    double fovY = 1.0;               ///< vertical field of view, radians, in [kMinFovY, pi)
     double nearView = 0.1;           ///< view distance, > 0
     double farView = 1e5;            ///< view distance, > nearView, finite
     /// How far the middle of the picture lies to the right of the view axis and above it, at view distance 1. Each is at most
@@ -85,7 +89,7 @@ struct LensEdges {
 CDR_EXPORT Camera withLens(Camera camera, const LensEdges& edges);
 
 /// @throws base::InputError with the value unless the camera is usable. Lens, position and axes are finite, and no lens shift
-///         is beyond its limit. depth::requireRange() takes near and far, and 0 < fovY < pi. Axes have length 1 to
+///         is beyond its limit. depth::requireRange() takes near and far, and kMinFovY <= fovY < pi. Axes have length 1 to
 ///         1e-5. Whether axes are at right angles is not looked at.
 CDR_EXPORT void requireUsable(const Camera& camera);
 
