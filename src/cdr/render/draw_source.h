@@ -26,8 +26,8 @@ struct MeshRange {
     std::uint32_t firstClusterIndex = 0; ///< where its scene::ClusterTree::indices begin
     float boundingRadius = 0.0f;         ///< object space
     bool isFaceted = false; ///< the vertices of every triangle share their colour and its own normal
-    bool isClosed =
-        false; ///< render::isClosed(); not once it is deformed, since vertices at one place may part
+    /// render::isClosed(). Not while the device deforms it, since vertices at one place may part.
+    bool isClosed = false;
     std::uint32_t firstChunk = 0; ///< visibility::chunksOf() the mesh itself, for GpuScene::chunksOf()
     std::uint32_t chunkCount = 0; ///< 0 for a small mesh, and once the device deforms it
 

@@ -143,6 +143,21 @@ TEST_F(LayersTest, GiveOnePictureHoweverTheFrameIsDrawn) {
     }
 }
 
+/// The pipelines of occluders have no depth bias.
+TEST_F(LayersTest, PolygonOffsetIsNotSetForOccluders) {
+    const scene::SceneSetup setup = scenes::makeCoplanar();
+    render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
+    options.layers = {
+        .method = render::LayerMethod::polygonOffset, .slopeFactor = 0.25f, .constantFactor = 16.0f};
+    for (const render::Submission submission : submissions()) {
+        options.submission = submission;
+        options.occlusionCulling = false;
+        const std::string wanted = hashOf(draw(setup.scene, setup.path.at(6), options));
+        options.occlusionCulling = true;
+        EXPECT_EQ(hashOf(draw(setup.scene, setup.path.at(6), options)), wanted) << nameOf(submission);
+    }
+}
+
 TEST_F(LayersTest, OnePassKeepsThem) {
     const scene::SceneSetup setup = scenes::makeCoplanar();
     for (const depth::NamedTechnique& named : depth::presets()) {

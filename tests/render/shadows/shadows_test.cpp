@@ -2,6 +2,7 @@
 #include "../fixture.h"
 
 #include <cdr/measure/shadows/wrong_shadows.h>
+#include <cdr/render/draw_source.h>
 #include <cdr/scene/world/world.h>
 #include <scenes/open_scene.h>
 
@@ -341,6 +342,31 @@ TEST_F(ShadowsTest, AClosedMeshThatBendsOpenCastsItsShadow) {
     const render::Frame bent = renderer.render(camera);
     EXPECT_NE(bent.litMask, closed.litMask);
     EXPECT_EQ(hashOf(bent), hashOf(draw(world.scene(), camera, options)));
+}
+
+/// As in a scene that is made anew. Else shadows would depend on what a mesh was before.
+TEST_F(ShadowsTest, AMeshIsClosedOrNotByTheVerticesItHas) {
+    scene::Scene scene = boxScene();
+    addBox(scene, {});
+    scene::World world(scene);
+    render::GpuScene live(device(), world);
+    const std::vector<scene::Vertex> box = world.scene().meshes.front().vertices;
+    std::vector<scene::Vertex> larger = box;
+    for (scene::Vertex& vertex : larger) {
+        vertex.position *= 2.0f;
+    }
+    std::vector<scene::Vertex> open = box;
+    open.front().position *= 2.0f;
+    const auto isClosedWith = [&](const std::vector<scene::Vertex>& vertices) {
+        world.setVertices(world.mesh(0), vertices, {});
+        live.update();
+        const render::GpuScene anew(device(), world.scene());
+        EXPECT_EQ(live.kinds().front().mesh.isClosed, anew.kinds().front().mesh.isClosed);
+        return live.kinds().front().mesh.isClosed;
+    };
+    EXPECT_TRUE(isClosedWith(larger));
+    EXPECT_FALSE(isClosedWith(open));
+    EXPECT_TRUE(isClosedWith(box));
 }
 
 TEST_F(ShadowsTest, WithoutSurfacesOrCastersAllIsReached) {

@@ -56,6 +56,7 @@ DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& sc
         GeometryOptions depthAlone = geometry;
         depthAlone.output = GeometryOutput::depth;
         depthAlone.batching = Batching::instanced;
+        depthAlone.layers = {}; // its pipelines have no depth bias to set
         m_occluders = makePasses(facets, depthAlone);
     }
     if (options.surface == SurfacePath::lit) {

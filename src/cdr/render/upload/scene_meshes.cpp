@@ -44,10 +44,20 @@ bool isFaceted(const scene::Mesh& mesh) {
            });
 }
 
+struct MeshShape {
+    bool isFaceted = false; ///< MeshRange
+    bool isClosed = false;
+};
+
+MeshShape shapeOf(const scene::Mesh& mesh) {
+    return {.isFaceted = isFaceted(mesh), .isClosed = isClosed(mesh.vertices, mesh.indices)};
+}
+
 /// Whether that changes what its draw kinds say.
-bool becomesDeformed(MeshRange& range, bool isFaceted) {
-    const bool wasClosed = std::exchange(range.isClosed, false);
-    return std::exchange(range.isFaceted, isFaceted) != isFaceted || wasClosed;
+bool reshape(MeshRange& range, const MeshShape& shape) {
+    const bool wasFaceted = std::exchange(range.isFaceted, shape.isFaceted);
+    const bool wasClosed = std::exchange(range.isClosed, shape.isClosed);
+    return wasFaceted != shape.isFaceted || wasClosed != shape.isClosed;
 }
 
 template <typename T>
@@ -149,6 +159,7 @@ MeshRange SceneMeshes::place(const scene::Mesh& mesh, Packed& into) {
         return first;
     };
     const std::vector<visibility::MeshChunk> chunks = visibility::chunksOf(mesh.vertices, mesh.indices);
+    const MeshShape shape = shapeOf(mesh);
     const MeshRange range{.firstIndex = placeIndices(mesh.indices),
                           .indexCount = static_cast<std::uint32_t>(mesh.indices.size()),
                           .vertexOffset = static_cast<std::int32_t>(m_used.vertices),
@@ -156,8 +167,8 @@ MeshRange SceneMeshes::place(const scene::Mesh& mesh, Packed& into) {
                           .levelCount = static_cast<std::uint32_t>(mesh.levels.size()),
                           .firstClusterIndex = placeIndices(mesh.clusters.indices),
                           .boundingRadius = mesh.boundingRadius,
-                          .isFaceted = isFaceted(mesh),
-                          .isClosed = isClosed(mesh.vertices, mesh.indices),
+                          .isFaceted = shape.isFaceted,
+                          .isClosed = shape.isClosed,
                           .firstChunk = static_cast<std::uint32_t>(m_chunks.size()),
                           .chunkCount = static_cast<std::uint32_t>(chunks.size())};
     m_chunks.insert(m_chunks.end(), chunks.begin(), chunks.end());
@@ -296,7 +307,7 @@ bool SceneMeshes::followVertices(const scene::Scene& scene, std::span<const std:
             std::ranges::copy(visibility::chunksOf(mesh.vertices, mesh.indices),
                               m_chunks.begin() + range.firstChunk);
         }
-        changesKind = becomesDeformed(range, isFaceted(mesh)) || changesKind;
+        changesKind = reshape(range, shapeOf(mesh)) || changesKind;
     }
     gpu::writeBuffer(m_device, m_vertices, vertices);
     if (!details.empty()) {
@@ -309,7 +320,7 @@ bool SceneMeshes::followPose(std::uint32_t mesh, float boundingRadius, bool isFa
     MeshRange& range = m_ranges[mesh];
     range.boundingRadius = boundingRadius;
     const bool hadChunks = std::exchange(range.chunkCount, 0) > 0;
-    return becomesDeformed(range, isFaceted) || hadChunks;
+    return reshape(range, {.isFaceted = isFaceted}) || hadChunks;
 }
 
 std::uint64_t SceneMeshes::predictBytes(const scene::Scene& scene) {
