@@ -9,6 +9,8 @@ namespace cdr::viewer {
 
 namespace {
 
+constexpr double kMostAhead = 20.0; ///< of a step: exp() of a far scroll would be infinite
+
 double amount(const CameraKeys& keys, CameraKey more, CameraKey less, double axis) {
     const double held = (keys.has(more) ? 1.0 : 0.0) - (keys.has(less) ? 1.0 : 0.0);
     return std::clamp(held + axis, -1.0, 1.0);
@@ -53,7 +55,7 @@ scene::Camera fly(const scene::Camera& camera, const CameraInput& input, double 
     const glm::dvec3 wanted = wish(input);
     const double rate = rateOf(input.keys, speed) * seconds;
     // The surface comes nearer all the while: its distance falls as exp(-ahead).
-    const double ahead = rate * wanted.z + speed.perNotch * input.scroll;
+    const double ahead = std::clamp(rate * wanted.z + speed.perNotch * input.scroll, -kMostAhead, kMostAhead);
     if (ahead == 0.0 && rate * glm::dvec2(wanted) == glm::dvec2(0.0)) {
         return flown;
     }

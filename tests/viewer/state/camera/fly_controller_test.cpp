@@ -44,6 +44,16 @@ TEST(Fly, TheWheelGoesNearer) {
     EXPECT_NEAR(fly(camera, {.scroll = -2.0}, 100.0).position.z, 100.0 * std::exp(0.3), 1e-9);
 }
 
+TEST(Fly, AFarScrollStaysFinite) {
+    const scene::Camera camera = cameraWith(60.0, {0.0, 0.0, 100.0}, kTarget);
+    const double back = fly(camera, {.scroll = -20000.0}, 100.0).position.z;
+    EXPECT_GT(back, 1e6);
+    EXPECT_LT(back, 1e12);
+    const double near = fly(camera, {.scroll = 20000.0}, 100.0).position.z;
+    EXPECT_GE(near, 0.0);
+    EXPECT_LT(near, 1e-3);
+}
+
 TEST(Fly, DoesNotDependOnTheFrameRate) {
     const scene::Camera start = cameraWith(40.0, {0.0, 0.0, 100.0}, kTarget);
     const auto after = [&](int frames, CameraKeys keys) {
