@@ -94,6 +94,16 @@ TEST_F(Gltf, TransformsComposeInFloat64) {
     EXPECT_NEAR(scene.instances.radius[0], 2.0f * std::sqrt(5.0f), 1e-4f);
 }
 
+TEST_F(Gltf, RoundingsInTheLastRowOfAMatrixCountForNothing) {
+    Document document = square();
+    document.root["nodes"][0]["matrix"] = {1, 0, 0, 1e-7, 0, 1, 0, 0, 0, 0, 1, -1e-7, 7, 0, 0, 0.99999994};
+    const Scene scene = load(document).scene;
+    ASSERT_EQ(scene.instances.size(), 1u);
+    EXPECT_EQ(scene.instances.position(0), glm::dvec3(8, 2, 0));
+    document.root["nodes"][0]["matrix"][15] = 1.001;
+    expectSays(refusal(document), "is not affine");
+}
+
 TEST_F(Gltf, RotationsAreMadeUnitLength) {
     Document document = square();
     document.root["nodes"][0]["rotation"] = {0, 0, 3, 3};

@@ -68,6 +68,21 @@ void requireUsable(const glm::dmat4& matrix, const json& node, std::size_t index
     }
 }
 
+/// Exporters that invert matrices in float32 leave such roundings in the last row.
+constexpr double kLastRowRounding = 1e-5;
+
+/// The matrix with an exact last row, where only roundings keep it from being affine.
+glm::dmat4 withoutRoundings(glm::dmat4 matrix) {
+    const glm::dvec4 affine(0.0, 0.0, 0.0, 1.0);
+    const glm::dvec4 last(matrix[0][3], matrix[1][3], matrix[2][3], matrix[3][3]);
+    if (glm::all(glm::lessThanEqual(glm::abs(last - affine), glm::dvec4(kLastRowRounding)))) {
+        for (int column = 0; column < 4; ++column) {
+            matrix[column][3] = affine[column];
+        }
+    }
+    return matrix;
+}
+
 /// A node for messages: its number, and its name if it has one.
 std::string labelOf(const json& root, int node) {
     const std::string name = nameOf(itemAt(root, "nodes", node, "node"));
@@ -167,6 +182,7 @@ NodeTransform readTransform(const json& node) {
         for (int i = 0; i < 16; ++i) {
             (*transform.matrix)[i / 4][i % 4] = (*numbers)[static_cast<std::size_t>(i)];
         }
+        transform.matrix = withoutRoundings(*transform.matrix);
         return transform;
     }
     LocalTransform& local = transform.local;
