@@ -138,6 +138,20 @@ TEST_F(GltfFolder, CamerasThatANodeFlattensAreSaid) {
         anySays(result.ignored, "node 2: a camera is not used, because its transform is not invertible"));
 }
 
+/// A file is of use without a camera that no picture can be taken with.
+TEST_F(GltfFolder, CamerasThatNoPictureHasAreSaid) {
+    for (const json& lens : {json{{"yfov", 3.5}, {"znear", 1.0}}, json{{"yfov", 1.0}, {"znear", 1e305}},
+                             json{{"yfov", 1e-35}, {"znear", 1.0}}}) {
+        Document document = withCamera();
+        document.root["cameras"][0]["perspective"] = lens;
+        const GltfImport result = load(document);
+        ASSERT_EQ(result.cameras.size(), 2u) << lens;
+        EXPECT_EQ(result.cameras[0].name, "second");
+        EXPECT_TRUE(anySays(result.ignored, "camera 0 'eye': not used, because pictures have no such"))
+            << lens;
+    }
+}
+
 /// glTF says that a magnification should not be negative, and not that it must not.
 TEST_F(GltfFolder, NegativeMagnificationsCountAsPositive) {
     Document document = withCamera();
@@ -163,7 +177,7 @@ TEST_F(GltfFolder, UnsoundCamerasAreRefused) {
         document.root["cameras"][0]["perspective"] = perspective;
         return refusal(document);
     };
-    expectSays(withLens({{"yfov", 4.0}, {"znear", 1.0}}), "camera 0 'eye': its yfov is 4.0");
+    expectSays(withLens({{"yfov", 0.0}, {"znear", 1.0}}), "camera 0 'eye': its yfov is 0.0");
     expectSays(withLens({{"yfov", 1.0}, {"znear", 0.0}}), "its znear is 0.0");
     expectSays(withLens({{"yfov", 1.0}, {"znear", "near"}}), "its znear is \"near\"");
     expectSays(withLens({{"yfov", 1.0}, {"znear", 2.0}, {"zfar", 2.0}}), "a znear that lies before its zfar");

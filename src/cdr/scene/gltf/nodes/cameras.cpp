@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 namespace cdr::scene::gltf {
 
@@ -54,7 +53,7 @@ CameraLens perspectiveLensOf(const json& camera, const std::string& where) {
     if (perspective == nullptr || !perspective->is_object()) {
         refuse("{}: has no 'perspective' object", where);
     }
-    const auto fovY = positive(*perspective, "yfov", std::numbers::pi, where);
+    const auto fovY = positive(*perspective, "yfov", INFINITY, where); // glTF advises to stay below pi
     const auto nearView = positive(*perspective, "znear", INFINITY, where);
     const auto farView = positive(*perspective, "zfar", INFINITY, where);
     if (!fovY || !nearView || (farView && *farView <= *nearView)) {
@@ -96,9 +95,23 @@ Camera seenThrough(const CameraLens& lens) {
             .farView = lens.farView.value_or(kGltfFarRatio * lens.nearView)};
 }
 
+bool isUsable(const Camera& camera) {
+    try {
+        scene::requireUsable(camera);
+        return true;
+    } catch (const base::InputError&) {
+        return false;
+    }
+}
+
+/// A camera for messages.
+std::string labelOfCamera(const json& root, int index) {
+    return fmt::format("camera {} '{}'", index, nameOf(itemAt(root, "cameras", index, "camera")));
+}
+
 CameraLens lensOf(const json& root, int index) {
     const json& camera = itemAt(root, "cameras", index, "camera");
-    const std::string where = fmt::format("camera {} '{}'", index, nameOf(camera));
+    const std::string where = labelOfCamera(root, index);
     const std::string type = stringMember(camera, "type").value_or("");
     if (type == "perspective") {
         return perspectiveLensOf(camera, where);
@@ -124,6 +137,11 @@ std::vector<GltfCamera> placeCameras(std::span<const CameraNode> nodes, const js
         if (!camera) {
             notes.add("a camera is not used, because its transform is not invertible",
                       fmt::format("node {}", node.node));
+            continue;
+        }
+        if (!isUsable(*camera)) {
+            notes.add("not used, because pictures have no such field of view, or no such distances",
+                      labelOfCamera(root, node.camera));
             continue;
         }
         const std::string nodeName = oneLine(fullNameOf(itemAt(root, "nodes", node.node, "node")));

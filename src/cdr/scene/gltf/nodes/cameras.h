@@ -13,7 +13,8 @@
 namespace cdr::scene::gltf {
 
 /// The cameras that nodes carry, where those stand; orthographic ones come last. A node's scale and mirroring do not reach its
-/// camera; one whose axes no longer span a space is noted and left out. Refuses a lens that no camera can have.
+/// camera. One whose axes no longer span a space is noted and left out, and so is one that scene::requireUsable() refuses.
+/// Refuses a lens that glTF forbids.
 /// @param root of the document.
 std::vector<GltfCamera> placeCameras(std::span<const CameraNode> nodes, const nlohmann::json& root,
                                      Notes& notes);
