@@ -281,12 +281,22 @@ TEST_F(Gltf, PrimitiveWithoutExtentIsNotDrawn) {
     EXPECT_TRUE(anySays(result.ignored, "has no extent"));
 }
 
+/// glTF advises not to draw such a primitive, and the others of a file are of use.
+TEST_F(Gltf, PrimitiveWithoutPositionsIsNotDrawn) {
+    Document document = square();
+    json& primitives = document.root["meshes"][0]["primitives"];
+    primitives.push_back(primitives[0]);
+    primitives[1]["attributes"].erase("POSITION");
+    const GltfImport result = load(document);
+    EXPECT_EQ(result.scene.instances.object, (std::vector<std::uint32_t>{0}));
+    EXPECT_TRUE(anySays(result.ignored, "primitive 1: not drawn, because it has no positions"));
+    // An extension may have them.
+    primitives[1]["extensions"] = {{"EXT_packed", json::object()}};
+    expectSays(refusal(document), "has no positions, or only compressed ones: EXT_packed");
+}
+
 TEST_F(Gltf, UnsoundAttributesAreRefused) {
     Document document = square();
-    document.primitive()["attributes"].erase("POSITION");
-    expectSays(refusal(document), "has no positions");
-
-    document = square();
     document.primitive()["attributes"]["NORMAL"] =
         document.addAccessor(std::vector<float>(9, 1.0f), "VEC3", kFloat);
     expectSays(refusal(document), "an attribute has 3 elements for 4 positions");

@@ -85,6 +85,11 @@ std::optional<SourcePrimitive> MeshImporter::read(const Primitive& primitive, co
     if (primitive.mode < kModePoints || primitive.mode > kModeTriangleFan) {
         refuse("{}: mode {} does not exist", where, primitive.mode);
     }
+    // glTF: such a primitive should not be drawn. An extension may have its positions.
+    if (!primitive.attributes.contains("POSITION") && primitive.extension.empty()) {
+        m_notes.add("not drawn, because it has no positions", where);
+        return std::nullopt;
+    }
     return groundOf(primitive) == Ground::surface ? readTriangles(primitive, uv, where)
                                                   : readSolids(primitive, uv, pointRadius, where);
 }
@@ -238,10 +243,10 @@ MeshImporter::Attributes MeshImporter::findAttributes(const Primitive& primitive
     if (uv.tangents != UvPlaces::Tangents::none && attributes.normal != nullptr) {
         attributes.tangent = find("TANGENT", 4, 4);
     }
-    if (attributes.position == nullptr ||
-        (!attributes.position->hasData() && !attributes.position->isSparse())) {
-        refuse("{}: has no positions{}", where,
-               primitive.extension.empty() ? "" : ", or only compressed ones: " + primitive.extension);
+    // What has no data is all zeros, unless an extension has it.
+    if (attributes.position == nullptr || (!primitive.extension.empty() && !attributes.position->hasData() &&
+                                           !attributes.position->isSparse())) {
+        refuse("{}: has no positions, or only compressed ones: {}", where, primitive.extension);
     }
     for (const Accessor* accessor :
          {attributes.normal, attributes.uv, attributes.color, attributes.secondUv, attributes.tangent}) {
