@@ -102,14 +102,14 @@ UnitState readUnitState(std::string_view text, const UnitRun& run, const std::st
 UnitStateFile::UnitStateFile(std::filesystem::path path, UnitRun run)
     : m_path(std::move(path)),
       m_run(std::move(run)) {
-    if (!isThere(m_path)) {
-        platform::requireWritable(m_path);
-        return;
+    if (isThere(m_path)) {
+        const platform::Bytes bytes = platform::readFile(m_path, kMaxStateBytes);
+        m_state = readUnitState({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, m_run,
+                                m_path.string());
     }
-    const platform::Bytes bytes = platform::readFile(m_path, kMaxStateBytes);
-    m_state =
-        readUnitState({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, m_run, m_path.string());
-    if (!std::ofstream(m_path, std::ios::binary | std::ios::app)) {
+    if (m_state.bytes == 0) { // begin() writes a whole file
+        platform::requireWritable(m_path);
+    } else if (!std::ofstream(m_path, std::ios::binary | std::ios::app)) {
         throw base::InputError(m_path.string() + ": cannot be written");
     }
 }

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -35,6 +36,29 @@ class FileTest : public testing::Test {
     std::size_t filesInFolder() const {
         return static_cast<std::size_t>(
             std::distance(fs::directory_iterator(m_folder), fs::directory_iterator()));
+    }
+
+    /// Whether requireWritable() refuses a file to a user who is nobody, and root is not; without root, to this one.
+    static bool isRefusedToNobody(const fs::path& file) {
+        constexpr ::uid_t kNobody = 65534;
+        const ::pid_t child = ::fork();
+        if (child == 0) {
+            if (::geteuid() == 0 && ::setuid(kNobody) != 0) {
+                ::_exit(2);
+            }
+            try {
+                cdr::platform::requireWritable(file);
+                ::_exit(0);
+            } catch (const InputError&) {
+                ::_exit(1);
+            } catch (...) {
+                ::_exit(2);
+            }
+        }
+        int status = 0;
+        EXPECT_EQ(::waitpid(child, &status, 0), child);
+        EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) < 2) << status;
+        return WIFEXITED(status) && WEXITSTATUS(status) == 1;
     }
 
   private:
@@ -102,6 +126,37 @@ TEST_F(FileTest, TellsWhetherAPathCanBeWritten) {
     EXPECT_THROW(cdr::platform::requireWritable(path("no/such/folder.png")), InputError);
     EXPECT_THROW(cdr::platform::requireWritable(path(".")), InputError);
     EXPECT_THROW(cdr::platform::writeFile(path("no/such/folder.png"), Bytes{1}), InputError);
+}
+
+/// What a long run made would be lost if its file were refused at the end.
+TEST_F(FileTest, RefusesAReadOnlyFileAtTheStart) {
+    fs::permissions(path(""), fs::perms::all);
+    cdr::platform::writeText(path("a.bin"), "old");
+    fs::permissions(path("a.bin"), fs::perms(0666));
+    if (isRefusedToNobody(path("a.bin"))) {
+        GTEST_SKIP() << "the folder of temporary files is not everybody's";
+    }
+    fs::permissions(path("a.bin"), fs::perms(0444));
+    EXPECT_TRUE(isRefusedToNobody(path("a.bin")));
+    fs::create_symlink("a.bin", path("link"));
+    EXPECT_TRUE(isRefusedToNobody(path("link")));
+    EXPECT_EQ(filesInFolder(), 2u);
+}
+
+TEST_F(FileTest, RefusesAFileThatAStickyFolderKeepsForItsOwner) {
+    if (::geteuid() != 0) {
+        GTEST_SKIP() << "a file of another user needs rights that this process lacks";
+    }
+    fs::permissions(path(""), fs::perms::all);
+    cdr::platform::writeText(path("a.bin"), "old");
+    fs::permissions(path("a.bin"), fs::perms(0666));
+    if (isRefusedToNobody(path("a.bin"))) {
+        GTEST_SKIP() << "the folder of temporary files is not everybody's";
+    }
+    fs::permissions(path(""), fs::perms::all | fs::perms::sticky_bit);
+    EXPECT_TRUE(isRefusedToNobody(path("a.bin")));
+    EXPECT_FALSE(isRefusedToNobody(path("new.bin")));
+    EXPECT_NO_THROW(cdr::platform::requireWritable(path("a.bin"))); // root may
 }
 
 /// The test makes a null device of its own, so that a failure cannot replace the system's.

@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -150,6 +151,15 @@ bool isWritable(int descriptor) {
     return flags >= 0 && (flags & O_ACCMODE) != O_RDONLY;
 }
 
+/// Whether `folder` is sticky, as /tmp is, and keeps a file in it for its owner: nobody else can rename another over it.
+bool isKeptForItsOwner(const fs::path& file, const fs::path& folder) {
+    struct stat ofFile {};
+    struct stat ofFolder {};
+    const ::uid_t user = ::geteuid();
+    return ::lstat(file.c_str(), &ofFile) == 0 && ::stat(folder.c_str(), &ofFolder) == 0 &&
+           (ofFolder.st_mode & S_ISVTX) != 0 && user != 0 && user != ofFile.st_uid && user != ofFolder.st_uid;
+}
+
 } // namespace
 
 std::string oneLine(const fs::path& path) {
@@ -185,6 +195,15 @@ PendingFile::PendingFile(fs::path path) : m_path(std::move(path)), m_target(with
         throw base::InputError(oneLine(m_path) + ": cannot be written");
     }
     const fs::path beside = m_target.has_parent_path() ? m_target.parent_path() : ".";
+    if (!m_isCopied && fs::exists(status)) { // renaming would replace a read-only file too
+        if (::access(m_target.c_str(), W_OK) != 0) {
+            throw base::InputError(oneLine(m_path) + ": cannot be written, it is read-only");
+        }
+        if (isKeptForItsOwner(m_target, beside)) {
+            throw base::InputError(oneLine(m_path) +
+                                   ": cannot be written, its folder keeps it for its owner alone");
+        }
+    }
     Temporary temporary = createTemporary(m_isCopied ? fs::temp_directory_path() : beside,
                                           m_path.extension().string(), m_unfinished);
     if (isOfTheSystem(temporary.error)) {

@@ -32,8 +32,8 @@ Bytes readFile(const std::filesystem::path& path, std::uintmax_t maxBytes);
 /// - A device, a FIFO or an open descriptor, such as /dev/stdout: commit() copies the bytes into it.
 class PendingFile {
   public:
-    /// InputError when `path` names a folder, or its folder is missing or read-only. RunError when the disk is full or broken, or
-    /// the process has no descriptor left.
+    /// InputError when `path` names a folder, its folder is missing or read-only, or a file there is read-only or another user's in
+    /// a sticky folder. RunError when the disk is full or broken, or the process has no descriptor left.
     explicit PendingFile(std::filesystem::path path);
     ~PendingFile();
     PendingFile(const PendingFile&) = delete;
