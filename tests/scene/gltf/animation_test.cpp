@@ -98,6 +98,33 @@ TEST_F(GltfAnimation, FramesGoByTheirRate) {
     EXPECT_FALSE(secondsAt({}, 2));
 }
 
+/// A model that grows from nothing is seen later.
+TEST_F(GltfAnimation, OneThatBeginsWithNothingIsFramedByItsLaterMoments) {
+    Document document = moving();
+    giveMove(document, 0, {0, 2}, {0, 0, 0, 5, 5, 5});
+    document.root["animations"][0]["channels"][0]["target"]["path"] = "scale";
+    GltfChoice choice;
+    choice.framesPerSecond = 2.0;
+    for (const char* interpolation : {"LINEAR", "STEP"}) { // the latter shows it at its end alone
+        sampler(document)["interpolation"] = interpolation;
+        for (const json& atRest : {json{1, 1, 1}, json{0, 0, 0}}) {
+            document.root["nodes"][0]["scale"] = atRest;
+            const OpenedScene opened = openGltf(write("a.glb", document.glb()), choice);
+            EXPECT_EQ(opened.setup.scene.instances.radius[0], 0.0f) << "the scene is as at the first moment";
+            const Camera camera = opened.setup.path.at(0);
+            const double distance = camera.viewDistance({5, 10, 0}); // of the centre of the square at its end
+            EXPECT_GT(distance * std::sin(0.5 * camera.fovY), 5.0 * std::sqrt(5.0)) << interpolation;
+            EXPECT_LT(distance, 100.0);
+        }
+    }
+    choice = {};
+    choice.seconds = 0.0;
+    EXPECT_NE(cdr::test::inputErrorOf([&] {
+                  openGltf(write("a.glb", document.glb()), choice);
+              }).find("the scene has no extent to look at"),
+              std::string::npos);
+}
+
 TEST_F(GltfAnimation, IsChosenByNameOrNumber) {
     Document document = moving();
     document.root["animations"].push_back(document.root["animations"][0]);

@@ -186,15 +186,6 @@ void noteLights(const std::filesystem::path& path, GltfImport& import, std::opti
     }
 }
 
-/// A sphere around what there is to look at.
-Sphere requiredBounds(const Scene& scene) {
-    const Sphere bounds = boundingSphere(scene.instances);
-    if (!isSolid(bounds)) {
-        throw base::InputError(scene.name + ": the scene has no extent to look at");
-    }
-    return bounds;
-}
-
 std::vector<ListedLight> listed(std::span<const GltfLight> lights) {
     std::vector<ListedLight> list;
     for (const GltfLight& light : lights) {
@@ -277,6 +268,45 @@ Played playedFrom(GltfImport& import, const std::optional<std::size_t>& chosen, 
     return played;
 }
 
+/// A sphere around what an animation shows at some of its moments. Leaves the scene at another moment.
+Sphere boundsOverMoments(GltfImport& import, std::size_t chosen) {
+    constexpr std::uint32_t kSteps = 16;
+    const double seconds = import.animation->animations[chosen].seconds;
+    const SceneMotion motion =
+        motionOf(import.animation, chosen, {.framesPerSecond = seconds > 0.0 ? kSteps / seconds : 0.0});
+    platform::WorkerPool workers(1);
+    std::vector<Sphere> spheres;
+    Box box;
+    for (std::uint32_t moment = 0; moment <= kSteps + 1; ++moment) { // also after its end
+        show(import.scene, motion, moment, workers);
+        const Sphere sphere = boundingSphere(import.scene.instances);
+        if (isSolid(sphere)) {
+            spheres.push_back(sphere);
+            box.add(sphere.centre, sphere.radius);
+        }
+    }
+    Sphere all{.centre = spheres.empty() ? glm::dvec3(0.0) : box.centre(), .radius = 0.0};
+    for (const Sphere& sphere : spheres) {
+        all.radius = std::max(all.radius, glm::distance(all.centre, sphere.centre) + sphere.radius);
+    }
+    return all;
+}
+
+/// A sphere around what there is to look at: at the first moment, or where that shows nothing, at later ones.
+Sphere requiredBounds(GltfImport& import, const Played& played, const std::optional<std::size_t>& chosen,
+                      const GltfChoice& choice) {
+    Sphere bounds = boundingSphere(import.scene.instances);
+    if (!isSolid(bounds) && chosen && choice.framesPerSecond) {
+        bounds = boundsOverMoments(import, *chosen);
+        platform::WorkerPool workers(1);
+        show(import.scene, played.motion, 0, workers);
+    }
+    if (!isSolid(bounds)) {
+        throw base::InputError(import.scene.name + ": the scene has no extent to look at");
+    }
+    return bounds;
+}
+
 /// An import lit and framed. @param path in messages
 OpenedScene opened(const std::filesystem::path& path, GltfImport import, const GltfChoice& choice) {
     const std::optional<GltfCamera> camera = chosenCamera(path, import, choice.camera);
@@ -292,7 +322,7 @@ OpenedScene opened(const std::filesystem::path& path, GltfImport import, const G
     const auto chosen = chosenAnimation(path, result.animations, choice);
     const Sphere atRest = boundingSphere(import.scene.instances);
     Played played = playedFrom(import, chosen, choice, result.lights);
-    const Sphere bounds = requiredBounds(import.scene);
+    const Sphere bounds = requiredBounds(import, played, chosen, choice);
     boundByPoses(import.scene, played.motion, 0);
     const Sphere lightBounds = isSolid(atRest) ? atRest : bounds;
     const auto own = camera ? std::optional(drawnAs(*camera, camera->camera, lightBounds)) : std::nullopt;
