@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdlib>
 #include <memory>
+#include <vector>
 
 namespace cdr::image {
 
@@ -70,6 +71,29 @@ spng_ihdr readHeader(const Context& context, std::span<const std::uint8_t> encod
     return header;
 }
 
+/// Decodes all pixels, of Texel's size.
+template <class Texel>
+void decodePixels(const Context& context, std::vector<Texel>& texels, spng_format format,
+                  const std::string& name) {
+    requireDecoded(spng_decode_image(context.get(), texels.data(), texels.size() * sizeof(Texel), format,
+                                     SPNG_DECODE_TRNS),
+                   name);
+}
+
+/// libspng would drop the lower bits, and so make 0 of 0x00ff, which is nearer to 1.
+std::uint8_t nearestByte(std::uint16_t value) {
+    return static_cast<std::uint8_t>((value * 255u + 32767u) / 65535u);
+}
+
+/// Decodes a picture of 16 bits a channel, and rounds to 8.
+void decodeWidePixels(const Context& context, std::vector<Rgba8>& pixels, const std::string& name) {
+    std::vector<std::array<std::uint16_t, 4>> wide(pixels.size());
+    decodePixels(context, wide, SPNG_FMT_RGBA16, name);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        std::transform(wide[i].begin(), wide[i].end(), pixels[i].begin(), nearestByte);
+    }
+}
+
 } // namespace
 
 bool looksLikePng(std::span<const std::uint8_t> encoded) {
@@ -86,9 +110,11 @@ ImageRgba8 decodePng(std::span<const std::uint8_t> encoded, const std::string& n
     const Context context = makeContext(0);
     const spng_ihdr header = readHeader(context, encoded, name);
     ImageRgba8 image(header.width, header.height);
-    requireDecoded(spng_decode_image(context.get(), image.pixels.data(), image.pixels.size() * sizeof(Rgba8),
-                                     SPNG_FMT_RGBA8, SPNG_DECODE_TRNS),
-                   name);
+    if (header.bit_depth == 16) {
+        decodeWidePixels(context, image.pixels, name);
+    } else {
+        decodePixels(context, image.pixels, SPNG_FMT_RGBA8, name);
+    }
     // Reads to the end, to notice a file that is cut off after its last pixel.
     requireDecoded(spng_decode_chunks(context.get()), name);
     return image;
