@@ -196,6 +196,50 @@ TEST_F(Jpeg, OverTheLimitsIsRefusedByItsHeader) {
     EXPECT_NE(refusal(m_bytes).find("cannot hold"), std::string::npos) << refusal(m_bytes);
 }
 
+/// A JPEG without Huffman tables, whose quantisation table is of ones.
+/// @param frame its segment from the marker on. @param scan so too, with the data that follows.
+std::vector<std::uint8_t> jpegOf(const std::vector<std::uint8_t>& frame,
+                                 const std::vector<std::uint8_t>& scan) {
+    std::vector<std::uint8_t> jpeg{0xff, 0xd8, 0xff, 0xdb, 0, 67, 0};
+    jpeg.insert(jpeg.end(), 64, std::uint8_t{1});
+    jpeg.insert(jpeg.end(), frame.begin(), frame.end());
+    jpeg.insert(jpeg.end(), scan.begin(), scan.end());
+    jpeg.insert(jpeg.end(), {0xff, 0xd9});
+    return jpeg;
+}
+
+TEST(JpegKinds, OfArithmeticCodingMayBeOfFewBytes) {
+    const std::vector<std::uint8_t> jpeg = jpegOf({0xff, 0xc9, 0, 11, 8, 4, 0, 4, 0, 1, 1, 0x11, 0},
+                                                  {0xff, 0xda, 0, 8, 1, 1, 0, 0, 63, 0, 0x1e, 0xb7, 0x80});
+    EXPECT_EQ(decodeImage(jpeg, "picture"), ImageRgba8(1024, 1024, {128, 128, 128, 255}));
+    std::vector<std::uint8_t> large = jpeg;
+    large[76] = large[78] = 0x40; // 16384x16384
+    EXPECT_NE(refusal(large).find("over the limit"), std::string::npos) << refusal(large);
+}
+
+TEST(JpegKinds, OfASamplingWithoutANameIsDecoded) {
+    const std::vector<std::uint8_t> jpeg =
+        jpegOf({0xff, 0xc9, 0, 17, 8, 0, 8, 0, 24, 3, 1, 0x31, 0, 2, 0x11, 0, 3, 0x11, 0},
+               {0xff, 0xda, 0, 12, 3, 1, 0, 2, 0x11, 3, 0x11, 0, 63, 0, 0x30});
+    EXPECT_EQ(decodeImage(jpeg, "picture"), ImageRgba8(24, 8, {128, 128, 128, 255}));
+}
+
+TEST(JpegKinds, ThatTheLibraryCannotDecodeAreNotCalledDamaged) {
+    const std::vector<std::uint8_t> scan{0xff, 0xda, 0, 8, 1, 1, 0, 0, 63, 0};
+    const auto refusalOf = [&scan](const std::vector<std::uint8_t>& frame) {
+        return refusal(jpegOf(frame, scan));
+    };
+    EXPECT_EQ(
+        refusalOf({0xff, 0xc0, 0, 20, 8, 0, 8, 0, 8, 4, 1, 0x11, 0, 2, 0x11, 0, 3, 0x11, 0, 4, 0x11, 0}),
+        "picture: JPEG with CMYK colours is not supported");
+    EXPECT_EQ(refusalOf({0xff, 0xc0, 0, 17, 8, 0, 8, 0, 8, 3, 1, 0x31, 0, 2, 0x21, 0, 3, 0x11, 0}),
+              "picture: JPEG with fractional sampling is not supported");
+    EXPECT_EQ(refusalOf({0xff, 0xc1, 0, 11, 12, 0, 8, 0, 8, 1, 1, 0x11, 0}),
+              "picture: JPEG with 12 bits a sample is not supported");
+    EXPECT_EQ(refusalOf({0xff, 0xc3, 0, 11, 8, 0, 8, 0, 8, 1, 1, 0x11, 0}),
+              "picture: JPEG with lossless or hierarchical coding is not supported");
+}
+
 TEST(Tga, HasTheHeaderAndPixelsOfTheFormat) {
     ImageRgba8 image(258, 3);
     image.at(0, 0) = {1, 2, 3, 4};
