@@ -23,7 +23,7 @@ struct Box {
     void add(const Box& box) {
         low = glm::min(low, box.low);
         high = glm::max(high, box.high);
-        if (box.low != box.low || box.high != box.high) { // a comparison alone loses what is not a number
+        if (glm::any(glm::isnan(box.low)) || glm::any(glm::isnan(box.high))) { // comparisons lose these
             low = high = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
         }
     }

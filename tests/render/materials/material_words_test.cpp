@@ -1,6 +1,7 @@
 #include <cdr/render/materials/material_words.h>
 #include <cdr/shaders/shared.h>
 
+#include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -63,6 +64,28 @@ TEST(MetallicRoughnessCode, TenthsOfRoughnessAreExact) {
 TEST(MetallicRoughnessCode, WhatLiesOutsideCountsAsTheEnds) {
     EXPECT_EQ(metallicRoughnessCode(scene::MetallicRoughness{.metallic = -3.0f, .roughness = 7.0f}),
               metallicRoughnessCode(scene::MetallicRoughness{.metallic = 0.0f, .roughness = 1.0f}));
+}
+
+scene::Material masked(float alpha, float cutoff) {
+    return {.name = "mask",
+            .baseColorFactor = glm::vec4(1.0f, 1.0f, 1.0f, alpha),
+            .alphaMode = scene::AlphaMode::mask,
+            .alphaCutoff = cutoff};
+}
+
+/// glTF keeps an alpha of at least the cutoff. Half floats of the factor would be above or below it.
+TEST(MaterialWords, AMaskComparesTheFactorExactly) {
+    for (const float alpha : {0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.8f, 0.9f, 1.0f}) {
+        EXPECT_LE(cutoffOf(wordsOf(masked(alpha, alpha))), 1.0f) << alpha;
+        EXPECT_GT(cutoffOf(wordsOf(masked(alpha, alpha))), 0.9999f) << alpha;
+        EXPECT_GT(cutoffOf(wordsOf(masked(alpha, alpha * 1.0001f))), 1.0f) << alpha;
+        EXPECT_EQ(glm::unpackHalf2x16(wordsOf(masked(alpha, alpha)).baseColorBa).y, 1.0f) << alpha;
+    }
+    EXPECT_LT(cutoffOf(wordsOf(masked(0.4f, 0.4f))), 1.0f); // interpolation may round
+    EXPECT_EQ(cutoffOf(wordsOf(masked(1.0f, 0.5f))), 0.5f);
+    EXPECT_TRUE(std::isinf(cutoffOf(wordsOf(masked(0.0f, 0.5f)))));
+    EXPECT_EQ(cutoffOf(wordsOf(masked(0.0f, 0.0f))), 0.0f);
+    EXPECT_EQ(leastAlphaOf(masked(0.0f, 0.5f)), INFINITY);
 }
 
 TEST(MaterialWords, HoldTheCutoffBesideMetallicAndRoughness) {

@@ -63,6 +63,7 @@ void FrameRunner::requireRecordable(const HostFrame& frame) {
     }
 }
 
+// NOLINTNEXTLINE(readability-make-member-function-const): it gives a frame up
 void FrameRunner::dropRecorded() {
     if (slots().drop() == nullptr) {
         return;

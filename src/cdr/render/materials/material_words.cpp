@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace cdr::render {
 
@@ -17,15 +18,37 @@ std::uint32_t stepOf(float value, std::uint32_t steps) {
         std::lround(std::clamp(value, 0.0f, 1.0f) * static_cast<float>(steps - 1)));
 }
 
+/// Of a multiple of DrawRecord's steps of cutoffs, the next below. Interpolation may round the alpha that is compared with it.
+float stepBelow(float cutoff) {
+    const auto bits = std::bit_cast<std::uint32_t>(cutoff);
+    const bool hasStep = std::isfinite(cutoff) && bits > shaders::kMetallicRoughnessMask;
+    return std::bit_cast<float>(hasStep ? bits - (shaders::kMetallicRoughnessMask + 1) : bits);
+}
+
 } // namespace
 
+float leastAlphaOf(const scene::Material& material) {
+    const float alpha = material.baseColorFactor.a;
+    if (alpha == 1.0f) {
+        return material.alphaCutoff;
+    }
+    // A factor of 0 leaves only what a cutoff of 0 keeps.
+    const float none = material.alphaCutoff > 0.0f ? std::numeric_limits<float>::infinity() : 0.0f;
+    return alpha > 0.0f ? stepBelow(material.alphaCutoff / alpha) : none;
+}
+
 MaterialWords wordsOf(const scene::Material& material) {
-    const glm::vec4& color = material.baseColorFactor;
+    glm::vec4 color = material.baseColorFactor;
+    float cutoff = material.alphaCutoff;
+    if (material.alphaMode ==
+        scene::AlphaMode::mask) { // a half float would round the factor beside the cutoff
+        cutoff = leastAlphaOf(material);
+        color.a = 1.0f;
+    }
     const std::uint32_t metallicRoughness =
         material.unlit ? 0 : metallicRoughnessCode(material.metallicRoughness);
     return {.cutoffAndMetallicRoughness =
-                (std::bit_cast<std::uint32_t>(material.alphaCutoff) & ~shaders::kMetallicRoughnessMask) |
-                metallicRoughness,
+                (std::bit_cast<std::uint32_t>(cutoff) & ~shaders::kMetallicRoughnessMask) | metallicRoughness,
             .baseColorRg = glm::packHalf2x16(glm::vec2(color.r, color.g)),
             .baseColorBa = glm::packHalf2x16(glm::vec2(color.b, color.a))};
 }

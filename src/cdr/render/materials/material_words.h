@@ -14,7 +14,11 @@ struct MaterialWords {
     std::uint32_t baseColorBa = 0;
 };
 
-/// The alpha cutoff loses the last 8 bits of its mantissa, towards 0. An unlit material counts as matt.
+/// What a mask keeps: the least alpha of texture times vertex, that is the cutoff over the factor. Infinite where it keeps nothing.
+float leastAlphaOf(const scene::Material& material);
+
+/// The alpha cutoff loses the last 8 bits of its mantissa, towards 0. That of a mask is leastAlphaOf(), and its factor's alpha
+/// counts as 1. An unlit material counts as matt.
 MaterialWords wordsOf(const scene::Material& material);
 
 /// Whether a surface of it does.

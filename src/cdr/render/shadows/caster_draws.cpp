@@ -1,4 +1,5 @@
 #include <cdr/render/draw_source.h>
+#include <cdr/render/materials/material_words.h>
 #include <cdr/render/shadows/caster_draws.h>
 #include <cdr/render/shadows/cull_casters.h>
 #include <cdr/visibility/level_choice.h>
@@ -6,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace cdr::render {
@@ -154,11 +154,7 @@ float CasterDraws::leastAlphaOf(std::uint32_t caster) const {
     if (!isMasked(caster)) {
         return 0.0f;
     }
-    const scene::Material& material = m_scene.scene.materials[m_scene.uploaded.sources()[caster].material];
-    const float alpha = material.baseColorFactor.a;
-    // A factor of 0 leaves only what a cutoff of 0 keeps.
-    const float none = material.alphaCutoff > 0.0f ? std::numeric_limits<float>::infinity() : 0.0f;
-    return alpha > 0.0f ? material.alphaCutoff / alpha : none;
+    return render::leastAlphaOf(m_scene.scene.materials[m_scene.uploaded.sources()[caster].material]);
 }
 
 void CasterDraws::growRecords() {
