@@ -57,6 +57,12 @@ export async function open(browser, path, options = {}) {
     return page;
 }
 
+/** Opens all details of a report, and waits until their plots are drawn. */
+export async function openAll(page) {
+    await page.evaluate(() => document.querySelectorAll("details").forEach((d) => { d.open = true; }));
+    await page.waitForFunction(() => [...document.querySelectorAll(".plot-area")].every((area) => area.querySelector("canvas")));
+}
+
 /** Closes a page that did nothing wrong. */
 export async function close(page) {
     const { faults } = page;

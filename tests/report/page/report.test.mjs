@@ -1,11 +1,8 @@
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, readFileSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { binomialP, chiSquared, chiSquaredP } from "../../../src/page/logic/statistics.js";
-import { figure64, pairs, table41 } from "../../../src/page/logic/thesis.js";
-import { assertNoFindings, assertNoSidewaysScroll, close, contrast, copyReport, folder, launch, makeReport, open, program, screenshot } from "./browser.mjs";
+import { assertNoFindings, assertNoSidewaysScroll, close, contrast, copyReport, folder, launch, open, openAll, screenshot } from "./browser.mjs";
 
 let browser;
 let report;
@@ -22,11 +19,6 @@ after(async () => {
 });
 
 const openReport = (options) => open(browser, join(report, "index.html"), options);
-
-async function openAll(page) {
-    await page.evaluate(() => document.querySelectorAll("details").forEach((d) => { d.open = true; }));
-    await page.waitForFunction(() => [...document.querySelectorAll(".plot-area")].every((area) => area.querySelector("canvas")));
-}
 
 test("every plot draws, every picture and video loads, nothing goes wrong", async () => {
     const page = still;
@@ -55,32 +47,6 @@ test("every plot draws, every picture and video loads, nothing goes wrong", asyn
     videos.forEach(([width, seconds]) => assert.ok(width === 320 && Math.abs(seconds - 19) < 0.5, `${width}, ${seconds} s`));
     await screenshot(page, "report-light");
     assert.deepEqual(page.faults, []);
-});
-
-test("every picture of every technique loads when it is chosen, and its heat map", async () => {
-    const page = await openReport();
-    for (const wipe of await page.$$(".wipe")) {
-        const select = await wipe.$("select");
-        if (!select) {
-            continue; // two pictures, which show at once
-        }
-        const techniques = await select.$$eval("option", (options) => options.map((o) => o.textContent));
-        if (await wipe.evaluate((figure) => ["pictures", "orbit"].includes(figure.closest("section").id))) {
-            assert.deepEqual(techniques, ["Standard", "CDR", "Logarithmic", "LogCDR", "Reversed", "Anchored"]);
-        }
-        assert.ok(techniques.length > 1);
-        const kinds = await wipe.$$("input[type=radio]"); // none where there are no heat maps
-        for (const kind of kinds.length > 0 ? kinds : [null]) {
-            await kind?.check();
-            for (let i = 0; i < techniques.length; ++i) {
-                await (await wipe.$("select")).selectOption(String(i));
-                const upper = await wipe.$("img.upper");
-                await upper.evaluate((image) => image.decode());
-                assert.match(await upper.getAttribute("alt"), new RegExp(techniques[i]));
-            }
-        }
-    }
-    await close(page);
 });
 
 test("plots read out and zoom by mouse and by keyboard", async () => {
@@ -135,27 +101,6 @@ test("it opens with the runway's number under two techniques, and a table of all
     assert.equal(await page.locator("#opening thead th").count(), 5);
     assert.deepEqual(await page.$$eval("video", (list) => list.map((video) => video.poster.endsWith(".png"))), Array(6).fill(true));
     assert.deepEqual(page.faults, []);
-});
-
-test("the bar between two pictures moves by mouse and by keyboard", async () => {
-    const page = await openReport();
-    const box = page.locator(".wipe-box").first();
-    const at = () => box.evaluate((element) => element.querySelector(".wipe-bar").getBoundingClientRect().x - element.getBoundingClientRect().x);
-    await box.scrollIntoViewIfNeeded();
-    const { x, y, width, height } = await box.boundingBox();
-    await page.mouse.move(x + width * 0.5, y + height * 0.5);
-    await page.mouse.down();
-    await page.mouse.move(x + width * 0.8, y + height * 0.5, { steps: 5 });
-    await page.mouse.up();
-    assert.ok(Math.abs(await at() / width - 0.8) < 0.05, `${await at()} of ${width}`);
-    const before = await at();
-    await page.keyboard.press("ArrowLeft"); // the mouse left the focus on it
-    assert.ok(await at() < before);
-    await page.keyboard.press("Home");
-    assert.ok(Math.abs(await at()) < 3);
-    const clipped = await box.locator(".upper").evaluate((image) => getComputedStyle(image).clipPath);
-    assert.match(clipped, /100%/);
-    await close(page);
 });
 
 test("a phone reads values by touch and scrolls down only", async () => {
@@ -288,96 +233,6 @@ test("faces at one place have a row for each method, and eyes a picture and a ro
     assert.deepEqual(await page.$$eval("#stereo img", (images) => images.map((image) => image.getAttribute("src"))),
         ["stereo-parallel-picture.png", "stereo-toed-in-picture.png"]);
     assert.deepEqual(page.faults, []);
-});
-
-test("the printed commands give the same results again", () => {
-    const again = join(folder, "again");
-    mkdirSync(join(again, "data"), { recursive: true });
-    const manifest = JSON.parse(readFileSync(join(report, "report.json")));
-    for (const name of ["precision", "pictures", "probe", "advise"]) {
-        const row = manifest.results.find((result) => result.section === name);
-        execFileSync(program, row.command.split(" ").slice(1), { cwd: again, stdio: "pipe" });
-        const [first, second] = [report, again].map((root) => JSON.parse(readFileSync(join(root, row.json))));
-        assert.deepEqual(second.results, first.results, row.command);
-    }
-    assert.deepEqual(readdirSync(join(again, "pictures")), readdirSync(join(report, "pictures")));
-});
-
-test("the program and the page quote the same thesis", () => {
-    const read = (name) => JSON.parse(readFileSync(join(report, "data", `${name}.json`))).results;
-    const cells = read("precision").filter((cell) => cell.thesis !== undefined);
-    assert.equal(cells.length, 16);
-    cells.forEach((cell) => assert.equal(table41[cell.separation][cell.technique], cell.thesis));
-    const modes = read("timing").filter((row) => row.thesis_pct !== null);
-    assert.ok(modes.length >= 4);
-    modes.forEach((row) => assert.equal(figure64[row.name], row.thesis_pct));
-    const { pairs: counted } = JSON.parse(readFileSync(join(report, "data", "flicker.json")));
-    assert.deepEqual(counted.map((pair) => [pair.left, pair.right, pair.humans_left, pair.humans_right]),
-        pairs.map((pair) => [pair.left, pair.right, ...pair.chosen]));
-    counted.forEach((pair, i) => {
-        assert.ok(Math.abs(pair.chi_squared_p / chiSquaredP(chiSquared(...pairs[i].chosen)) - 1) < 1e-9);
-        assert.ok(Math.abs(pair.binomial_p / binomialP(...pairs[i].chosen) - 1) < 1e-9);
-    });
-});
-
-test("a report of some sections shows no others", async () => {
-    const part = makeReport("part", ["precision", "certificates-mixed-anchored"], process.env);
-    const page = await open(browser, join(part, "index.html"));
-    await openAll(page);
-    assert.deepEqual(await page.$$eval("main > section", (list) => list.map((section) => section.id)),
-        ["opening", "verdicts", "precision", "certificates", "environment"]);
-    assert.deepEqual(await page.$$eval(".contents a", (list) => list.map((a) => a.getAttribute("href"))),
-        ["#opening", "#verdicts", "#precision", "#certificates", "#environment"]);
-    assert.deepEqual(await page.$$eval("#verdict-list a", (list) => list.map((a) => a.getAttribute("href"))), ["#precision", "#precision"]);
-    assert.equal(await page.locator("#certificates tbody tr").count(), 1);
-    assert.match(await page.locator("#environment pre").textContent(), / --sections precision,certificates-mixed-anchored /);
-    await assertNoFindings(page);
-    await screenshot(page, "report-part");
-    await close(page);
-    const withoutVerdicts = makeReport("advice", ["advise"], process.env);
-    const advice = await open(browser, join(withoutVerdicts, "index.html"));
-    assert.deepEqual(await advice.$$eval("main > section", (list) => list.map((section) => section.id)), ["opening", "advise", "environment"]);
-    await close(advice);
-});
-
-test("without ffmpeg the page says so in place of the videos", async () => {
-    const bare = makeReport("bare", ["flicker"], { ...process.env, PATH: join(folder, "nowhere") });
-    const page = await open(browser, join(bare, "index.html"));
-    assert.equal(await page.locator("video").count(), 0);
-    assert.match(await page.locator("#flicker .notice").textContent(), /ffmpeg was not installed/);
-    await close(page);
-});
-
-test("an experiment that fails leaves the others their page, and says why", async () => {
-    const tools = join(folder, "tools");
-    mkdirSync(tools);
-    writeFileSync(join(tools, "ffmpeg"), "#!/bin/sh\necho 'no such encoder' >&2\nexit 1\n", { mode: 0o755 });
-    assert.throws(() => makeReport("failing", ["flicker", "pictures"], { ...process.env, PATH: tools }), (error) => {
-        assert.equal(error.status, 1);
-        assert.match(error.stderr.toString(), /^cdr: flicker: .*the rest of the report is written\n$/);
-        return true;
-    });
-    const page = await open(browser, join(folder, "failing", "index.html"));
-    assert.match(await page.locator("#flicker .notice").textContent(), /^This experiment failed.*ffmpeg/);
-    assert.match(await page.locator("#flicker").textContent(), /With something near the camera/); // the other half is there
-    assert.equal(await page.locator("#verdict-list .badge.missing").count(), 2);
-    assert.ok(await page.locator("#pictures .wipe").count() === 2);
-    await close(page);
-});
-
-test("results cannot become markup", async () => {
-    const page = await open(browser, join(report, "index.html"));
-    await page.route("**/data.js", async (route) => {
-        const data = readFileSync(join(report, "data.js"), "utf8").replace("window.cdrReport = ", "").replace(/;\s*$/, "");
-        const parsed = JSON.parse(data);
-        parsed.report.device.name = "<img src=x onerror=alert(1)></script><script>window.owned = 1</script>";
-        parsed.report.results[0].failure = "<b id=owned>bold</b>";
-        await route.fulfill({ contentType: "text/javascript", body: `window.cdrReport = ${JSON.stringify(parsed)};` });
-    });
-    await page.reload();
-    assert.equal(await page.evaluate(() => window.owned ?? document.querySelectorAll("#owned, img[src=x]").length), 0);
-    assert.match(await page.locator("#precision .notice").textContent(), /<b id=owned>/);
-    await close(page);
 });
 
 test("lengths follow the unit chosen, and stay in it", async () => {
