@@ -2,46 +2,37 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { binomialP, chiSquared, chiSquaredP } from "../../../src/page/logic/statistics.js";
 import { figure64, pairs, table41 } from "../../../src/page/logic/thesis.js";
-import { assertNoFindings, close, copyReport, folder, launch, makeReport, open, openAll, program, screenshot } from "./browser.mjs";
+import { assertNoFindings, close, folder, makeReport, open, openAll, program, screenshot, shareBrowser } from "./browser.mjs";
 
-let browser;
-let report;
-before(async () => {
-    report = copyReport();
-    browser = await launch();
-});
-after(async () => {
-    await browser?.close();
-    rmSync(folder, { recursive: true });
-});
+const shared = shareBrowser();
 
 test("the printed commands give the same results again", () => {
     const again = join(folder, "again");
     mkdirSync(join(again, "data"), { recursive: true });
-    const manifest = JSON.parse(readFileSync(join(report, "report.json")));
+    const manifest = JSON.parse(readFileSync(join(shared.report, "report.json")));
     for (const name of ["precision", "pictures", "probe", "advise"]) {
         const row = manifest.results.find((result) => result.section === name);
         execFileSync(program, row.command.split(" ").slice(1), { cwd: again, stdio: "pipe" });
-        const [first, second] = [report, again].map((root) => JSON.parse(readFileSync(join(root, row.json))));
+        const [first, second] = [shared.report, again].map((root) => JSON.parse(readFileSync(join(root, row.json))));
         assert.deepEqual(second.results, first.results, row.command);
     }
-    assert.deepEqual(readdirSync(join(again, "pictures")), readdirSync(join(report, "pictures")));
+    assert.deepEqual(readdirSync(join(again, "pictures")), readdirSync(join(shared.report, "pictures")));
 });
 
 test("the program and the page quote the same thesis", () => {
-    const read = (name) => JSON.parse(readFileSync(join(report, "data", `${name}.json`))).results;
+    const read = (name) => JSON.parse(readFileSync(join(shared.report, "data", `${name}.json`))).results;
     const cells = read("precision").filter((cell) => cell.thesis !== undefined);
     assert.equal(cells.length, 16);
     cells.forEach((cell) => assert.equal(table41[cell.separation][cell.technique], cell.thesis));
     const modes = read("timing").filter((row) => row.thesis_pct !== null);
     assert.ok(modes.length >= 4);
     modes.forEach((row) => assert.equal(figure64[row.name], row.thesis_pct));
-    const { pairs: counted } = JSON.parse(readFileSync(join(report, "data", "flicker.json")));
+    const { pairs: counted } = JSON.parse(readFileSync(join(shared.report, "data", "flicker.json")));
     assert.deepEqual(counted.map((pair) => [pair.left, pair.right, pair.humans_left, pair.humans_right]),
         pairs.map((pair) => [pair.left, pair.right, ...pair.chosen]));
     counted.forEach((pair, i) => {
@@ -52,7 +43,7 @@ test("the program and the page quote the same thesis", () => {
 
 test("a report of some sections shows no others", async () => {
     const part = makeReport("part", ["precision", "certificates-mixed-anchored"], process.env);
-    const page = await open(browser, join(part, "index.html"));
+    const page = await open(shared.browser, join(part, "index.html"));
     await openAll(page);
     assert.deepEqual(await page.$$eval("main > section", (list) => list.map((section) => section.id)),
         ["opening", "verdicts", "precision", "certificates", "environment"]);
@@ -65,14 +56,14 @@ test("a report of some sections shows no others", async () => {
     await screenshot(page, "report-part");
     await close(page);
     const withoutVerdicts = makeReport("advice", ["advise"], process.env);
-    const advice = await open(browser, join(withoutVerdicts, "index.html"));
+    const advice = await open(shared.browser, join(withoutVerdicts, "index.html"));
     assert.deepEqual(await advice.$$eval("main > section", (list) => list.map((section) => section.id)), ["opening", "advise", "environment"]);
     await close(advice);
 });
 
 test("without ffmpeg the page says so in place of the videos", async () => {
     const bare = makeReport("bare", ["flicker"], { ...process.env, PATH: join(folder, "nowhere") });
-    const page = await open(browser, join(bare, "index.html"));
+    const page = await open(shared.browser, join(bare, "index.html"));
     assert.equal(await page.locator("video").count(), 0);
     assert.match(await page.locator("#flicker .notice").textContent(), /ffmpeg was not installed/);
     await close(page);
@@ -87,7 +78,7 @@ test("an experiment that fails leaves the others their page, and says why", asyn
         assert.match(error.stderr.toString(), /^cdr: flicker: .*the rest of the report is written\n$/);
         return true;
     });
-    const page = await open(browser, join(folder, "failing", "index.html"));
+    const page = await open(shared.browser, join(folder, "failing", "index.html"));
     assert.match(await page.locator("#flicker .notice").textContent(), /^This experiment failed.*ffmpeg/);
     assert.match(await page.locator("#flicker").textContent(), /With something near the camera/); // the other half is there
     assert.equal(await page.locator("#verdict-list .badge.missing").count(), 2);
@@ -96,9 +87,9 @@ test("an experiment that fails leaves the others their page, and says why", asyn
 });
 
 test("results cannot become markup", async () => {
-    const page = await open(browser, join(report, "index.html"));
+    const page = await open(shared.browser, join(shared.report, "index.html"));
     await page.route("**/data.js", async (route) => {
-        const data = readFileSync(join(report, "data.js"), "utf8").replace("window.cdrReport = ", "").replace(/;\s*$/, "");
+        const data = readFileSync(join(shared.report, "data.js"), "utf8").replace("window.cdrReport = ", "").replace(/;\s*$/, "");
         const parsed = JSON.parse(data);
         parsed.report.device.name = "<img src=x onerror=alert(1)></script><script>window.owned = 1</script>";
         parsed.report.results[0].failure = "<b id=owned>bold</b>";

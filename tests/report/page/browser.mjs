@@ -2,10 +2,11 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { cpSync, mkdtempSync, mkdirSync, readFileSync } from "node:fs";
+import { cpSync, mkdtempSync, mkdirSync, readFileSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { after, before } from "node:test";
 import { pathToFileURL } from "node:url";
 
 // The packages live with the page, which is not above this file.
@@ -17,20 +18,28 @@ export const program = process.env.CDR_PROGRAM;
 export const folder = mkdtempSync(join(tmpdir(), "cdr_report_"));
 const screenshots = process.env.CDR_ALL_CASES && process.env.CDR_SCREENSHOTS;
 
-/** A copy of the report that the test Report.Made wrote. */
-export function copyReport() {
-    cpSync(process.env.CDR_REPORT, join(folder, "report"), { recursive: true });
-    return join(folder, "report");
+/**
+ * For all tests of a file: a `browser`, and a `report` that is a copy of the one that the test Report.Made wrote.
+ * @param {() => Promise<void>} prepare what else is done before the first test.
+ */
+export function shareBrowser(prepare = async () => {}) {
+    const shared = { browser: null, report: join(folder, "report") };
+    before(async () => {
+        cpSync(process.env.CDR_REPORT, shared.report, { recursive: true });
+        shared.browser = await chromium.launch({ executablePath: process.env.CDR_CHROMIUM, args: ["--no-sandbox"] }); // root in containers
+        await prepare();
+    });
+    after(async () => {
+        await shared.browser?.close();
+        rmSync(folder, { recursive: true });
+    });
+    return shared;
 }
 
 /** The smallest report of some sections, made by the program under test in another environment. */
 export function makeReport(name, sections, environment) {
     execFileSync(program, ["report", "--smallest", "--sections", sections.join(","), "-o", join(folder, name)], { env: environment, stdio: "pipe" });
     return join(folder, name);
-}
-
-export function launch() {
-    return chromium.launch({ executablePath: process.env.CDR_CHROMIUM, args: ["--no-sandbox"] }); // root in containers
 }
 
 /**

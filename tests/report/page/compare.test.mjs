@@ -1,25 +1,16 @@
 import assert from "node:assert/strict";
-import { copyFileSync, mkdirSync, readFileSync, rmSync } from "node:fs";
+import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { techniqueTitles } from "../../../src/page/logic/thesis.js";
 import { makeTrials, toCsv, makeAnswer, fromCsv } from "../../../src/page/logic/trials.js";
-import { assertNoFindings, assertNoSidewaysScroll, close, copyReport, folder, launch, open, screenshot } from "./browser.mjs";
+import { assertNoFindings, assertNoSidewaysScroll, close, folder, open, screenshot, shareBrowser } from "./browser.mjs";
 
-let browser;
-let report;
-before(async () => {
-    report = copyReport();
-    browser = await launch();
-});
-after(async () => {
-    await browser?.close();
-    rmSync(folder, { recursive: true });
-});
+const shared = shareBrowser();
 
 /** Opens the page as somebody new would: nothing kept. Videos play as fast as browsers can. */
 async function openCompare(query = "", options = {}) {
-    const page = await open(browser, `${join(report, "compare.html")}${query}`, { acceptDownloads: true, ...options });
+    const page = await open(shared.browser, `${join(shared.report, "compare.html")}${query}`, { acceptDownloads: true, ...options });
     await page.evaluate(() => {
         const video = document.getElementById("video");
         video.defaultPlaybackRate = 16;
@@ -148,8 +139,8 @@ test("files of others are counted once, with both tests; a strange file is named
 test("without videos it says what makes them", async () => {
     const alone = join(folder, "alone");
     mkdirSync(alone);
-    copyFileSync(join(report, "compare.html"), join(alone, "compare.html"));
-    const page = await open(browser, join(alone, "compare.html"));
+    copyFileSync(join(shared.report, "compare.html"), join(alone, "compare.html"));
+    const page = await open(shared.browser, join(alone, "compare.html"));
     await page.click("#start button");
     await page.locator("#missing").waitFor();
     assert.match(await page.locator("#missing").textContent(), /cdr report --quick -o/);
@@ -159,7 +150,7 @@ test("without videos it says what makes them", async () => {
 });
 
 test("a browser that lends no storage still runs it", async () => {
-    const page = await open(browser, join(report, "compare.html"));
+    const page = await open(shared.browser, join(shared.report, "compare.html"));
     await page.context().addInitScript(() => Object.defineProperty(window, "localStorage", { get() { throw new Error("denied"); } }));
     await page.reload();
     await start(page, "Di");

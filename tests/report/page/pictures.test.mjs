@@ -1,21 +1,11 @@
 import assert from "node:assert/strict";
-import { rmSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import { close, copyReport, folder, launch, open } from "./browser.mjs";
+import { test } from "node:test";
+import { close, open, shareBrowser } from "./browser.mjs";
 
-let browser;
-let report;
-before(async () => {
-    report = copyReport();
-    browser = await launch();
-});
-after(async () => {
-    await browser?.close();
-    rmSync(folder, { recursive: true });
-});
+const shared = shareBrowser();
 
-const openReport = () => open(browser, join(report, "index.html"));
+const openReport = () => open(shared.browser, join(shared.report, "index.html"));
 
 test("every picture of every technique loads when it is chosen, and its heat map", async () => {
     const page = await openReport();

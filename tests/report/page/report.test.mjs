@@ -1,24 +1,16 @@
 import assert from "node:assert/strict";
-import { existsSync, readFileSync, rmSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import { assertNoFindings, assertNoSidewaysScroll, close, contrast, copyReport, folder, launch, open, openAll, screenshot } from "./browser.mjs";
+import { test } from "node:test";
+import { assertNoFindings, assertNoSidewaysScroll, close, contrast, open, openAll, screenshot, shareBrowser } from "./browser.mjs";
 
-let browser;
-let report;
 let still; // a page with all its details open, for tests that only read: a page takes longer to draw than most tests to read it
-before(async () => {
-    report = copyReport();
-    browser = await launch();
+const shared = shareBrowser(async () => {
     still = await openReport();
     await openAll(still);
 });
-after(async () => {
-    await browser?.close();
-    rmSync(folder, { recursive: true });
-});
 
-const openReport = (options) => open(browser, join(report, "index.html"), options);
+const openReport = (options) => open(shared.browser, join(shared.report, "index.html"), options);
 
 test("every plot draws, every picture and video loads, nothing goes wrong", async () => {
     const page = still;
@@ -185,19 +177,19 @@ test("headings, landmarks and tables are what they look like", async () => {
 
 test("each section names its command, device and commit, and links its JSON", async () => {
     const page = still;
-    const manifest = JSON.parse(readFileSync(join(report, "report.json")));
+    const manifest = JSON.parse(readFileSync(join(shared.report, "report.json")));
     const sources = await page.$$eval(".source pre code", (codes) => codes.map((code) => code.textContent));
     assert.equal(manifest.results.length, 34);
     for (const row of manifest.results) {
         assert.equal(row.failure, null);
         assert.ok(sources.includes(row.command), row.command);
-        const json = JSON.parse(readFileSync(join(report, row.json)));
+        const json = JSON.parse(readFileSync(join(shared.report, row.json)));
         assert.equal(json.commit, manifest.commit);
         assert.ok(json.results.length > 0);
         assert.ok(await page.locator(`a[href="${row.json}"]`).count() === 1);
     }
-    assert.deepEqual(manifest.files.filter((file) => !existsSync(join(report, file))), []);
-    assert.match(readFileSync(join(report, "LICENSES.txt"), "utf8"), /uplot 1\.6\.32[^]*Leon Sorokin[^]*WITHOUT WARRANTY OF ANY KIND/);
+    assert.deepEqual(manifest.files.filter((file) => !existsSync(join(shared.report, file))), []);
+    assert.match(readFileSync(join(shared.report, "LICENSES.txt"), "utf8"), /uplot 1\.6\.32[^]*Leon Sorokin[^]*WITHOUT WARRANTY OF ANY KIND/);
     assert.deepEqual(page.faults, []);
 });
 
@@ -215,7 +207,7 @@ test("shadows and certificates have a table each over all of their scenes", asyn
     assert.ok(certificates.every(([technique, , certified]) => technique !== "Anchored" || parseFloat(certified) >= 99.9), "certified");
     const files = await page.$$eval("#certificates tbody a", (links) => links.map((link) => link.getAttribute("href")));
     assert.equal(new Set(files).size, 9);
-    files.forEach((file) => assert.equal(JSON.parse(readFileSync(join(report, file))).rule, "the float64 ray through a pixel's centre decides"));
+    files.forEach((file) => assert.equal(JSON.parse(readFileSync(join(shared.report, file))).rule, "the float64 ray through a pixel's centre decides"));
     assert.deepEqual(page.faults, []);
 });
 
@@ -257,7 +249,7 @@ test("lengths follow the unit chosen, and stay in it", async () => {
 
 test("what is copied has all its digits", async () => {
     const page = await openReport();
-    const { results } = JSON.parse(readFileSync(join(report, "data", "orbit.json")));
+    const { results } = JSON.parse(readFileSync(join(shared.report, "data", "orbit.json")));
     const wanted = results.find((row) => row.technique === "standard" && row.wrong_fraction > 0).wrong_fraction;
     const copied = await page.evaluate(() => new Promise((resolve) => {
         const kept = [];
