@@ -5,14 +5,15 @@
 // Beside depth keeps how the surface slopes, so that a receiver can tell its own surface from what is before it.
 layout(push_constant) uniform Push { CasterPush push; };
 
+layout(location = 0) flat in float inRounding;
 #ifdef MASKED
-layout(location = 0) in vec3 inUvAlpha;
-layout(location = 1) flat in float inLeastAlpha;
+layout(location = 1) in vec3 inUvAlpha;
+layout(location = 2) flat in float inLeastAlpha;
 layout(set = 0, binding = 0) uniform sampler2D baseColorTexture;
 #endif
 
-// Texels towards the light per texel across and down.
-layout(location = 0) out vec2 outSlope;
+// Texels towards the light per texel across and down; in z by how many texels the depth may be off.
+layout(location = 0) out vec4 outSlope;
 
 const float kMaxSlope = 1000.0;
 
@@ -20,7 +21,7 @@ void main() {
     float z = gl_FragCoord.z;
     float perTexel = depthPerTexel(push.lens, z);
     vec2 slope = vec2(dFdx(z), dFdy(z)) / max(perTexel, 1e-37);
-    outSlope = clamp(slope, -kMaxSlope, kMaxSlope);
+    outSlope = vec4(clamp(slope, -kMaxSlope, kMaxSlope), min(inRounding * gl_FragCoord.w / push.lens.texel, kMaxSlope), 0.0);
 #ifdef MASKED
     if (inUvAlpha.z * texture(baseColorTexture, inUvAlpha.xy).a < inLeastAlpha) {
         discard;

@@ -17,9 +17,10 @@ layout(location = 6) in vec4 inColor;
 layout(location = 7) in float inLeastAlpha;
 #endif
 
+layout(location = 0) flat out float outRounding;
 #ifdef MASKED
-layout(location = 0) out vec3 outUvAlpha;
-layout(location = 1) flat out float outLeastAlpha;
+layout(location = 1) out vec3 outUvAlpha;
+layout(location = 2) flat out float outLeastAlpha;
 #endif
 
 void main() {
@@ -28,12 +29,10 @@ void main() {
     float ahead = dot(inAhead.xyz, inPosition) + inAhead.w;
     LightLens lens = push.lens;
     float w = lens.wOffset + lens.wPerUnit * ahead;
-    float z = lens.zOffset + lens.zPerUnit * ahead;
-    // As far from the light as rounding may have put it, so that no surface shades itself. Finite behind the light too.
-    float behind = inRounding * (lens.zPerUnit - (z < w ? max(z / w, 0.0) : 1.0) * lens.wPerUnit);
     // Rounded as written: the rows are sums of large numbers that nearly cancel.
-    precise vec4 place = vec4(vec2(right, up) * push.scale + w * push.shift, z + behind, w);
+    precise vec4 place = vec4(vec2(right, up) * push.scale + w * push.shift, lens.zOffset + lens.zPerUnit * ahead, w);
     gl_Position = place;
+    outRounding = inRounding;
 #ifdef MASKED
     outUvAlpha = vec3(inUv, inColor.a);
     outLeastAlpha = inLeastAlpha;

@@ -40,9 +40,9 @@ float texelsBefore(ReceiverPush map, ivec2 texel, float z, float perTexel) {
 }
 
 // The same of that surface continued to the receiver.
-float gapAt(ReceiverPush map, ivec2 texel, vec2 inMap, float z, float perTexel, vec2 slope) {
+float gapAt(ReceiverPush map, ivec2 texel, vec2 inMap, float z, float perTexel, vec3 slope) {
     vec2 across = inMap - (vec2(texel) + 0.5);
-    return texelsBefore(map, texel, z, perTexel) + dot(slope, across);
+    return texelsBefore(map, texel, z, perTexel) + dot(slope.xy, across);
 }
 
 float sumOf(vec2 v) { return abs(v.x) + abs(v.y); }
@@ -89,6 +89,7 @@ bool isReached(ReceiverPush map, Receiver receiver, vec2 ray) {
     vec2 lowest = slope;
     vec2 highest = slope;
     float steepest = sumOf(slope);
+    float rounding = 0.0;
     float gap = 0.0;
     float leastGap = 1e38;
     float allowed = 0.0;
@@ -96,7 +97,7 @@ bool isReached(ReceiverPush map, Receiver receiver, vec2 ray) {
     // iterations of a loop that no pixel of a group needs, but not branches.
     [[dont_unroll]] for (int i = 0; i < 4; ++i) {
         ivec2 texel = corner + (nearest ^ ivec2(i & 1, i >> 1));
-        vec2 caster = texelFetch(mapSlope, map.mapCorner + texel, 0).xy;
+        vec3 caster = texelFetch(mapSlope, map.mapCorner + texel, 0).xyz;
         float gapHere = gapAt(map, texel, inMap, z, perTexel, caster);
         if (i == 0) {
             gap = gapHere;
@@ -106,10 +107,11 @@ bool isReached(ReceiverPush map, Receiver receiver, vec2 ray) {
             }
         }
         leastGap = min(leastGap, gapHere);
-        lowest = min(lowest, caster);
-        highest = max(highest, caster);
-        steepest = max(steepest, sumOf(caster));
-        allowed = shift * (1.0 + steepest) + steepest * (map.mapSnap + kHalf) + kRounding * z / perTexel +
+        lowest = min(lowest, caster.xy);
+        highest = max(highest, caster.xy);
+        steepest = max(steepest, sumOf(caster.xy));
+        rounding = max(rounding, caster.z);
+        allowed = shift * (1.0 + steepest) + steepest * (map.mapSnap + kHalf) + rounding + kRounding * z / perTexel +
                   sumOf(highest - lowest) + kThin;
         if (!(gap > allowed)) { // what is not a number casts no shadow
             return true;

@@ -110,7 +110,7 @@ TEST(PreciseDistances, SmallDifferencesOfLargeOnesAreRoundedAsWritten) {
         {"translucent receivers", kTranslucentSortedShadowedFrag, "beyondReference", 3},
         {"translucent receivers", kTranslucentSortedShadowedFrag, "texelsAt", 1},
         {"translucent receivers", kTranslucentSortedShadowedFrag, "texelsBefore", 1},
-        {"casters", kCasterVert, "main", 8},
+        {"casters", kCasterVert, "main", 6},
         {"geometry", kGeometryVert, "main", 3},
         {"geometry", kGeometryVert, "projectedOf", 2},
         {"geometry", kGeometryVert, "cdrClipPosition", 2},
