@@ -14,6 +14,23 @@ namespace {
 
 using namespace cdr::gpu;
 
+/// What an owner says that its device was created with.
+struct NamedFeatures {
+    VkPhysicalDeviceVulkan13Features v13{};
+    VkPhysicalDeviceVulkan12Features v12{};
+    VkPhysicalDeviceFeatures2 features{};
+
+    NamedFeatures() {
+        v13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+        v12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+        v12.pNext = &v13;
+        features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+        features.pNext = &v12;
+    }
+    NamedFeatures(const NamedFeatures&) = delete;
+    NamedFeatures& operator=(const NamedFeatures&) = delete;
+};
+
 class BorrowedDevices : public testing::Test {
   protected:
     void TearDown() override { cdr::test::withheldFeatures().clear(); }
@@ -25,6 +42,13 @@ class BorrowedDevices : public testing::Test {
                 .device = m_device.handle(),
                 .queue = m_device.queue(),
                 .queueFamily = m_device.queueFamily()};
+    }
+    /// With those features, and all of them enabled that cdr uses.
+    BorrowedDevice lentWith(VkPhysicalDeviceFeatures2& features) const {
+        BorrowedDevice borrowed = lent();
+        borrowed.features = &features;
+        enableFeatures(borrowed.instance, borrowed.physical, features);
+        return borrowed;
     }
     /// Why it is refused; empty where it is not.
     static std::string refusalOf(const BorrowedDevice& borrowed) {
@@ -71,24 +95,15 @@ TEST_F(BorrowedDevices, RenderConditionallyWhereTheirOwnerNamesTheFeature) {
     EXPECT_FALSE(Device(lent()).info().hasConditionalRendering);
     VkPhysicalDeviceConditionalRenderingFeaturesEXT conditional{};
     conditional.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT;
-    VkPhysicalDeviceVulkan13Features v13{};
-    v13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
-    v13.pNext = &conditional;
-    VkPhysicalDeviceVulkan12Features v12{};
-    v12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
-    v12.pNext = &v13;
-    VkPhysicalDeviceFeatures2 features{};
-    features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-    features.pNext = &v12;
-    BorrowedDevice borrowed = lent();
-    borrowed.features = &features;
-    enableFeatures(borrowed.instance, borrowed.physical, features);
-    EXPECT_EQ(hasConditionalRendering(features), hasCondition());
+    NamedFeatures named;
+    named.v13.pNext = &conditional;
+    const BorrowedDevice borrowed = lentWith(named.features);
+    EXPECT_EQ(hasConditionalRendering(named.features), hasCondition());
     EXPECT_EQ(Device(borrowed).info().hasConditionalRendering, hasCondition());
     conditional.conditionalRendering = VK_FALSE;
     EXPECT_FALSE(Device(borrowed).info().hasConditionalRendering);
-    v13.pNext = nullptr; // an owner that does not know the extension
-    EXPECT_FALSE(hasConditionalRendering(features));
+    named.v13.pNext = nullptr; // an owner that does not know the extension
+    EXPECT_FALSE(hasConditionalRendering(named.features));
     EXPECT_FALSE(Device(borrowed).info().hasConditionalRendering);
 }
 
@@ -96,19 +111,11 @@ TEST_F(BorrowedDevices, DrawMeshesOfAnySizeWhereTheirOwnerNamesTheFeature) {
     constexpr std::uint32_t kSure = 0xffffff; // by Vulkan without the feature
     EXPECT_GE(maxIndex(), kSure);
     EXPECT_EQ(Device(lent()).info().maxIndex, kSure);
-    VkPhysicalDeviceVulkan13Features v13{};
-    v13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
-    VkPhysicalDeviceVulkan12Features v12{};
-    v12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
-    v12.pNext = &v13;
-    VkPhysicalDeviceFeatures2 features{};
-    features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-    features.pNext = &v12;
-    BorrowedDevice borrowed = lent();
-    borrowed.features = &features;
-    enableFeatures(borrowed.instance, borrowed.physical, features);
-    EXPECT_EQ(Device(borrowed).info().maxIndex, features.features.fullDrawIndexUint32 ? maxIndex() : kSure);
-    features.features.fullDrawIndexUint32 = VK_FALSE;
+    NamedFeatures named;
+    const BorrowedDevice borrowed = lentWith(named.features);
+    EXPECT_EQ(Device(borrowed).info().maxIndex,
+              named.features.features.fullDrawIndexUint32 ? maxIndex() : kSure);
+    named.features.features.fullDrawIndexUint32 = VK_FALSE;
     EXPECT_EQ(Device(borrowed).info().maxIndex, kSure);
 }
 

@@ -131,8 +131,8 @@ void VKAPI_PTR properties2Of(VkPhysicalDevice physical, VkPhysicalDeviceProperti
     }
 }
 
-VkFormat& withheldFormat() {
-    static VkFormat only = VK_FORMAT_UNDEFINED;
+std::optional<VkFormat>& withheldFormat() {
+    static std::optional<VkFormat> only;
     return only;
 }
 
@@ -146,8 +146,8 @@ void VKAPI_PTR formatOf(VkPhysicalDevice physical, VkFormat format, VkFormatProp
     }
 }
 
-std::uint32_t& firstCount() {
-    static std::uint32_t first = 0;
+std::optional<std::uint32_t>& firstCount() {
+    static std::optional<std::uint32_t> first;
     return first;
 }
 
@@ -156,7 +156,7 @@ PFN_vkCmdFillBuffer realFill = nullptr;
 void VKAPI_PTR fillFrom(VkCommandBuffer commands, VkBuffer buffer, VkDeviceSize offset, VkDeviceSize bytes,
                         std::uint32_t data) {
     const bool isCounter = bytes == sizeof(std::uint32_t) && data == 0;
-    realFill(commands, buffer, offset, bytes, isCounter ? firstCount() : data);
+    realFill(commands, buffer, offset, bytes, isCounter ? firstCount().value_or(0) : data);
 }
 
 PFN_vkGetDeviceProcAddr realDeviceLoader = nullptr;
@@ -214,52 +214,28 @@ bool FailingCall::hasFailed() {
     return wantedFailure().hasFailed;
 }
 
-SmallHeaps::SmallHeaps(std::uint64_t bytes) {
-    heapBytes() = bytes;
+StandIn<std::uint64_t> smallHeaps(std::uint64_t bytes) {
+    return {heapBytes(), bytes};
 }
 
-SmallHeaps::~SmallHeaps() {
-    heapBytes().reset();
+StandIn<std::uint32_t> fewStorageBuffers(std::uint32_t most) {
+    return {storageBuffers(), most};
 }
 
-FewStorageBuffers::FewStorageBuffers(std::uint32_t most) {
-    storageBuffers() = most;
+StandIn<std::uint32_t> fewIndices(std::uint32_t most) {
+    return {mostIndices(), most};
 }
 
-FewStorageBuffers::~FewStorageBuffers() {
-    storageBuffers().reset();
+StandIn<std::uint64_t> smallBuffers(std::uint64_t bytes) {
+    return {bufferBytes(), bytes};
 }
 
-FewIndices::FewIndices(std::uint32_t most) {
-    mostIndices() = most;
+StandIn<VkFormat> noDepthFormat(VkFormat format) {
+    return {withheldFormat(), format};
 }
 
-FewIndices::~FewIndices() {
-    mostIndices().reset();
-}
-
-SmallBuffers::SmallBuffers(std::uint64_t bytes) {
-    bufferBytes() = bytes;
-}
-
-SmallBuffers::~SmallBuffers() {
-    bufferBytes().reset();
-}
-
-NoDepthFormat::NoDepthFormat(VkFormat format) {
-    withheldFormat() = format;
-}
-
-NoDepthFormat::~NoDepthFormat() {
-    withheldFormat() = VK_FORMAT_UNDEFINED;
-}
-
-CounterFrom::CounterFrom(std::uint32_t first) {
-    firstCount() = first;
-}
-
-CounterFrom::~CounterFrom() {
-    firstCount() = 0;
+StandIn<std::uint32_t> counterFrom(std::uint32_t first) {
+    return {firstCount(), first};
 }
 
 } // namespace cdr::render_test

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace cdr::render_test {
@@ -23,58 +24,30 @@ class FailingCall {
     static bool hasFailed();
 };
 
-/// While it lives, what is made on a physical device finds heaps of at most so many bytes.
-class SmallHeaps {
+/// While it lives, Vulkan says something else, as the functions below set it.
+template <typename Value>
+class StandIn {
   public:
-    explicit SmallHeaps(std::uint64_t bytes);
-    ~SmallHeaps();
-    SmallHeaps(const SmallHeaps&) = delete;
-    SmallHeaps& operator=(const SmallHeaps&) = delete;
+    StandIn(std::optional<Value>& said, Value value) : m_said(said) { m_said = value; }
+    ~StandIn() { m_said.reset(); }
+    StandIn(const StandIn&) = delete;
+    StandIn& operator=(const StandIn&) = delete;
+
+  private:
+    std::optional<Value>& m_said;
 };
 
-/// While it lives, physical devices say that a shader stage reads at most so many storage buffers.
-class FewStorageBuffers {
-  public:
-    explicit FewStorageBuffers(std::uint32_t most);
-    ~FewStorageBuffers();
-    FewStorageBuffers(const FewStorageBuffers&) = delete;
-    FewStorageBuffers& operator=(const FewStorageBuffers&) = delete;
-};
-
-/// While it lives, physical devices say that draws name at most so many vertices of a mesh, from 0 on.
-class FewIndices {
-  public:
-    explicit FewIndices(std::uint32_t most);
-    ~FewIndices();
-    FewIndices(const FewIndices&) = delete;
-    FewIndices& operator=(const FewIndices&) = delete;
-};
-
-/// While it lives, physical devices say that a buffer has at most so many bytes.
-class SmallBuffers {
-  public:
-    explicit SmallBuffers(std::uint64_t bytes);
-    ~SmallBuffers();
-    SmallBuffers(const SmallBuffers&) = delete;
-    SmallBuffers& operator=(const SmallBuffers&) = delete;
-};
-
-/// While it lives, physical devices say that they do not draw to depth images of this format.
-class NoDepthFormat {
-  public:
-    explicit NoDepthFormat(VkFormat format);
-    ~NoDepthFormat();
-    NoDepthFormat(const NoDepthFormat&) = delete;
-    NoDepthFormat& operator=(const NoDepthFormat&) = delete;
-};
-
-/// While it lives, a counter of four bytes that a frame sets to 0 begins with `first`.
-class CounterFrom {
-  public:
-    explicit CounterFrom(std::uint32_t first);
-    ~CounterFrom();
-    CounterFrom(const CounterFrom&) = delete;
-    CounterFrom& operator=(const CounterFrom&) = delete;
-};
+/// What is made on a physical device finds heaps of at most so many bytes.
+[[nodiscard]] StandIn<std::uint64_t> smallHeaps(std::uint64_t bytes);
+/// Physical devices say that a shader stage reads at most so many storage buffers.
+[[nodiscard]] StandIn<std::uint32_t> fewStorageBuffers(std::uint32_t most);
+/// Physical devices say that draws name at most so many vertices of a mesh, from 0 on.
+[[nodiscard]] StandIn<std::uint32_t> fewIndices(std::uint32_t most);
+/// Physical devices say that a buffer has at most so many bytes.
+[[nodiscard]] StandIn<std::uint64_t> smallBuffers(std::uint64_t bytes);
+/// Physical devices say that they do not draw to depth images of this format.
+[[nodiscard]] StandIn<VkFormat> noDepthFormat(VkFormat format);
+/// A counter of four bytes that a frame sets to 0 begins with `first`.
+[[nodiscard]] StandIn<std::uint32_t> counterFrom(std::uint32_t first);
 
 } // namespace cdr::render_test

@@ -18,7 +18,7 @@ TEST_F(RendererSetupTest, ShadowsAndOcclusionCullingAreRefusedWithoutTheirDepthF
     occlusion.occlusionCulling = true;
     const std::string lacks = " a depth buffer of D32_SFLOAT, which " + device().info().name + " lacks";
     {
-        const NoDepthFormat withheld(VK_FORMAT_D32_SFLOAT);
+        const StandIn withheld = noDepthFormat(VK_FORMAT_D32_SFLOAT);
         EXPECT_EQ(refusalOf(scene, plain), "none");
         EXPECT_EQ(refusalOf(scene, shadows), "shadows need" + lacks);
         EXPECT_EQ(refusalOf(scene, occlusion), "occlusion culling needs" + lacks);

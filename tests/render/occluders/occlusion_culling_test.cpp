@@ -271,7 +271,7 @@ TEST_F(OcclusionCullingTest, ADeviceWithTooFewStorageBuffersIsRefused) {
     options.submission = render::Submission::gpuDriven;
     scene::Scene scene = boxScene();
     addBox(scene, {0.0, 0.0, -5.0});
-    const FewStorageBuffers few(17);
+    const StandIn few = fewStorageBuffers(17);
     EXPECT_NO_THROW(draw(scene, {}, options));
     const std::string message = test::runErrorOf([&] { draw(scene, {}, culling(options)); });
     EXPECT_NE(message.find("needs 18 storage buffers"), std::string::npos) << message;

@@ -106,7 +106,7 @@ TEST_F(TranslucentShadowsTest, ADeviceWithTooFewStorageBuffersDrawsThemWeighted)
     RenderOptions options = tinyOptionsFor("reversed", Translucency::weighted);
     const std::string weighted = hashOf(draw(m_sheets.scene, m_camera, options));
     options.translucency.method = Translucency::sorted;
-    const FewStorageBuffers few(4);
+    const StandIn few = fewStorageBuffers(4);
     const render::Frame frame = draw(m_sheets.scene, m_camera, options);
     EXPECT_EQ(hashOf(frame), weighted);
     ASSERT_TRUE(frame.stats.translucency.refusal);

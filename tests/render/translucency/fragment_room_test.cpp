@@ -73,7 +73,7 @@ TEST_F(FragmentRoomTest, CountingEndsLongBeforeTheCounterBeginsAnew) {
     options = sorted();
     constexpr std::uint32_t kMost = std::uint32_t{1} << 31u;
     for (const std::uint32_t left : {2u * 192 * 108, 0u}) { // the third pane exceeds it, or each
-        const CounterFrom before(kMost - left);
+        const StandIn before = counterFrom(kMost - left);
         const render::Frame frame = draw(scene, {}, options);
         EXPECT_EQ(frame.stats.translucency.method, Translucency::weighted);
         ASSERT_TRUE(frame.stats.translucency.refusal.has_value());
@@ -91,7 +91,7 @@ TEST_F(FragmentRoomTest, ListsGrowWhereBothWouldNotFit) {
     const scene::Scene scene = panes(2);
     const render::RenderOptions options = sorted();
     const std::string wanted = hashOf(draw(scene, {}, options));
-    const SmallHeaps heaps(std::uint64_t{256} << 20u);
+    const StandIn heaps = smallHeaps(std::uint64_t{256} << 20u);
     gpu::BorrowedDevice handles = lentDevice();
     handles.hasGpuDrivenFeatures = true;
     handles.hasFragmentStores = true;

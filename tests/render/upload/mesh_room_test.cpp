@@ -16,7 +16,7 @@ TEST_F(MeshRoomTest, AMeshOfMoreVerticesThanDrawsCanNameIsRefused) {
     scene::Mesh larger = box;
     larger.boxHalfSides.reset();
     larger.vertices.push_back(larger.vertices.front());
-    const FewIndices few(static_cast<std::uint32_t>(box.vertices.size()));
+    const StandIn few = fewIndices(static_cast<std::uint32_t>(box.vertices.size()));
     const gpu::Device small(lentDevice());
     scene::World world(boxScene());
     render::GpuScene onDevice(small, world);
@@ -38,7 +38,7 @@ TEST_F(MeshRoomTest, MeshesGrowUpToTheLargestBufferOfTheDevice) {
     const scene::Mesh box = scene::makeBox(glm::vec3(1.0f));
     const std::uint64_t most =
         kBytes / 28; // a vertex has 28 bytes, and boxes have more bytes of these than of indices
-    const SmallBuffers buffers(kBytes);
+    const StandIn buffers = smallBuffers(kBytes);
     const gpu::Device small(lentDevice());
     ASSERT_EQ(small.info().maxBufferBytes, kBytes);
     scene::World world(boxScene());

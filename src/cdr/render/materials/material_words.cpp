@@ -40,8 +40,8 @@ float leastAlphaOf(const scene::Material& material) {
 MaterialWords wordsOf(const scene::Material& material) {
     glm::vec4 color = material.baseColorFactor;
     float cutoff = material.alphaCutoff;
-    if (material.alphaMode ==
-        scene::AlphaMode::mask) { // a half float would round the factor beside the cutoff
+    // A half float would round the factor beside the cutoff.
+    if (material.alphaMode == scene::AlphaMode::mask) {
         cutoff = leastAlphaOf(material);
         color.a = 1.0f;
     }
