@@ -3,6 +3,7 @@
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
+#include <cdr/measure/compare/share.h>
 #include <cdr/render/layer_options.h>
 #include <experiments/progress.h>
 
@@ -67,10 +68,7 @@ struct CoplanarResult {
         picture{}; ///< heat map of the view with the most wrong pixels; empty where there is none
 
     /// Wrong pixels of all; none where there are none to judge by.
-    std::optional<double> wrongShare() const {
-        return pixels > 0 ? std::optional(static_cast<double>(wrong) / static_cast<double>(pixels))
-                          : std::nullopt;
-    }
+    std::optional<double> wrongShare() const { return measure::shareOf(wrong, pixels); }
 };
 
 /// By technique, then by method; counts and pictures are the first rank's, which share techniques and then views.

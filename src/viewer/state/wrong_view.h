@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/image/image.h>
+#include <cdr/measure/compare/share.h>
 #include <cdr/render/frame.h>
 
 #include <cstdint>
@@ -18,10 +19,7 @@ struct WrongCount {
     std::size_t objects = 0;     ///< in view: none, one, or 2 for more; of one, no pixel can show another
 
     /// Wrong pixels of the inner ones; none where there are none to judge by.
-    std::optional<double> share() const {
-        return inner > 0 ? std::optional(static_cast<double>(wrong) / static_cast<double>(inner))
-                         : std::nullopt;
-    }
+    std::optional<double> share() const { return measure::shareOf(wrong, inner); }
 };
 
 /// measure::heatMap() with the anchored answer in place of the truth. Red where wrong off edges, orange on

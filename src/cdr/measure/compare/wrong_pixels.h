@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/image/image.h>
+#include <cdr/measure/compare/share.h>
 #include <cdr/measure/truth/truth.h>
 
 #include <cstdint>
@@ -25,11 +26,6 @@ struct WrongPixels {
     /// Share of the inner pixels with a second object; none likewise.
     std::optional<double> overlapFraction() const { return shareOf(overlapWrong, overlapPixels); }
     WrongPixels& operator+=(const WrongPixels& other);
-
-  private:
-    static std::optional<double> shareOf(std::uint64_t part, std::uint64_t all) {
-        return all > 0 ? std::optional(static_cast<double>(part) / static_cast<double>(all)) : std::nullopt;
-    }
 };
 
 /// Per pixel: 1 where the truth is an object's, not doubtful, and its eight neighbours share the id, else 0.

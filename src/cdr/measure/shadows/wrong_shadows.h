@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/measure/compare/share.h>
 #include <cdr/measure/shadows/shadow_truth.h>
 
 #include <cstddef>
@@ -19,10 +20,7 @@ struct WrongShadows {
     std::uint64_t edgeWrong = 0; ///< all others
 
     /// Share of the inner pixels; none where there are none to judge by.
-    std::optional<double> fraction() const {
-        return pixels > 0 ? std::optional(static_cast<double>(wrong) / static_cast<double>(pixels))
-                          : std::nullopt;
-    }
+    std::optional<double> fraction() const { return shareOf(wrong, pixels); }
     WrongShadows& operator+=(const WrongShadows& other);
 };
 
