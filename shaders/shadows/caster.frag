@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shadows/packed_slope.glsl"
 #include "shadows/shadows_shared.h"
 
 // Beside depth keeps how the surface slopes, so that a receiver can tell its own surface from what is before it.
@@ -12,16 +13,13 @@ layout(location = 2) flat in float inLeastAlpha;
 layout(set = 0, binding = 0) uniform sampler2D baseColorTexture;
 #endif
 
-// Texels towards the light per texel across and down; in z by how many texels the depth may be off.
-layout(location = 0) out vec4 outSlope;
-
-const float kMaxSlope = 1000.0;
+layout(location = 0) out vec2 outSlope;
 
 void main() {
     float z = gl_FragCoord.z;
     float perTexel = depthPerTexel(push.lens, z);
     vec2 slope = vec2(dFdx(z), dFdy(z)) / max(perTexel, 1e-37);
-    outSlope = vec4(clamp(slope, -kMaxSlope, kMaxSlope), min(inRounding * gl_FragCoord.w / push.lens.texel, kMaxSlope), 0.0);
+    outSlope = packedSlope(slope, inRounding * gl_FragCoord.w / push.lens.texel);
 #ifdef MASKED
     if (inUvAlpha.z * texture(baseColorTexture, inUvAlpha.xy).a < inLeastAlpha) {
         discard;

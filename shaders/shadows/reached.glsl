@@ -5,6 +5,7 @@
 
 #extension GL_EXT_control_flow_attributes : require
 
+#include "shadows/packed_slope.glsl"
 #include "shadows/receiver.glsl"
 #include "shadows/shadows_shared.h"
 
@@ -12,8 +13,6 @@ layout(set = MAP_SET, binding = MAP_BINDING) uniform sampler2D mapDepth;
 layout(set = MAP_SET, binding = MAP_BINDING + 1) uniform sampler2D mapSlope;
 
 const float kRounding = 1.0 / 2097152.0; // of what a place and a depth are made from
-const float kHalf = 1.0 / 1024.0;        // of a number kept as a half
-const float kMaxSlope = 1000.0;
 // Texels: what lies less before a surface casts no shadow on it. At the inner corners of thin paint all four texels near by may be
 // of the paint, which then seems to shadow the ground. A map cannot show so narrow a shadow in its place.
 const float kThin = 0.125;
@@ -40,9 +39,9 @@ float texelsBefore(ReceiverPush map, ivec2 texel, float z, float perTexel) {
 }
 
 // The same of that surface continued to the receiver.
-float gapAt(ReceiverPush map, ivec2 texel, vec2 inMap, float z, float perTexel, vec3 slope) {
+float gapAt(ReceiverPush map, ivec2 texel, vec2 inMap, float z, float perTexel, vec2 slope) {
     vec2 across = inMap - (vec2(texel) + 0.5);
-    return texelsBefore(map, texel, z, perTexel) + dot(slope.xy, across);
+    return texelsBefore(map, texel, z, perTexel) + dot(slope, across);
 }
 
 float sumOf(vec2 v) { return abs(v.x) + abs(v.y); }
@@ -83,7 +82,7 @@ bool isReached(ReceiverPush map, Receiver receiver, vec2 ray) {
     ivec2 last = map.mapLast;
     ivec2 corner = clamp(ivec2(floor(inMap - 0.5)), ivec2(0), last - 1);
     ivec2 nearest = clamp(ivec2(floor(inMap)) - corner, ivec2(0), ivec2(1));
-    // Roundings of the point, of both pictures' snapped vertices, of slopes kept as halves, and of depths.
+    // Roundings of the point, of both pictures' snapped vertices, of slopes as a map keeps them, and of depths.
     float numbers = sumOf(point.xy) + abs(beyond) + abs(receiver.ahead) + sumOf(offset.xy) + abs(offset.z);
     float shift = (map.snap * distanceView + kRounding * numbers) / texelLength;
     vec2 lowest = slope;
@@ -97,21 +96,21 @@ bool isReached(ReceiverPush map, Receiver receiver, vec2 ray) {
     // iterations of a loop that no pixel of a group needs, but not branches.
     [[dont_unroll]] for (int i = 0; i < 4; ++i) {
         ivec2 texel = corner + (nearest ^ ivec2(i & 1, i >> 1));
-        vec3 caster = texelFetch(mapSlope, map.mapCorner + texel, 0).xyz;
-        float gapHere = gapAt(map, texel, inMap, z, perTexel, caster);
+        MapSlope caster = unpackedSlope(texelFetch(mapSlope, map.mapCorner + texel, 0).xy);
+        float gapHere = gapAt(map, texel, inMap, z, perTexel, caster.perTexel);
         if (i == 0) {
             gap = gapHere;
             if (map.isPlain != 0u) {
-                float bias = kPlainConstant + kPlainSlope * max(abs(caster.x), abs(caster.y));
+                float bias = kPlainConstant + kPlainSlope * max(abs(caster.perTexel.x), abs(caster.perTexel.y));
                 return texelsBefore(map, texel, z, perTexel) <= bias;
             }
         }
         leastGap = min(leastGap, gapHere);
-        lowest = min(lowest, caster.xy);
-        highest = max(highest, caster.xy);
-        steepest = max(steepest, sumOf(caster.xy));
-        rounding = max(rounding, caster.z);
-        allowed = shift * (1.0 + steepest) + steepest * (map.mapSnap + kHalf) + rounding + kRounding * z / perTexel +
+        lowest = min(lowest, caster.perTexel);
+        highest = max(highest, caster.perTexel);
+        steepest = max(steepest, sumOf(caster.perTexel));
+        rounding = max(rounding, caster.rounding);
+        allowed = shift * (1.0 + steepest) + steepest * (map.mapSnap + kKeptSlope) + rounding + kRounding * z / perTexel +
                   sumOf(highest - lowest) + kThin;
         if (!(gap > allowed)) { // what is not a number casts no shadow
             return true;

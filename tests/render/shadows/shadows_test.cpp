@@ -6,6 +6,8 @@
 #include <cdr/scene/world/world.h>
 #include <scenes/open_scene.h>
 
+#include <glm/ext/matrix_transform.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -274,6 +276,27 @@ TEST_F(ShadowsTest, WhatIsOpenOrAroundTheLightCastsAShadowToo) {
     scene.instances.mesh[1] = 1;
     scene.instances.mesh[2] = 1;
     expectRight({0.0, 60.0, -10.0}, "open");
+}
+
+/// In floats, corners so far away put the ground below the camera many texels off.
+TEST_F(ShadowsTest, AMeshThatIsMuchWiderThanItsDistanceDoesNotShadeItself) {
+    constexpr float kWide = 4e5f;
+    const scene::Camera camera =
+        scene::lookAlong({.fovY = 1.0, .farView = 1e3}, {0.0, 4.0, 0.0}, {0.0, -0.5, -1.0});
+    RenderOptions options = shadowOptions("anchored");
+    options.width = 320;
+    options.height = 180;
+    for (const double turn : {0.1, 0.7, 1.9}) {
+        scene::Scene scene = boxScene();
+        const double top = static_cast<double>(kWide * scene.meshes.front().boxHalfSides->y);
+        const auto turned = glm::mat3(glm::rotate(glm::dmat4(1.0), turn, glm::dvec3(0.0, 1.0, 0.0)));
+        scene.lights.front() = scene::directionalLight({-1.0, -1.5, -0.7}, glm::vec3(1.0f), {}, 1e3);
+        addBox(scene, {0.0, -top, -10.0}, turned * glm::mat3(kWide));
+        const measure::WrongShadows wrong =
+            wrongShadowsIn(draw(scene, camera, options), ShadowTruth(scene).cast(camera, options));
+        EXPECT_GT(wrong.pixels, 1000u) << turn;
+        EXPECT_EQ(wrong.wrong, 0u) << turn;
+    }
 }
 
 /// A room that is modelled from within, and the light outside.

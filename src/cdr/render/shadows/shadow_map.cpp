@@ -17,7 +17,7 @@ namespace cdr::render {
 namespace {
 
 constexpr auto kDepthFormat = vk::Format::eD32Sfloat;
-constexpr auto kSlopeFormat = vk::Format::eR16G16B16A16Sfloat;
+constexpr auto kSlopeFormat = vk::Format::eR16G16Sfloat;
 constexpr auto kPushStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 
 gpu::ImageOptions depthOptions(std::uint32_t side) {
