@@ -39,6 +39,8 @@ const output::Columns<gpu::DeviceInfo>& deviceColumns() {
         {.key = "gpu_driven_missing", .value = &Info::gpuDrivenMissing},
         {.key = "deform_missing", .value = &Info::deformMissing},
         {.key = "max_image_side", .value = &Info::maxImageSide, .heading = "largest side"},
+        {.key = "max_buffer_bytes", .value = &Info::maxBufferBytes},
+        {.key = "max_index", .value = &Info::maxIndex},
         {.key = "max_storage_buffer_bytes", .value = &Info::maxStorageBufferBytes},
         {.key = "timestamp_period_ns", .value = &Info::timestampPeriodNs},
         {.heading = "usable", .text = [](const Info& info) {

@@ -48,6 +48,9 @@ TEST(Commands, DevicesListsAUsableOne) {
         const std::string name = device["name"];
         const std::string kind = device["kind"];
         EXPECT_TRUE(kinds.contains(kind)) << kind;
+        // The least that Vulkan promises.
+        EXPECT_GE(device.at("max_index").get<std::uint64_t>(), (1u << 24u) - 1u) << name;
+        EXPECT_GE(device.at("max_buffer_bytes").get<std::uint64_t>(), 1u << 27u) << name;
         if (name.starts_with("llvmpipe") || name.starts_with("SwiftShader")) {
             EXPECT_EQ(kind, "cpu") << name;
         }
