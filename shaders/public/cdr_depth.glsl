@@ -65,7 +65,7 @@ vec4 cdrClipPositionLog(vec2 projected, float ahead, CdrDepth depth) {
     return vec4(projected, cdrLogDepth(distanceView, depth) * distanceView, distanceView);
 }
 
-// Clip position under log where the fragment shader sets the depth by cdrLogDepth(). It is the tangent of log depth at
+// Clip position under log where the fragment shader sets the depth by cdrLogDepth(), within HostCascade::minDepth and maxDepth. It is the tangent of log depth at
 // touchView (> 0, best the draw's own distance). It is linear in 1 / w, so on screen, and never above log depth, which is
 // convex in 1 / w. Declare layout(depth_greater) out float gl_FragDepth, and devices that know it keep rejecting fragments
 // before they are shaded.

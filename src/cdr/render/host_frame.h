@@ -36,6 +36,10 @@ struct HostCascade {
     /// gl_Position.xy. 0 without Camera::lensShift.
     float lensX = 0.0f;
     float lensY = 0.0f; ///< as lensX
+    /// The part of the depth buffer that the cascade has. The viewport moves interpolated depths into it. A fragment shader
+    /// that sets its depth moves it itself: minDepth + depth * (maxDepth - minDepth). 0 and 1 but for TargetsKind::onePass.
+    float minDepth = 0.0f;
+    float maxDepth = 1.0f; ///< as minDepth
     VkFormat depthFormat =
         VK_FORMAT_UNDEFINED; ///< the colour format is that of a G-buffer, VK_FORMAT_R32G32B32A32_UINT
     VkCompareOp depthCompare = VK_COMPARE_OP_LESS_OR_EQUAL; ///< that pipelines drawing here need
@@ -66,7 +70,7 @@ struct HostFrame {
     /// inside cascades. A surface writes a texel by cdr_gbuffer.glsl and is lit as cdr's own are. They hide
     /// each other to the step of the technique's depth. Only with SurfacePath::gbuffer, and without a focus.
     std::function<void(const HostCascade&)> draw{};
-    /// View distances of what `draw` draws: fitted cascades cover them too. Finite, each from near to far. Those behind the
+    /// View distances of what `draw` draws: fitted cascades and shadow maps cover them too. Finite, each from near to far. Those behind the
     /// camera are below 0. What lies out of the camera's range counts for nothing.
     std::vector<depth::Interval> occupied{};
 };

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 #include <optional>
 #include <set>
 #include <vector>
@@ -299,6 +300,40 @@ TEST_F(RecordTest, AHostsObjectsShareTheDepthOfEachCascade) {
             const image::Raster<float> depths = side.depthValues();
             EXPECT_GT(*std::max_element(depths.pixels.begin(), depths.pixels.end()), 1.9e-6f) << what;
         }
+    }
+}
+
+/// Shaders of a host that set their depth need it.
+TEST_F(RecordTest, AHostIsToldWhichPartOfTheDepthBufferACascadeHas) {
+    const scene::Scene scene = boxScene();
+    const render::GpuScene gpuScene(device(), scene);
+    for (const render::TargetsKind targets : render::kTargetsKinds) {
+        render::RenderOptions options = smallOptions(depth::parseTechnique("log-fragment/count:4"));
+        options.targets = targets;
+        HostSide side(device(), extentOf(options));
+        render::Renderer renderer(device(), scene, gpuScene, options);
+        render::HostFrame frame = side.begin();
+        std::map<float, float> parts; // from where to where
+        std::size_t cascades = 0;
+        frame.draw = [&](const render::HostCascade& cascade) {
+            parts[cascade.minDepth] = cascade.maxDepth;
+            ++cascades;
+        };
+        renderer.record({.nearView = 1.0, .farView = 1e4}, frame);
+        side.submit();
+        EXPECT_EQ(cascades, 4u) << nameOf(targets);
+        if (targets != render::TargetsKind::onePass) {
+            EXPECT_EQ(parts, (std::map<float, float>{{0.0f, 1.0f}})) << nameOf(targets);
+            continue;
+        }
+        EXPECT_EQ(parts.size(), cascades); // none begins where another does
+        float end = 0.0f;
+        for (const auto& [low, high] : parts) {
+            EXPECT_GE(low, end);
+            EXPECT_GT(high, low);
+            end = high;
+        }
+        EXPECT_LE(end, 1.0f);
     }
 }
 

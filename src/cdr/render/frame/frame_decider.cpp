@@ -7,6 +7,15 @@
 
 namespace cdr::render {
 
+namespace {
+
+std::span<const depth::Interval> hostIntervals(const Delivery& delivery) {
+    return delivery.host != nullptr ? std::span<const depth::Interval>(delivery.host->occupied)
+                                    : std::span<const depth::Interval>();
+}
+
+} // namespace
+
 FrameDecider::FrameDecider(const gpu::Device& device, const DrawnScene& drawn, FrameEquipment& equipment,
                            platform::WorkerPool& workers)
     : m_device(device),
@@ -69,9 +78,7 @@ void FrameDecider::decideView(FrameSlot& slot, const scene::Camera& camera, cons
     if (delivery.shared != nullptr) {
         cutter.take(slot.view, *delivery.shared);
     } else {
-        cutter.cut(slot.view, m_visible,
-                   delivery.host != nullptr ? std::span<const depth::Interval>(delivery.host->occupied)
-                                            : std::span<const depth::Interval>());
+        cutter.cut(slot.view, m_visible, hostIntervals(delivery));
     }
 }
 
@@ -83,7 +90,8 @@ void FrameDecider::decideInputs(FrameSlot& slot, const Delivery& delivery, platf
     }
     slot.stats.times.splitMs = watch.lap("split");
     if (slot.inputs->shadows) {
-        passes.shadows->prepare(*slot.inputs->shadows, slot.view, m_visible,
+        passes.shadows->prepare(*slot.inputs->shadows, slot.view,
+                                {.visible = m_visible, .occupied = hostIntervals(delivery)},
                                 subPixelBits(m_device, m_equipment.options()), m_workers);
         slot.stats.shadows = {.maps = slot.inputs->shadows->views.size(),
                               .casters = slot.inputs->shadows->casters.draws()};

@@ -108,6 +108,8 @@ HostCascade hostCascadeOf(const gpu::Device& device, const RenderOptions& option
             .constants = makeCascadeConstants(view, cascade),
             .lensX = lens.x,
             .lensY = lens.y,
+            .minDepth = made.slice.min,
+            .maxDepth = made.slice.max,
             .depthFormat = device.depthFormat(options.technique.format),
             .depthCompare = static_cast<VkCompareOp>(depthCompareOf(options.technique.mapping))};
 }

@@ -86,7 +86,44 @@ std::vector<ReceiverSlice> cutAt(const std::vector<double>& ends, const scene::C
     return slices;
 }
 
+/// A part of the frustum, as spheres side by side that are hardly deeper than it. Wide lenses get wider ones.
+void addSection(std::vector<SeenSphere>& seen, const scene::Camera& camera, const scene::Frustum& frustum,
+                const depth::Interval& section) {
+    constexpr double kMostAlong = 16.0;
+    const double middleView = 0.5 * (section.nearView + section.farView);
+    const double least = std::max(0.5 * (section.farView - section.nearView), 0.25 * section.farView);
+    const glm::dvec2 half = glm::dvec2(frustum.tanX, frustum.tanY) * section.farView;
+    const glm::dvec2 along = glm::clamp(glm::ceil(half / least), 1.0, kMostAlong);
+    const glm::dvec2 tile = half / along;
+    // A shifted lens moves the frustum's far end sideways by another length than its near end.
+    const glm::dvec2 skew = glm::abs(frustum.centre) * 0.5 * (section.farView - section.nearView);
+    const double radius = glm::length(glm::dvec3(tile + skew, 0.5 * (section.farView - section.nearView)));
+    for (double y = 0.5; y < along.y; ++y) {
+        for (double x = 0.5; x < along.x; ++x) {
+            const glm::dvec2 place = frustum.centre * middleView + (2.0 * glm::dvec2(x, y) - along) * tile;
+            seen.push_back({camera.right * place.x + camera.up * place.y - camera.back * middleView, radius,
+                            middleView});
+        }
+    }
+}
+
 } // namespace
+
+void addOccupied(std::vector<SeenSphere>& seen, const scene::Camera& camera, const scene::Frustum& frustum,
+                 std::span<const depth::Interval> occupied) {
+    for (const depth::Interval& interval : occupied) {
+        const double farView = std::min(interval.farView, camera.farView);
+        double nearView = std::max(interval.nearView, camera.nearView);
+        while (nearView <= farView) {
+            const double endView = std::min(kSliceRatio * nearView, farView);
+            addSection(seen, camera, frustum, {nearView, endView});
+            if (endView == farView) {
+                break;
+            }
+            nearView = endView;
+        }
+    }
+}
 
 std::vector<SeenSphere> seenSpheres(const scene::Camera& camera, const visibility::VisibleCells& visible) {
     std::vector<SeenSphere> seen;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/depth/occupancy.h>
 #include <cdr/scene/frustum.h>
 #include <cdr/visibility/cull_cells.h>
 
@@ -40,6 +41,11 @@ inline constexpr std::uint32_t kMaxReceiverSlices = 121;
 
 /// Those of visible instances.
 std::vector<SeenSphere> seenSpheres(const scene::Camera& camera, const visibility::VisibleCells& visible);
+
+/// Around all of the frustum at these view distances, where a host draws anything anywhere. What lies out of the camera's
+/// range is left out.
+void addOccupied(std::vector<SeenSphere>& seen, const scene::Camera& camera, const scene::Frustum& frustum,
+                 std::span<const depth::Interval> occupied);
 
 /// The slices in which something is seen, nearest first. Their ends are powers of kSliceRatio, whatever is seen: a surface
 /// that keeps its distance keeps its slice.

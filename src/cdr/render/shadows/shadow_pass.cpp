@@ -92,10 +92,11 @@ ShadowPass::Slot ShadowPass::makeSlot(const ShadingInputs& shading) const {
     return slot;
 }
 
-void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::VisibleCells& visible,
-                         std::uint32_t subPixelBits, platform::WorkerPool& workers) const {
+void ShadowPass::prepare(Slot& slot, const FrameView& view, const Seen& seen, std::uint32_t subPixelBits,
+                         platform::WorkerPool& workers) const {
     const bool isPlain = m_options.method == ShadowMethod::plain;
-    const std::vector<SeenSphere> spheres = seenSpheres(view.camera, visible);
+    std::vector<SeenSphere> spheres = seenSpheres(view.camera, seen.visible);
+    addOccupied(spheres, view.camera, view.frustum, seen.occupied);
     const std::vector<ReceiverSlice> slices = isPlain ? practicalSlices(view.camera, view.frustum, spheres)
                                                       : receiverSlices(view.camera, view.frustum, spheres);
     slot.slices = slicePush(slices, m_options.method);
@@ -110,8 +111,8 @@ void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::Vi
     const std::vector<std::uint32_t> lights = scene::shadowLights(m_scene.scene.lights);
     for (std::size_t channel = 0; channel < lights.size(); ++channel) {
         for (std::size_t i = 0; i < slices.size(); ++i) {
-            for (const LightView& seen : viewsOf(m_scene.scene.lights[lights[channel]], slices[i], view)) {
-                slot.views.push_back(seen);
+            for (const LightView& made : viewsOf(m_scene.scene.lights[lights[channel]], slices[i], view)) {
+                slot.views.push_back(made);
                 slot.views.back().slice = i;
                 slot.receivers.push_back({.channel = channel});
             }
@@ -123,7 +124,9 @@ void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::Vi
         receivers.push =
             receiverPush(slot.views[i], view,
                          {.channel = receivers.channel, .isPlain = isPlain, .subPixelBits = subPixelBits});
-        receivers.push.mapLast = shaders::ivec2(static_cast<std::int32_t>(m_map.side()) - 1);
+        const vk::Extent2D drawn = slot.views[i].size; // the rest of the image is of other maps
+        receivers.push.mapLast = {static_cast<std::int32_t>(drawn.width) - 1,
+                                  static_cast<std::int32_t>(drawn.height) - 1};
     }
 }
 

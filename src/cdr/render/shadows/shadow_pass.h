@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/depth/occupancy.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/frame_view.h>
 #include <cdr/render/shading/fullscreen_pass.h>
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace cdr::render {
@@ -44,9 +46,13 @@ class ShadowPass {
     };
     Slot makeSlot(const ShadingInputs& shading) const;
 
-    /// @param visible what the camera sees.
-    void prepare(Slot& slot, const FrameView& view, const visibility::VisibleCells& visible,
-                 std::uint32_t subPixelBits, platform::WorkerPool& workers) const;
+    /// What receives shadows.
+    struct Seen {
+        const visibility::VisibleCells& visible;     ///< of the scene
+        std::span<const depth::Interval> occupied{}; ///< view distances of what a host draws
+    };
+    void prepare(Slot& slot, const FrameView& view, const Seen& seen, std::uint32_t subPixelBits,
+                 platform::WorkerPool& workers) const;
     /// Reads the G-buffer in the shader read layout, and leaves mask() in it.
     void record(vk::CommandBuffer primary, const Slot& slot) const;
 
