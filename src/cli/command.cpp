@@ -3,6 +3,7 @@
 #include "rank_machine.h"
 
 #include <cdr/base/error.h>
+#include <cdr/platform/file.h>
 #include <cdr/platform/json_text.h>
 #include <cdr/platform/thread_placement.h>
 #include <cdr/scene/gltf/gltf.h>
@@ -157,7 +158,7 @@ void Command::note(const std::string& source, const std::vector<std::string>& ig
         m_notes.emplace();
     }
     for (const std::string& line : ignored) {
-        m_console.warning(fmt::format("{}: ignored: {}", source, line));
+        m_console.warning(fmt::format("{}: ignored: {}", platform::oneLine(source), line));
         m_notes->push_back(line);
         m_notedFiles.push_back(source);
     }

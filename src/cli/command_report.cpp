@@ -5,6 +5,7 @@
 
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
+#include <cdr/platform/file.h>
 #include <report/folder.h>
 #include <report/manifest.h>
 #include <report/page.h>
@@ -138,8 +139,7 @@ void requireOutside(const fs::path& folder, const fs::path& file) {
     if (file.empty() || file == "-") {
         return;
     }
-    const fs::path inside = fs::weakly_canonical(fs::absolute(file))
-                                .lexically_relative(fs::weakly_canonical(fs::absolute(folder)));
+    const fs::path inside = platform::wholePath(file).lexically_relative(platform::wholePath(folder));
     if (!inside.empty() && *inside.begin() != "..") {
         throw base::InputError(fmt::format(
             "{}: lies in the folder of the report, which may only hold files of the report", file.string()));
@@ -160,8 +160,7 @@ nlohmann::ordered_json makeReport(Command& command, const ReportArguments& argum
     if (!command.ranks().isFirst()) {
         return fillFolder(command, arguments.plan, nullptr);
     }
-    const std::string state =
-        arguments.state.empty() ? "" : fs::weakly_canonical(fs::absolute(arguments.state)).string();
+    const std::string state = arguments.state.empty() ? "" : platform::wholePath(arguments.state).string();
     report::PendingFolder folder(arguments.folder, state);
     command.opened(); // without a device there is no report
     try {

@@ -21,6 +21,10 @@ namespace fs = std::filesystem;
 void requireFolder(const fs::path& path) {
     std::error_code error;
     fs::path nearest = fs::absolute(path, error).lexically_normal();
+    if (error) {
+        throw base::InputError(
+            fmt::format("{}: cannot be made, the current folder is gone", platform::oneLine(path)));
+    }
     while (!fs::exists(fs::status(nearest, error)) && nearest.has_relative_path()) {
         nearest = nearest.parent_path();
     }

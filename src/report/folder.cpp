@@ -74,12 +74,11 @@ void requireReplaceable(const fs::path& folder, const fs::path& except) {
 
 /// With links followed and no slash at the end, so that what stands beside it is a name with a suffix.
 fs::path resolved(const fs::path& path) {
-    std::error_code error;
-    fs::path whole = fs::weakly_canonical(fs::absolute(path), error);
+    fs::path whole = platform::wholePath(path);
     if (whole.filename().empty()) {
         whole = whole.parent_path();
     }
-    if (error || whole.filename().empty()) {
+    if (whole.filename().empty()) {
         throw base::InputError(fmt::format("{}: cannot be the folder of a report", path.string()));
     }
     return whole;

@@ -238,6 +238,34 @@ TEST(Probe, NamesTheFormatsThatTheDeviceLacks) {
     }
 }
 
+/// Names of files may hold any byte.
+TEST(Files, ANoteOfAFileStaysOnItsLine) {
+    const TemporaryFolder folder;
+    writeNotedModel(folder.path() / "a\nb.gltf");
+    const ProgramResult result = runProgram("render 'a\nb.gltf' --size 16x16 -o a.png", folder.path());
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("a b.gltf: ignored: "), std::string::npos) << result.out;
+}
+
+TEST(Files, WhatIsMissingForASpecialFileIsNamedWithIt) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram("precision --json /dev/stdout", folder.path(), "TMPDIR=/nosuch");
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.err, "cdr: /dev/stdout: cannot be written, the folder for temporary files is missing\n");
+}
+
+TEST(Files, AFolderThatIsGoneIsNoPlaceForAReport) {
+    const TemporaryFolder folder;
+    for (const char* arguments : {"report --smallest --sections precision -o x", "shadows cubes --out x"}) {
+        fs::create_directory(folder.path() / "gone");
+        const ProgramResult result = runProgram(arguments, folder.path(), "cd gone && rmdir ../gone &&");
+        EXPECT_EQ(result.status, 2) << result.err;
+        EXPECT_TRUE(result.err.starts_with("cdr: x: cannot be ")) << result.err;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+        EXPECT_EQ(result.err.find(" is no folder"), std::string::npos) << result.err;
+    }
+}
+
 } // namespace
 
 } // namespace cdr::cli_test

@@ -376,6 +376,7 @@ TEST(InspectCommand, JudgesNothingByAnEmptyView) {
     for (const char* share : {"predicted_fraction", "undecided_fraction", "wrong_fraction"}) {
         EXPECT_TRUE(document.at("results")[0].at(share).is_null()) << share;
     }
+    EXPECT_TRUE(document.at("coplanar_fraction").is_null());
     EXPECT_TRUE(isSaid(document, "No technique could be judged"));
     EXPECT_EQ(runProgram(away + " --fail-above 0.5", folder.path()).status, 3);
 }

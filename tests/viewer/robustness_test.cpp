@@ -106,6 +106,19 @@ TEST_F(ViewerTest, EndsARecordingWhereAnotherSceneIsShown) {
     EXPECT_EQ(scene::readRecording(folder() / "camera-path-0002.json").scene, other);
 }
 
+/// The tour is of one scene. Another one's camera stays where it is.
+TEST_F(ViewerTest, ATourEndsWhereAnotherSceneIsOpened) {
+    fs::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", folder() / "m.gltf");
+    const RunResult run = play(
+        "--size 300x200 cubes",
+        "wait-frame\nkey T\nwait-ui 2\nstate\ndrop m.gltf\nwait-state shown=m.gltf\nwait-ui 2\nstate\nquit\n");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 2u) << run.out;
+    EXPECT_EQ(valueOf(states[0], "motion"), "tour") << states[0];
+    EXPECT_EQ(valueOf(states[1], "shown"), "m.gltf") << states[1];
+    EXPECT_EQ(valueOf(states[1], "motion"), "free") << states[1];
+}
+
 TEST_F(ViewerTest, SaysThatAFolderCannotBeWritten) {
     std::ofstream(folder() / "script")
         << "wait-frame\nkey F12\nwait-ui 2\nstate\nkey F12 shift\nwait-ui 3\nstate\nkey R\nwait-ui 2\nkey R\n"

@@ -169,6 +169,17 @@ std::string oneLine(const fs::path& path) {
     return line;
 }
 
+fs::path wholePath(const fs::path& path) {
+    std::error_code error;
+    const fs::path absolute = fs::absolute(path, error);
+    fs::path whole = error ? fs::path() : fs::weakly_canonical(absolute, error);
+    if (error) {
+        throw base::InputError(
+            fmt::format("{}: cannot be found from the current folder: {}", oneLine(path), error.message()));
+    }
+    return whole;
+}
+
 Bytes readFile(const fs::path& path, std::uintmax_t maxBytes) {
     const InputFile file(path, maxBytes);
     Bytes bytes(static_cast<std::size_t>(file.size()));
@@ -204,8 +215,12 @@ PendingFile::PendingFile(fs::path path) : m_path(std::move(path)), m_target(with
                                    ": cannot be written, its folder keeps it for its owner alone");
         }
     }
-    Temporary temporary = createTemporary(m_isCopied ? fs::temp_directory_path() : beside,
-                                          m_path.extension().string(), m_unfinished);
+    const fs::path temporaryFolder = m_isCopied ? fs::temp_directory_path(error) : beside;
+    if (temporaryFolder.empty()) {
+        throw base::InputError(oneLine(m_path) +
+                               ": cannot be written, the folder for temporary files is missing");
+    }
+    Temporary temporary = createTemporary(temporaryFolder, m_path.extension().string(), m_unfinished);
     if (isOfTheSystem(temporary.error)) {
         throwCannotBeWritten(m_path, temporary.error);
     }

@@ -18,6 +18,10 @@ using Bytes = std::vector<std::uint8_t>;
 /// A path as messages show it: one line, though the name of a file may hold any byte.
 std::string oneLine(const std::filesystem::path& path);
 
+/// From the current folder, with links followed as far as files exist.
+/// @errors base::InputError that names the path where the current folder is gone or a link leads nowhere.
+std::filesystem::path wholePath(const std::filesystem::path& path);
+
 /// Reads a whole regular file. InputError when it is missing, not a regular file, or larger than `maxBytes`.
 Bytes readFile(const std::filesystem::path& path, std::uintmax_t maxBytes);
 

@@ -74,7 +74,8 @@ class CDR_EXPORT Renderer {
     /// that was recorded `framesInFlight` calls before.
     ///
     /// A frame whose lists had too little room, as for submit(), lacks what found none. The `framesInFlight`th after it has
-    /// the room, since each frame in flight has lists of its own. Where lists of fragments may not grow, those after it are drawn weighted, until the scene or the size changes.
+    /// the room, since each frame in flight has lists of its own. Where lists of fragments may not grow, those after it are
+    /// drawn weighted, until the scene or the size changes.
     /// @throws base::InputError as render(), for what cannot be recorded into, and with Submission::primaries, which
     ///         needs command buffers of its own; then nothing was recorded.
     /// @throws base::RunError as render(). After this or any other error, one of HostFrame::draw's too, the host's

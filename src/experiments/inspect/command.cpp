@@ -152,7 +152,9 @@ void addResults(nlohmann::ordered_json& document, const Inspection& inspection, 
     written.resize(std::min(written.size(), kPairsWritten));
     document["pairs_found"] = inspection.pairs.size();
     document["pairs"] = output::jsonOf(pairColumns(scene, base::LengthUnit::none), written);
-    document["coplanar_fraction"] = inspection.coplanarFraction();
+    document["coplanar_fraction"] = inspection.objectPixels > 0
+                                        ? nlohmann::ordered_json(inspection.coplanarFraction())
+                                        : nlohmann::ordered_json(nullptr);
     document["simplest"] =
         inspection.simplest ? output::jsonOf(techniqueColumns(), inspection.techniques[*inspection.simplest])
                             : nlohmann::ordered_json(nullptr);

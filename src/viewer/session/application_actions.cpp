@@ -9,6 +9,7 @@
 #include <viewer/state/camera/obstacles.h>
 #include <viewer/state/plain_words.h>
 #include <viewer/state/shown_picture.h>
+#include <viewer/state/tour.h>
 
 #include <fmt/format.h>
 
@@ -135,7 +136,7 @@ void Application::toggleTour() {
         m_model.camera.motion = Motion::free;
         return;
     }
-    chooseScene(m_model.settings, "orbit");
+    chooseScene(m_model.settings, kTourScene);
     m_model.settings.technique = depth::parseTechnique("standard");
     m_model.settings.second = depth::parseTechnique("anchored");
     m_model.camera.playedSeconds = 0.0;

@@ -102,6 +102,10 @@ void Session::goTo(std::uint32_t frame) {
 }
 
 void Session::followTour() {
+    if (m_model.settings.scene != kTourScene) { // another one was opened since
+        m_model.camera.motion = Motion::free;
+        return;
+    }
     if (m_model.picture.shown->sceneName != m_model.settings.scene) {
         m_model.camera.playedSeconds = 0.0; // it is still being opened
         return;

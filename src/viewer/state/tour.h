@@ -5,7 +5,8 @@
 
 namespace cdr::viewer {
 
-/// How long the tour of the scene orbit takes, seconds.
+inline constexpr const char* kTourScene = "orbit";
+/// How long the tour takes, seconds.
 inline constexpr double kTourSeconds = 40.0;
 
 /// The frame of a path of so many that the tour shows after `seconds`; its last from kTourSeconds on.
