@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 #include <output/gnuplot.h>
+#include <sys/stat.h>
+
+#include <algorithm>
 
 namespace cdr::cli {
 
@@ -19,15 +22,18 @@ fs::path resolved(const fs::path& path) {
     return error ? path.lexically_normal() : whole;
 }
 
-/// By name, or as two names of one file.
-bool isSame(const fs::path& a, const fs::path& b) {
-    std::error_code error;
-    return resolved(a) == resolved(b) || fs::equivalent(a, b, error);
+/// The name with links followed, then device and inode where there is a file. Two paths are of one file if they share one of these.
+std::vector<std::string> keysOf(const fs::path& path) {
+    std::vector<std::string> keys{resolved(path).string()};
+    struct stat status {};
+    if (::stat(path.c_str(), &status) == 0) {
+        keys.push_back(fmt::format("//{}:{}", status.st_dev, status.st_ino)); // no name begins so
+    }
+    return keys;
 }
 
-/// The same of names that may be many: only where they end alike are links followed.
-bool isSameName(const fs::path& a, const fs::path& b) {
-    return a.filename() == b.filename() && isSame(a, b);
+[[noreturn]] void refuseRead(const fs::path& path, const std::string& option) {
+    throw base::InputError(fmt::format("{}: {} would replace what the command reads", path.string(), option));
 }
 
 [[noreturn]] void refuseBoth(const fs::path& path, const std::string& first, const std::string& second) {
@@ -44,10 +50,11 @@ bool isSpecial(const fs::path& path) {
 } // namespace
 
 void CommandFiles::reads(const fs::path& path) {
-    m_inputs.push_back(path);
-    for (const Output& output : m_outputs) {
-        requireApart(output);
+    const std::vector<std::string> keys = keysOf(path);
+    if (const Output* output = sameOutput(keys)) {
+        refuseRead(output->path, output->option);
     }
+    m_inputs.insert(keys.begin(), keys.end());
 }
 
 void CommandFiles::writes(const std::string& option, const fs::path& path) {
@@ -55,21 +62,19 @@ void CommandFiles::writes(const std::string& option, const fs::path& path) {
     if (isSpecial(path)) {
         return;
     }
-    const Output output{option, path};
+    const Output output{option, path, keysOf(path)};
     requireApart(output);
-    for (const Output& other : m_outputs) {
-        if (isSame(other.path, path)) {
-            refuseBoth(path, other.option, option);
-        }
+    if (const Output* other = sameOutput(output.keys)) {
+        refuseBoth(path, other->option, option);
     }
     for (const Sequence& sequence : m_sequences) {
         for (std::size_t number = sequence.begin; number < sequence.end; ++number) {
-            if (isSameName(sequence.nameAt(number), path)) {
+            if (isSameName(sequence.nameAt(number), output)) {
                 refuseBoth(path, sequence.option, option);
             }
         }
     }
-    m_outputs.push_back(output);
+    note(output);
 }
 
 void CommandFiles::mayWrite(const std::string& option, const fs::path& path) {
@@ -90,43 +95,65 @@ void CommandFiles::writesSequence(const std::string& option, std::size_t begin, 
     const std::vector<Output> others = m_outputs;
     m_sequences.push_back({option, begin, end, nameAt});
     for (std::size_t number = begin; number < end; ++number) {
-        const Output output{option, nameAt(number)};
+        const fs::path path = nameAt(number);
         for (const Output& other : others) {
-            if (other.option != option && isSameName(output.path, other.path)) {
-                refuseBoth(output.path, other.option, option);
+            if (other.option != option && isSameName(path, other)) {
+                refuseBoth(path, other.option, option);
             }
         }
         std::error_code error;
-        if (fs::exists(output.path, error) && !isSpecial(output.path)) { // else nothing is lost
-            requireUnread(output);
-            m_outputs.push_back(output); // for what is read later
+        if (fs::exists(path, error) && !isSpecial(path)) { // else nothing is lost
+            const Output output{option, path, keysOf(path)};
+            requireApart(output);
+            note(output); // for what is read later
         }
     }
 }
 
 void CommandFiles::writesPictures(const std::string& option, const fs::path& folder,
                                   const std::string& stem) {
-    m_pictures.push_back({option, folder, stem});
+    m_pictures.push_back({option, resolved(folder / "x").parent_path(), stem});
     for (const Output& output : m_outputs) {
         requireApart(output);
     }
 }
 
-void CommandFiles::requireUnread(const Output& output) const {
-    for (const fs::path& input : m_inputs) {
-        if (isSame(input, output.path)) {
-            throw base::InputError(fmt::format("{}: {} would replace what the command reads",
-                                               output.path.string(), output.option));
+bool CommandFiles::isSameName(const fs::path& path, const Output& output) {
+    if (path.filename() != output.path.filename()) {
+        return false;
+    }
+    const std::vector<std::string> keys = keysOf(path);
+    return std::find_first_of(keys.begin(), keys.end(), output.keys.begin(), output.keys.end()) != keys.end();
+}
+
+const CommandFiles::Output* CommandFiles::sameOutput(const std::vector<std::string>& keys) const {
+    std::size_t first = m_outputs.size();
+    for (const std::string& key : keys) {
+        if (const auto found = m_outputOf.find(key); found != m_outputOf.end()) {
+            first = std::min(first, found->second);
         }
     }
+    return first < m_outputs.size() ? &m_outputs[first] : nullptr;
+}
+
+void CommandFiles::note(const Output& output) {
+    for (const std::string& key : output.keys) {
+        m_outputOf.emplace(key,
+                           m_outputs.size()); // the first of a sequence that has several names of one file
+    }
+    m_outputs.push_back(output);
 }
 
 void CommandFiles::requireApart(const Output& output) const {
-    requireUnread(output);
+    for (const std::string& key : output.keys) {
+        if (m_inputs.contains(key)) {
+            refuseRead(output.path, output.option);
+        }
+    }
+    const fs::path file = output.keys.front();
     for (const Pictures& pictures : m_pictures) {
-        const fs::path file = resolved(output.path);
-        if (file.parent_path() == resolved(pictures.folder / "x").parent_path() &&
-            file.extension() == ".png" && file.filename().string().starts_with(pictures.stem)) {
+        if (file.parent_path() == pictures.folder && file.extension() == ".png" &&
+            file.filename().string().starts_with(pictures.stem)) {
             refuseBoth(output.path, pictures.option, output.option);
         }
     }

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace cdr::cli {
@@ -39,6 +41,7 @@ class CommandFiles {
     struct Output {
         std::string option;
         std::filesystem::path path;
+        std::vector<std::string> keys{}; ///< its canonical name, then its device and inode where it exists
     };
     struct Sequence {
         std::string option;
@@ -48,14 +51,20 @@ class CommandFiles {
     };
     struct Pictures {
         std::string option;
-        std::filesystem::path folder;
+        std::filesystem::path folder; ///< its canonical name
         std::string stem;
     };
-    void requireUnread(const Output& output) const;
+    /// Of names that may be many: only where they end alike are links followed.
+    static bool isSameName(const std::filesystem::path& path, const Output& output);
+    /// The first output that is this file, or null.
+    const Output* sameOutput(const std::vector<std::string>& keys) const;
+    void note(const Output& output);
     void requireApart(const Output& output) const;
 
-    std::vector<std::filesystem::path> m_inputs;
+    std::unordered_set<std::string>
+        m_inputs; ///< their keys. Links are followed once a file, as files may be many.
     std::vector<Output> m_outputs;
+    std::unordered_map<std::string, std::size_t> m_outputOf; ///< by keys
     std::vector<Sequence> m_sequences;
     std::vector<Pictures> m_pictures;
 };

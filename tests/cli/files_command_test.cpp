@@ -89,6 +89,63 @@ TEST(Files, AnOutputNeverReplacesWhatAModelIsMadeOf) {
     EXPECT_EQ(runProgram("render m.gltf --size 8x8 -o t_%04d.png --frames 3", folder.path()).status, 0);
 }
 
+/// By a link, a hard link or a way around, and where none of the files is there yet.
+TEST(Files, NoTwoOutputsAreNamesOfOneFile) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder.path() / "d");
+    fs::create_directory_symlink("d", folder.path() / "linked");
+    std::ofstream(folder.path() / "a.json") << "x";
+    fs::create_symlink("a.json", folder.path() / "link.json");
+    fs::create_hard_link(folder.path() / "a.json", folder.path() / "hard.json");
+    for (const char* outputs :
+         {"--trace a.json --json link.json", "--trace hard.json --json a.json",
+          "--trace link.json --json hard.json", "--trace d/../a.json --json hard.json",
+          "--trace new.json --json d/../new.json", "--trace d/n.json --json linked/n.json"}) {
+        expectRefusal(std::string("render cubes --size 8x8 ") + outputs, folder.path(), "would write it");
+    }
+    EXPECT_EQ(readText(folder.path() / "a.json"), "x");
+}
+
+/// A model that has only these pictures.
+void writePictureModel(const fs::path& path, const std::vector<std::string>& names) {
+    json images = json::array();
+    for (const std::string& name : names) {
+        images.push_back({{"uri", name}});
+    }
+    std::ofstream(path) << json{{"asset", {{"version", "2.0"}}}, {"images", images}};
+}
+
+TEST(Files, NoPictureOfASequenceIsAnotherNameOfWhatAModelIsMadeOf) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder.path() / "d");
+    fs::create_directory_symlink("d", folder.path() / "linked");
+    std::ofstream(folder.path() / "t.png") << "x";
+    writePictureModel(folder.path() / "m.gltf", {"none.png", "t.png"});
+    fs::create_symlink("../t.png", folder.path() / "d" / "soft1.png");
+    fs::create_hard_link(folder.path() / "t.png", folder.path() / "d" / "hard2.png");
+    for (const char* name : {"d/soft%d.png", "d/hard%d.png", "linked/hard%d.png", "d/../d/soft%d.png"}) {
+        expectRefusal(std::string("render m.gltf --size 8x8 --frames 3 -o ") + name, folder.path(),
+                      "-o would replace what the command reads");
+    }
+    EXPECT_EQ(readText(folder.path() / "t.png"), "x");
+}
+
+/// To compare each with each would take many minutes.
+TEST(Files, ManyOfAModelAndASequenceAreCheckedInSecondsOfAProcessor) {
+    const TemporaryFolder folder;
+    for (int frame = 0; frame < 1000; ++frame) {
+        std::ofstream(folder.path() / ("f" + std::to_string(frame) + ".png")) << "x";
+    }
+    std::vector<std::string> pictures;
+    for (int picture = 0; picture < 600; ++picture) {
+        pictures.push_back("t" + std::to_string(picture) + ".png");
+    }
+    pictures.push_back("f999.png");
+    writePictureModel(folder.path() / "m.gltf", pictures);
+    expectRefusal("render m.gltf --size 8x8 --frames 1000 -o f%d.png", folder.path(),
+                  "f999.png: -o would replace what the command reads", "ulimit -t 20 &&");
+}
+
 TEST(Files, ScenesOfOneNameAreRefused) {
     const TemporaryFolder folder;
     for (const char* name : {"a", "b"}) {
