@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/platform/file.h>
+#include <cdr/platform/json_text.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -16,7 +17,7 @@ namespace cdr::experiments {
 namespace {
 
 constexpr std::uintmax_t kMaxBytes = 1 << 20;
-constexpr int kFormatVersion = 1;
+constexpr int kFormatVersion = 2;
 
 /// Everything the results depend on.
 std::string digestOf(const FlickerOptions& options, const gpu::DeviceInfo& device) {
@@ -38,7 +39,7 @@ std::string digestOf(const FlickerOptions& options, const gpu::DeviceInfo& devic
     for (const rivals::NamedRival& named : options.rivalsBeside) {
         parts["rivals"].push_back(named.name);
     }
-    return program::sha256Of(parts.dump());
+    return program::sha256Of(platform::textOf(parts, -1));
 }
 
 nlohmann::ordered_json toJson(const FlickerResult& result) {
@@ -97,20 +98,50 @@ bool canBe(const FlickerResult& result, std::uint32_t frames, std::uint64_t pixe
            result.cascades <= depth::kMaxCascades;
 }
 
+/// Without its sum.
+nlohmann::ordered_json toJson(const FlickerRun& run, const FlickerState& state) {
+    nlohmann::ordered_json json{{"digest", run.digest}, {"frames_done", state.framesDone}};
+    for (const FlickerResult& result : state.results) {
+        json["results"].push_back(toJson(result));
+    }
+    return json;
+}
+
+std::string stateSumOf(const nlohmann::ordered_json& json) {
+    return program::sha256Of(platform::textOf(json, -1));
+}
+
 FlickerState parse(std::string_view text, const FlickerRun& run, const FlickerState& fresh) {
     const nlohmann::json json = nlohmann::json::parse(text);
+    FlickerState state = unsummedState(json, run, fresh);
+    // Of what was read and not of the text, which may be nested so deeply that writing it again would overflow the stack.
+    if (!json.contains("sha256") || json.at("sha256") != stateSumOf(toJson(run, state))) {
+        throw base::InputError("is damaged");
+    }
+    return state;
+}
+
+} // namespace
+
+FlickerState unsummedState(const nlohmann::json& json, const FlickerRun& run, const FlickerState& fresh) {
     if (json.at("digest").get<std::string>() != run.digest) {
-        throw base::InputError("is the state of a run with other options, another version or device; "
-                               "remove it or name another file");
+        throw base::InputError("is the state of a run with other options, another version or device");
     }
     FlickerState state = fresh;
     readCount(json, "frames_done", state.framesDone);
     if (state.framesDone > run.frames) {
         throw base::InputError("holds more frames than the run has");
     }
+    const nlohmann::json& results = json.at("results");
+    if (results.size() != state.results.size()) {
+        throw base::InputError("holds results of other techniques than the run has");
+    }
     for (std::size_t i = 0; i < state.results.size(); ++i) {
         FlickerResult& result = state.results[i];
-        fromJson(json.at("results").at(i), state.framesDone, result);
+        if (results.at(i).at("technique").get<std::string>() != result.technique) {
+            throw base::InputError("holds results of other techniques than the run has");
+        }
+        fromJson(results.at(i), state.framesDone, result);
         if (!canBe(result, state.framesDone, run.pixels)) {
             throw base::InputError("holds counts that are impossible for this run");
         }
@@ -118,17 +149,23 @@ FlickerState parse(std::string_view text, const FlickerRun& run, const FlickerSt
     return state;
 }
 
-} // namespace
-
 FlickerState readState(std::string_view text, const FlickerRun& run, const FlickerState& fresh,
                        const std::string& name) {
+    std::string what;
     try {
         return parse(text, run, fresh);
     } catch (const nlohmann::json::exception&) {
-        throw base::InputError(name + ": is not the state of a flicker run");
+        what = "is not the state of a flicker run";
     } catch (const base::InputError& error) {
-        throw base::InputError(name + ": " + error.what());
+        what = error.what();
     }
+    throw base::InputError(fmt::format("{}: {}; remove it or name another file", name, what));
+}
+
+std::string stateTextOf(const FlickerRun& run, const FlickerState& state) {
+    nlohmann::ordered_json json = toJson(run, state);
+    json["sha256"] = stateSumOf(json);
+    return platform::textOf(json, 1);
 }
 
 FlickerStateFile::FlickerStateFile(std::filesystem::path path, const FlickerOptions& options,
@@ -151,11 +188,7 @@ void FlickerStateFile::load(FlickerState& state) const {
 }
 
 void FlickerStateFile::save(const FlickerState& state) const {
-    nlohmann::ordered_json json{{"digest", m_run.digest}, {"frames_done", state.framesDone}};
-    for (const FlickerResult& result : state.results) {
-        json["results"].push_back(toJson(result));
-    }
-    platform::writeText(m_path, json.dump(1) + "\n");
+    platform::writeText(m_path, stateTextOf(m_run, state));
 }
 
 } // namespace cdr::experiments

@@ -4,6 +4,8 @@
 
 #include <cdr/gpu/device.h>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -24,12 +26,19 @@ struct FlickerRun {
     std::uint64_t pixels = 0; ///< of a frame
 };
 
-/// The state that a text holds, as FlickerStateFile wrote it.
+/// The text that keeps a state, with the SHA-256 of all that it says.
+std::string stateTextOf(const FlickerRun& run, const FlickerState& state);
+
+/// The state that a text of stateTextOf() holds.
 /// @param fresh the run's state before its first frame.
 /// @param name of the file, which a message begins with.
 /// base::InputError, in one line, for a damaged text, one of another run, or counts that are not possible in the run.
 FlickerState readState(std::string_view text, const FlickerRun& run, const FlickerState& fresh,
                        const std::string& name);
+
+/// readState() without the sum, which random bytes do not have, so that a fuzz test reaches what is behind it. Also
+/// nlohmann::json::exception, for a missing field or one of another type.
+FlickerState unsummedState(const nlohmann::json& json, const FlickerRun& run, const FlickerState& fresh);
 
 /// Keeps a run's state in a file from frame to frame, written whole or not at all.
 class FlickerStateFile {
