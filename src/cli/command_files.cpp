@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 #include <output/gnuplot.h>
-#include <sys/stat.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace cdr::cli {
 
@@ -22,12 +22,11 @@ fs::path resolved(const fs::path& path) {
     return error ? path.lexically_normal() : whole;
 }
 
-/// The name with links followed, then device and inode where there is a file. Two paths are of one file if they share one of these.
+/// The name with links followed, then the identity of the file if there is one. Paths that share one of these are of one file.
 std::vector<std::string> keysOf(const fs::path& path) {
     std::vector<std::string> keys{resolved(path).string()};
-    struct stat status {};
-    if (::stat(path.c_str(), &status) == 0) {
-        keys.push_back(fmt::format("//{}:{}", status.st_dev, status.st_ino)); // no name begins so
+    if (const std::optional<platform::FileIdentity> file = platform::identityOf(path)) {
+        keys.push_back(fmt::format("//{}:{}", file->device, file->number)); // no name begins so
     }
     return keys;
 }

@@ -169,6 +169,14 @@ std::string oneLine(const fs::path& path) {
     return line;
 }
 
+std::optional<FileIdentity> identityOf(const fs::path& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) {
+        return std::nullopt;
+    }
+    return FileIdentity{.device = status.st_dev, .number = status.st_ino};
+}
+
 fs::path wholePath(const fs::path& path) {
     std::error_code error;
     const fs::path absolute = fs::absolute(path, error);

@@ -22,6 +22,14 @@ std::string oneLine(const std::filesystem::path& path);
 /// @errors base::InputError that names the path where the current folder is gone or a link leads nowhere.
 std::filesystem::path wholePath(const std::filesystem::path& path);
 
+/// Equal for all names of one file, and for no two files.
+struct FileIdentity {
+    std::uint64_t device = 0;
+    std::uint64_t number = 0; ///< on the device
+};
+/// With links followed; none where there is no file.
+std::optional<FileIdentity> identityOf(const std::filesystem::path& path);
+
 /// Reads a whole regular file. InputError when it is missing, not a regular file, or larger than `maxBytes`.
 Bytes readFile(const std::filesystem::path& path, std::uintmax_t maxBytes);
 
