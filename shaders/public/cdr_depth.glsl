@@ -65,10 +65,10 @@ vec4 cdrClipPositionLog(vec2 projected, float ahead, CdrDepth depth) {
     return vec4(projected, cdrLogDepth(distanceView, depth) * distanceView, distanceView);
 }
 
-// Clip position under log where the fragment shader sets the depth by cdrLogDepth(), within HostCascade::minDepth and maxDepth. It is the tangent of log depth at
-// touchView (> 0, best the draw's own distance). It is linear in 1 / w, so on screen, and never above log depth, which is
-// convex in 1 / w. Declare layout(depth_greater) out float gl_FragDepth, and devices that know it keep rejecting fragments
-// before they are shaded.
+// Clip position under log where the fragment shader sets the depth by cdrLogDepth(), moved into HostCascade::minDepth to
+// maxDepth. It is the tangent of log depth at touchView (> 0, best the draw's own distance). It is linear in 1 / w, so on
+// screen, and never above log depth, which is convex in 1 / w. Declare layout(depth_greater) out float gl_FragDepth, and
+// devices that know it keep rejecting fragments before they are shaded.
 // @range touchView: above 0.
 vec4 cdrClipPositionLogTangent(vec2 projected, float ahead, float touchView, CdrDepth depth) {
     const float kMargin = 2e-6; // covers the roundings of both sides

@@ -70,8 +70,8 @@ struct HostFrame {
     /// inside cascades. A surface writes a texel by cdr_gbuffer.glsl and is lit as cdr's own are. They hide
     /// each other to the step of the technique's depth. Only with SurfacePath::gbuffer, and without a focus.
     std::function<void(const HostCascade&)> draw{};
-    /// View distances of what `draw` draws: fitted cascades and shadow maps cover them too. Finite, each from near to far. Those behind the
-    /// camera are below 0. What lies out of the camera's range counts for nothing.
+    /// View distances of what `draw` draws: fitted cascades and shadow maps cover them too. Finite, each from near to far.
+    /// Those behind the camera are below 0. What lies out of the camera's range counts for nothing.
     std::vector<depth::Interval> occupied{};
 };
 
