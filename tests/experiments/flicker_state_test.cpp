@@ -11,10 +11,10 @@
 #include <string>
 #include <utility>
 
+namespace cdr::experiments {
+
 namespace {
 
-using namespace cdr;
-using namespace cdr::experiments;
 using StateJson = nlohmann::ordered_json;
 
 const FlickerRun kStateRun{.digest = "run", .frames = 4, .pixels = 100};
@@ -88,8 +88,9 @@ TEST(FlickerState, AChangedNumberIsDamage) {
             changed = count == 0 ? 1 : count - 1;
         }
         const bool isOverlap = name == "overlap_wrong"; // of which there can be no more than pixels
+        const std::string& field = name;                // clang 14 captures no structured bindings
         const std::string refusal =
-            stateRefusal([&](StateJson& json) { json["results"][0][name] = changed; });
+            stateRefusal([&](StateJson& json) { json["results"][0][field] = changed; });
         EXPECT_TRUE(isOverlap ? !refusal.empty() : refusal == damaged) << name << ": " << refusal;
     }
 }
@@ -125,3 +126,5 @@ TEST(FlickerState, IsKeptForADeviceWhoseNameIsNotUtf8) {
 }
 
 } // namespace
+
+} // namespace cdr::experiments

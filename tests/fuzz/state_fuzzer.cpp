@@ -9,15 +9,15 @@
 #include <optional>
 #include <string_view>
 
-namespace {
+namespace cdr::experiments {
 
-using namespace cdr::experiments;
+namespace {
 
 std::optional<FlickerState> unsummedOf(std::string_view text, const FlickerRun& run,
                                        const FlickerState& fresh) {
     try {
         return unsummedState(nlohmann::json::parse(text), run, fresh);
-    } catch (const cdr::base::InputError&) {
+    } catch (const base::InputError&) {
     } catch (const nlohmann::json::exception&) {
     }
     return std::nullopt;
@@ -25,9 +25,12 @@ std::optional<FlickerState> unsummedOf(std::string_view text, const FlickerRun& 
 
 } // namespace
 
+} // namespace cdr::experiments
+
 /// Any bytes are a state that the run can have come to, or are refused with base::InputError. A state that is written is
 /// read back.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace cdr::experiments;
     const std::string_view text{reinterpret_cast<const char*>(data), size};
     const FlickerRun run{.digest = "run", .frames = 4, .pixels = 320 * 180};
     FlickerState fresh;
