@@ -20,11 +20,7 @@ namespace fs = std::filesystem;
 /// base::InputError unless the folder can be made, or is there and can be written.
 void requireFolder(const fs::path& path) {
     std::error_code error;
-    fs::path nearest = fs::absolute(path, error).lexically_normal();
-    if (error) {
-        throw base::InputError(
-            fmt::format("{}: cannot be made, the current folder is gone", platform::oneLine(path)));
-    }
+    fs::path nearest = platform::wholePath(path);
     while (!fs::exists(fs::status(nearest, error)) && nearest.has_relative_path()) {
         nearest = nearest.parent_path();
     }

@@ -1,9 +1,6 @@
 #include "../fixture.h"
 #include "host_side.h"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
 
 namespace cdr::render_test {
 

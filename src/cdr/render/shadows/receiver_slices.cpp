@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace cdr::render {
@@ -111,17 +112,25 @@ void addSection(std::vector<SeenSphere>& seen, const scene::Camera& camera, cons
 
 void addOccupied(std::vector<SeenSphere>& seen, const scene::Camera& camera, const scene::Frustum& frustum,
                  std::span<const depth::Interval> occupied) {
+    std::map<int, depth::Interval> sections; // by exponent, so there are few however many intervals there are
     for (const depth::Interval& interval : occupied) {
+        const double nearView = std::max(interval.nearView, camera.nearView);
         const double farView = std::min(interval.farView, camera.farView);
-        double nearView = std::max(interval.nearView, camera.nearView);
-        while (nearView <= farView) {
-            const double endView = std::min(kSliceRatio * nearView, farView);
-            addSection(seen, camera, frustum, {nearView, endView});
-            if (endView == farView) {
-                break;
-            }
-            nearView = endView;
+        if (!(nearView <= farView)) {
+            continue;
         }
+        for (int exponent = std::ilogb(nearView); exponent <= std::ilogb(farView); ++exponent) {
+            const depth::Interval here{std::max(nearView, std::exp2(exponent)),
+                                       std::min(farView, std::exp2(exponent + 1))};
+            const auto [section, isFirst] = sections.try_emplace(exponent, here);
+            if (!isFirst) {
+                section->second = {std::min(section->second.nearView, here.nearView),
+                                   std::max(section->second.farView, here.farView)};
+            }
+        }
+    }
+    for (const auto& [exponent, section] : sections) {
+        addSection(seen, camera, frustum, section);
     }
 }
 

@@ -42,8 +42,8 @@ inline constexpr std::uint32_t kMaxReceiverSlices = 121;
 /// Those of visible instances.
 std::vector<SeenSphere> seenSpheres(const scene::Camera& camera, const visibility::VisibleCells& visible);
 
-/// Around all of the frustum at these view distances, where a host draws anything anywhere. What lies out of the camera's
-/// range is left out.
+/// Around all of the frustum at these view distances, where a host draws anything anywhere. Between two intervals in the same
+/// slice too. What lies out of the camera's range is left out.
 void addOccupied(std::vector<SeenSphere>& seen, const scene::Camera& camera, const scene::Frustum& frustum,
                  std::span<const depth::Interval> occupied);
 
