@@ -1,7 +1,6 @@
 #include "../fixture.h"
 #include "host_side.h"
 
-
 namespace cdr::render_test {
 
 namespace {
