@@ -73,9 +73,10 @@ class CDR_EXPORT Renderer {
     /// before this or any other renderer of the device begins its next frame, or calls dropRecorded(). Waits for the frame
     /// that was recorded `framesInFlight` calls before.
     ///
-    /// A frame whose lists had too little room, as for submit(), lacks what found none. The `framesInFlight`th after it has
-    /// the room, since each frame in flight has lists of its own. Where lists of fragments may not grow, those after it are
-    /// drawn weighted, until the scene or the size changes.
+    /// A frame whose lists had too little room, as for submit(), lacks what found none. Each instance has room for a draw,
+    /// and those that several cascades share may need more. The `framesInFlight`th frame after it has the room, since each
+    /// frame in flight has lists of its own. Where lists of fragments may not grow, those after it are drawn weighted, until
+    /// the scene or the size changes.
     /// @throws base::InputError as render(), for what cannot be recorded into, and with Submission::primaries, which
     ///         needs command buffers of its own; then nothing was recorded.
     /// @throws base::RunError as render(). After this or any other error, one of HostFrame::draw's too, the host's

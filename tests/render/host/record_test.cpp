@@ -387,6 +387,32 @@ TEST_F(RecordTest, ADroppedFrameLosesNoEdit) {
     } // the destructor does not wait
 }
 
+/// A recorded frame cannot be drawn again, so its lists have room for all instances from the start.
+TEST_F(RecordTest, InstancesThatAWorldGainedAreInTheNextFrame) {
+    for (const render::Submission submission : recordable()) {
+        scene::World world(boxScene());
+        render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
+        options.submission = submission;
+        options.framesInFlight = 2;
+        render::GpuScene gpuScene(device(), world);
+        HostSide host(device(), extentOf(options));
+        render::Renderer renderer(device(), gpuScene, options);
+        for (std::uint32_t turn = 0; turn < 4; ++turn) {
+            for (std::uint32_t i = 0; i < 1u + 40u * (turn / 2); ++i) {
+                world.addInstance(
+                    {.mesh = world.mesh(0),
+                     .material = world.material(0),
+                     .object = 100 * turn + i,
+                     .transform = {.position = {0.5 * (i % 9) - 2.0, 0.5 * (i / 9) - 1.0, -8.0}}});
+            }
+            renderer.record({}, host.begin());
+            host.submit();
+            EXPECT_EQ(host.color<image::Rgba8>().pixels, draw(world.scene(), {}, options).color.pixels)
+                << nameOf(submission) << " " << turn;
+        }
+    }
+}
+
 /// The host's pipelines write no second image, so it cannot draw from the frame on in which the first such surface is there.
 TEST_F(RecordTest, AHostCannotDrawBesideLightThatAWorldGained) {
     scene::World world(boxScene());

@@ -64,7 +64,6 @@ DeviceLists::DeviceLists(const gpu::Device& device, const BinningPass& binning)
       m_draws{.commands = {}, .counts = {}, .runs = 0, .groups = {}, .records = {}} {
     m_set.setBuffer(0, m_view);
     m_set.setBuffer(kResult, m_result);
-    growRecords(m_binning.instances());
 }
 
 void DeviceLists::grow(List list, std::size_t bytes) {
@@ -98,6 +97,9 @@ void DeviceLists::growLists(std::size_t cascades) {
     m_binning.requireGroups(cascades);
     const std::size_t buckets = 2 * cascades;
     const std::size_t blocks = (m_binning.instances() + shaders::kBinBlock - 1) / shaders::kBinBlock;
+    if (m_recordCapacity == 0 || m_recordCapacity < m_binning.instances()) {
+        growRecords(m_binning.instances());
+    }
     grow(landings, m_binning.instances() * sizeof(std::uint32_t));
     grow(blockDraws, (buckets + 1) * blocks * sizeof(std::uint32_t));
     grow(runFirsts, buckets * m_binning.runs() * sizeof(std::uint32_t));
