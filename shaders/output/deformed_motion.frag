@@ -11,11 +11,13 @@ layout(location = 1) in float inBeyond;
 
 layout(location = 0) out vec2 outMotion;
 
-const float kPixelShare = 0.25;     // of what a surface's distance changes by in a pixel: devices round vertices to less
+layout(constant_id = 0) const float kSubPixel = 1.0; // of a pixel: what devices round vertices to
+
+const float kSubPixels = 4.0; // both passes round vertices, and the corners that clipping adds
 const float kRounding = 1.0 / 1048576.0; // of interpolated distances, with room
 
 void main() {
-    float tolerance = kPixelShare * fwidth(inBeyond);
+    float tolerance = kSubPixels * kSubPixel * fwidth(inBeyond);
     uvec4 texel = texelFetch(gbuffer, ivec2(gl_FragCoord.xy), 0);
     float ahead = cdrAheadOf(texel);
     float apart = distanceBetween(vec2(push.ahead.w, push.rightBefore.w), inBeyond, header.anchors[cdrCascadeOf(texel)], ahead);

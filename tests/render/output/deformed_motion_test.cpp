@@ -194,6 +194,48 @@ TEST_F(DeformedMotionTest, MissedChangesLeaveTheMotionOfObjects) {
     EXPECT_EQ(missing.render(camera).motion.at(120, 135), each.render(camera).motion.at(120, 135));
 }
 
+/// Two parallel squares of one mesh, seen so flatly that their distance changes by two units in a pixel's height.
+/// @param gap between them, in pixels of the picture. @param moved of the one behind, along x.
+scene::Mesh foldOf(double gap, double moved) {
+    constexpr double kAway = 20.0;
+    constexpr double kSlope = 135.0; // distance per unit up
+    constexpr double kPerPixel = 2.0;
+    scene::Mesh mesh;
+    for (const double behind : {0.0, gap * kPerPixel}) {
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (const glm::dvec2& corner : {glm::dvec2(-1.0, -0.148), glm::dvec2(1.0, -0.148),
+                                         glm::dvec2(1.0, 0.049), glm::dvec2(-1.0, 0.049)}) {
+            const double along = behind > 0.0 ? moved : 0.0;
+            mesh.vertices.push_back(
+                {.position = glm::vec3(corner.x + along, corner.y, kSlope * corner.y - kAway - behind)});
+        }
+        for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) {
+            mesh.indices.push_back(first + corner);
+        }
+    }
+    mesh.boundingRadius = scene::boundingRadiusOf(mesh.vertices);
+    return mesh;
+}
+
+TEST_F(DeformedMotionTest, AFoldCloseBehindDoesNotGiveItsMotion) {
+    const double gap = std::ldexp(16.0, -static_cast<int>(device().info().subPixelBits));
+    scene::World world(boxScene());
+    const scene::MeshHandle fold = world.addMesh(foldOf(gap, 0.0));
+    world.addInstance({.mesh = fold, .material = world.material(0)});
+    render::GpuScene onDevice(device(), world);
+    render::Renderer renderer(device(), onDevice, motionOptions("anchored"));
+    const scene::Camera camera{.fovY = 0.2, .nearView = 0.1, .farView = 100.0};
+    renderer.render(camera);
+    world.setVertices(fold, foldOf(gap, 0.3).vertices);
+    const render::Frame frame = renderer.render(camera);
+    for (std::uint32_t y = 131; y < 140; ++y) {
+        for (std::uint32_t x = 225; x < 255; ++x) {
+            ASSERT_EQ(frame.id(x, y), 1u) << x << " " << y;
+            EXPECT_EQ(frame.motion.at(x, y), glm::vec2(0.0f)) << x << " " << y;
+        }
+    }
+}
+
 /// A new instance takes the place of one that went.
 TEST_F(DeformedMotionTest, WhatIsNewDidNotMove) {
     Sheets sheets(20.0);

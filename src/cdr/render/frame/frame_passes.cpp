@@ -85,7 +85,8 @@ FramePasses::FramePasses(const gpu::Device& device, const DrawnScene& drawn, con
                                       device, drawn, targets.gbuffer(), picture.lit(), options.translucency,
                                       options.shadows, blendedVariants(options.prepareFor))
                                 : nullptr),
-      motion(options.motion ? std::make_unique<MotionPass>(device, gbuffer()) : nullptr),
+      motion(options.motion ? std::make_unique<MotionPass>(device, gbuffer(), subPixelBits(device, options))
+                            : nullptr),
       readback(device, extent, options) {
     if (options.occlusionCulling && options.submission == Submission::gpuDriven) {
         occlusion = paths.makeDeviceOcclusion(options.technique, extent);

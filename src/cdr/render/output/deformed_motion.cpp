@@ -4,6 +4,9 @@
 #include <cdr/shaders/output_deformed_motion_frag.h>
 #include <cdr/shaders/output_deformed_motion_vert.h>
 
+#include <bit>
+#include <cmath>
+
 namespace cdr::render {
 
 namespace {
@@ -23,6 +26,11 @@ std::vector<vk::VertexInputAttributeDescription> positionsOfBoth() {
     before.location = 1;
     before.binding = kBeforeBinding;
     return {vertexAttributes().front(), before};
+}
+
+/// A sub-pixel in pixels, as a constant of shaders.
+std::uint32_t subPixelWord(std::uint32_t bits) {
+    return std::bit_cast<std::uint32_t>(std::ldexp(1.0f, -static_cast<int>(bits)));
 }
 
 } // namespace
@@ -49,13 +57,15 @@ DeformedDraws deformedDraws(const DrawnScene& drawn, const FrameMotion& motion, 
     return made;
 }
 
-DeformedMotion::DeformedMotion(const gpu::Device& device, const gpu::SetLayout& set, vk::Format format)
+DeformedMotion::DeformedMotion(const gpu::Device& device, const gpu::SetLayout& set, vk::Format format,
+                               std::uint32_t subPixelBits)
     : m_layout(gpu::makePipelineLayout(
           device, {{set}, {{.stageFlags = kDeformedStages, .size = sizeof(shaders::DeformedPush)}}},
           "deformed motion layout")),
       m_pipeline(gpu::makeGraphicsPipeline(device, {.name = "deformed motion",
                                                     .vertexSpirv = kOutputDeformedMotionVert,
                                                     .fragmentSpirv = kOutputDeformedMotionFrag,
+                                                    .constants = {subPixelWord(subPixelBits)},
                                                     .layout = m_layout,
                                                     .bindings = bindingsOfBoth(),
                                                     .attributes = positionsOfBoth(),

@@ -10,6 +10,7 @@
 #include <cdr/shaders/motion_shared.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace cdr::render {
@@ -34,8 +35,9 @@ DeformedDraws deformedDraws(const DrawnScene& drawn, const FrameMotion& motion, 
 /// counts where the G-buffer shows its object at its distance.
 class DeformedMotion {
   public:
-    /// @param set of the motion pass. @param format of its image
-    DeformedMotion(const gpu::Device& device, const gpu::SetLayout& set, vk::Format format);
+    /// @param set of the motion pass. @param format of its image. @param subPixelBits to which vertices are rounded
+    DeformedMotion(const gpu::Device& device, const gpu::SetLayout& set, vk::Format format,
+                   std::uint32_t subPixelBits);
 
     /// Draws into the motion of a frame, in the colour attachment layout. @param set of the motion pass
     void record(vk::CommandBuffer primary, const DeformedDraws& draws, vk::DescriptorSet set,

@@ -45,7 +45,7 @@ gpu::Buffer makeInput(const gpu::Device& device, std::uint64_t bytes, const char
 
 } // namespace
 
-MotionPass::MotionPass(const gpu::Device& device, const gpu::Image& gbuffer)
+MotionPass::MotionPass(const gpu::Device& device, const gpu::Image& gbuffer, std::uint32_t subPixelBits)
     : m_device(device),
       m_gbuffer(gbuffer),
       m_image(device, gbufferOptions(gbuffer.options().extent, kMotionFormat), "motion"),
@@ -55,7 +55,7 @@ MotionPass::MotionPass(const gpu::Device& device, const gpu::Image& gbuffer)
               .bindings = {vk::DescriptorType::eCombinedImageSampler, vk::DescriptorType::eStorageBuffer,
                            vk::DescriptorType::eStorageBuffer, vk::DescriptorType::eStorageBuffer},
               .format = kMotionFormat}),
-      m_deformed(device, m_pass.setLayout(), kMotionFormat) {}
+      m_deformed(device, m_pass.setLayout(), kMotionFormat, subPixelBits) {}
 
 MotionPass::Inputs MotionPass::makeInputs(const ShadingInputs& shading) const {
     Inputs inputs;

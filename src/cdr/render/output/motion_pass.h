@@ -20,8 +20,8 @@ inline constexpr vk::Format kMotionFormat = vk::Format::eR32G32Sfloat;
 /// geometry pass takes no part in it, but meshes that deform are drawn once more.
 class MotionPass {
   public:
-    /// @param gbuffer of one size with the picture
-    MotionPass(const gpu::Device& device, const gpu::Image& gbuffer);
+    /// @param gbuffer of one size with the picture. @param subPixelBits to which vertices are rounded
+    MotionPass(const gpu::Device& device, const gpu::Image& gbuffer, std::uint32_t subPixelBits);
 
     /// What one frame in flight reads.
     class Inputs {
