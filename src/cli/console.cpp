@@ -1,5 +1,6 @@
 #include "console.h"
 
+#include <cdr/platform/file.h>
 #include <cdr/platform/standard_streams.h>
 
 #include <unistd.h>
@@ -57,9 +58,9 @@ void Console::table(const output::Table& table) const {
     const auto print = [&](const std::vector<std::string>& row) {
         std::string text;
         for (std::size_t i = 0; i < row.size(); ++i) {
+            const std::string cell = platform::oneLine(row[i]); // of a file's name, too
             // Names to the left, figures to the right.
-            text += i == 0 ? fmt::format("{:<{}}", row[i], widths[i])
-                           : fmt::format("  {:>{}}", row[i], widths[i]);
+            text += i == 0 ? fmt::format("{:<{}}", cell, widths[i]) : fmt::format("  {:>{}}", cell, widths[i]);
         }
         line(text);
     };

@@ -296,12 +296,15 @@ TEST(Probe, NamesTheFormatsThatTheDeviceLacks) {
 }
 
 /// Names of files may hold any byte.
-TEST(Files, ANoteOfAFileStaysOnItsLine) {
+TEST(Files, NotesAndTablesHaveANameOnOneLine) {
     const TemporaryFolder folder;
     writeNotedModel(folder.path() / "a\nb.gltf");
     const ProgramResult result = runProgram("render 'a\nb.gltf' --size 16x16 -o a.png", folder.path());
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.out.find("a b.gltf: ignored: "), std::string::npos) << result.out;
+    const ProgramResult table = runProgram("models 'a\nb.gltf' --size 16x16", folder.path());
+    EXPECT_EQ(table.status, 0) << table.err;
+    EXPECT_NE(table.out.find("\na b  "), std::string::npos) << table.out;
 }
 
 TEST(Files, WhatIsMissingForASpecialFileIsNamedWithIt) {
