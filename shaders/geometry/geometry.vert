@@ -66,8 +66,8 @@ layout(location = 2) out vec2 outUv;
 layout(location = 3) flat out uvec2 outIdAndCutoff; // id, and DrawRecord::cutoffAndMetallicRoughness
 #endif
 
-#ifdef DETAILED
-#include "geometry/turned_tangent.glsl"
+#ifndef DEPTH_ALONE
+#include "geometry/turned_normal.glsl"
 #endif
 
 void main() {
@@ -81,15 +81,8 @@ void main() {
     place(x, y, ahead, record.ahead.w);
     outAhead = ahead;
 #else
-
-    // Normals turn by the cofactor matrix: right under non-uniform scale, and mirrored ones come out mirrored.
-    vec3 back = -record.ahead.xyz;
-    vec3 normal = cdrDecodeOctahedral(inNormal);
-    vec3 turned = vec3(dot(cross(record.up.xyz, back), normal), dot(cross(back, record.right.xyz), normal),
-                       dot(cross(record.right.xyz, record.up.xyz), normal));
-    float mirrored = dot(cross(record.right.xyz, record.up.xyz), back);
-    turned = mirrored < 0.0 ? -turned : turned;
-
+    Axes axes = axesOf(record.right.xyz, record.up.xyz, record.ahead.xyz);
+    vec3 turned = turnedNormal(axes, inNormal);
     if (kSubPixelsX != 0.0) { // render::Snapping::inPlane
         float fromOrigin = distance(vec3(x, y, ahead), vec3(record.right.w, record.up.w, record.ahead.w));
         vec3 moved = movedInPlane(vec3(x, y, ahead), vec3(turned.xy, -turned.z), fromOrigin);
@@ -110,7 +103,7 @@ void main() {
     outColor = baseColor;
 #ifdef DETAILED
     outUv = vec4(inUv, inSecondUv);
-    outTangent = turnedTangent(inTangent, record.right.xyz, record.up.xyz, back, mirrored);
+    outTangent = turnedTangent(axes, inTangent);
 #else
     outUv = inUv;
 #endif

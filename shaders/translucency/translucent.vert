@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "translucency/translucent_shared.h"
-#include "public/cdr_octahedral.glsl"
+#include "geometry/turned_normal.glsl"
 
 layout(push_constant) uniform Push { TranslucentPush push; };
 
@@ -19,7 +19,6 @@ layout(location = 8) in uvec4 inLook;
 #ifdef DETAILED
 layout(location = 9) in vec4 inTangent;
 layout(location = 10) in vec2 inSecondUv;
-#include "geometry/turned_tangent.glsl"
 layout(location = 6) out vec4 outTangent;
 layout(location = 2) out vec4 outUv;
 #else
@@ -47,17 +46,12 @@ void main() {
     precise float inFront = distanceView - push.behind;
     gl_ClipDistance[0] = inFront;
 
-    // As geometry.vert turns them.
-    vec3 back = -inAhead.xyz;
-    vec3 normal = cdrDecodeOctahedral(inNormal);
-    vec3 turned = vec3(dot(cross(inUp.xyz, back), normal), dot(cross(back, inRight.xyz), normal),
-                       dot(cross(inRight.xyz, inUp.xyz), normal));
-    float mirrored = dot(cross(inRight.xyz, inUp.xyz), back);
-    outNormalAhead = vec4(mirrored < 0.0 ? -turned : turned, ahead);
+    Axes axes = axesOf(inRight.xyz, inUp.xyz, inAhead.xyz);
+    outNormalAhead = vec4(turnedNormal(axes, inNormal), ahead);
     outColor = inColor * vec4(unpackHalf2x16(inLook.y), unpackHalf2x16(inLook.z));
 #ifdef DETAILED
     outUv = vec4(inUv, inSecondUv);
-    outTangent = turnedTangent(inTangent, inRight.xyz, inUp.xyz, back, mirrored);
+    outTangent = turnedTangent(axes, inTangent);
 #else
     outUv = inUv;
 #endif

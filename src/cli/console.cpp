@@ -60,7 +60,8 @@ void Console::table(const output::Table& table) const {
         for (std::size_t i = 0; i < row.size(); ++i) {
             const std::string cell = platform::oneLine(row[i]); // of a file's name, too
             // Names to the left, figures to the right.
-            text += i == 0 ? fmt::format("{:<{}}", cell, widths[i]) : fmt::format("  {:>{}}", cell, widths[i]);
+            text +=
+                i == 0 ? fmt::format("{:<{}}", cell, widths[i]) : fmt::format("  {:>{}}", cell, widths[i]);
         }
         line(text);
     };

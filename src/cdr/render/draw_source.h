@@ -76,6 +76,11 @@ struct DrawKind {
     bool operator==(const DrawKind&) const = default;
 };
 
+/// Whether an instance is turned inside out. In float64, since the volume of a small or large one is no float32.
+inline bool isMirror(const glm::mat3& basis) {
+    return glm::determinant(glm::dmat3(basis)) < 0.0;
+}
+
 /// One instance as recording reads it, all of it in two cache lines. The scene's structure of arrays, made
 /// for culling, would take eight.
 struct DrawSource {

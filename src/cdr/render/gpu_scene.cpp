@@ -432,7 +432,7 @@ std::uint32_t GpuScene::State::kindIndexOf(const KindKey& key) {
 
 void GpuScene::State::readInstance(std::size_t i) {
     const scene::Instances& instances = m_scene->instances;
-    const KindKey key{instances.mesh[i], instances.material[i], glm::determinant(instances.basis[i]) < 0.0f};
+    const KindKey key{instances.mesh[i], instances.material[i], isMirror(instances.basis[i])};
     DrawSource& source = m_sources[i];
     // What moves or goes keeps its kind, which spares the look-up and leaves runs of one kind whole.
     const bool keepsKind = source.kind < m_kinds.size() &&

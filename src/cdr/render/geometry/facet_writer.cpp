@@ -39,7 +39,7 @@ void FacetWriter::turn(const FacetSolid& solid, const DrawSource& source, const 
     m_turned.solid = &solid;
     m_turned.basis = source.basis;
     m_turned.material = source.material;
-    m_turned.isMirrored = glm::determinant(source.basis) < 0.0f;
+    m_turned.isMirrored = isMirror(source.basis);
     for (std::size_t i = 0; i < solid.corners().size(); ++i) {
         const glm::vec3& corner = solid.corners()[i];
         m_turned.corners[i] = {along(record.right, corner), along(record.up, corner),

@@ -1,0 +1,99 @@
+#include "fixture.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+
+namespace cdr::render_test {
+
+namespace {
+
+using ScaledSceneTest = RenderTest;
+
+/// A scene and its camera, so many times as large as another one. A power of two, so that no number is rounded elsewhere.
+struct ScaledScene {
+    scene::Scene scene;
+    scene::Camera camera;
+};
+
+enum class Look { facets, round, glass };
+
+/// Boxes, skewed and two of them mirrored, and how they look: with facets, shaded as round ones, or two of them as glass too.
+ScaledScene scaledBy(double scale, Look look) {
+    ScaledScene made{.scene = boxScene(),
+                     .camera = {.fovY = 1.0, .nearView = 0.1 * scale, .farView = 100.0 * scale}};
+    scene::Scene& scene = made.scene;
+    scene.lights.front() = {.position = scale * glm::dvec3(5.0, 9.0, 7.0),
+                            .color = glm::vec3(1.0f),
+                            .halfDistance = 20.0 * scale};
+    scene.meshes.push_back(scene.meshes.front());
+    for (scene::Vertex& vertex : scene.meshes.back().vertices) {
+        vertex.normal = look == Look::facets ? vertex.normal : glm::normalize(vertex.position);
+    }
+    scene.materials.push_back({.name = "glass", .baseColorFactor = {0.3f, 0.9f, 0.5f, 0.6f}});
+    scene.materials.back().alphaMode =
+        look == Look::glass ? scene::AlphaMode::blend : scene::AlphaMode::opaque;
+    const glm::mat3 skewed(glm::vec3(0.9f, 0.2f, 0.1f), glm::vec3(0.3f, 1.0f, 0.2f),
+                           glm::vec3(-0.1f, 0.4f, 0.7f));
+    const glm::mat3 mirrored(-skewed[0], skewed[1], skewed[2]);
+    const auto size = static_cast<float>(scale);
+    scene::addInstance(scene, 1, 0, 0, scale * glm::dvec3(-0.6, 0.0, -3.0), size * mirrored);
+    scene::addInstance(scene, 0, 1, 1, scale * glm::dvec3(0.6, 0.2, -2.5), size * mirrored);
+    scene::addInstance(scene, 1, 1, 2, scale * glm::dvec3(0.6, -0.7, -3.0), size * skewed);
+    return made;
+}
+
+/// Pixels that show another object, or another normal.
+std::size_t differingPixels(const render::Frame& a, const render::Frame& b) {
+    std::size_t differ = 0;
+    for (std::uint32_t y = 0; y < a.height(); ++y) {
+        for (std::uint32_t x = 0; x < a.width(); ++x) {
+            const auto one = a.pick(x, y);
+            const auto other = b.pick(x, y);
+            const bool isAlike =
+                one.has_value() == other.has_value() &&
+                (!one || (one->object == other->object && glm::dot(one->normal, other->normal) > 0.9999));
+            differ += isAlike ? 0 : 1;
+        }
+    }
+    return differ;
+}
+
+/// Products of three entries of a basis are no float32 numbers at either end.
+TEST_F(ScaledSceneTest, SidesAndNormalsAreThoseOfTheSceneItself) {
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    for (const render::SurfacePath surface :
+         {render::SurfacePath::gbuffer, render::SurfacePath::visibility}) {
+        options.surface = surface;
+        const Look look = surface == render::SurfacePath::gbuffer ? Look::round : Look::facets;
+        const ScaledScene plain = scaledBy(1.0, look);
+        const render::Frame expected = draw(plain.scene, plain.camera, options);
+        for (const int power : {-85, -50, 50}) {
+            const ScaledScene scaled = scaledBy(std::ldexp(1.0, power), look);
+            EXPECT_LE(differingPixels(draw(scaled.scene, scaled.camera, options), expected), 5u)
+                << "2^" << power << " " << nameOf(surface);
+        }
+    }
+}
+
+TEST_F(ScaledSceneTest, ColoursOfBlendedSurfacesAreThoseOfTheSceneItself) {
+    const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    const ScaledScene plain = scaledBy(1.0, Look::glass);
+    const auto expected = draw(plain.scene, plain.camera, options).color.pixels;
+    for (const int power : {-50, 50}) {
+        const ScaledScene scaled = scaledBy(std::ldexp(1.0, power), Look::glass);
+        const auto colors = draw(scaled.scene, scaled.camera, options).color.pixels;
+        std::size_t differ = 0;
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                differ += std::abs(int{colors[i][channel]} - int{expected[i][channel]}) > 1 ? 1 : 0;
+            }
+        }
+        EXPECT_LE(differ, 5u) << "2^" << power;
+    }
+}
+
+} // namespace
+
+} // namespace cdr::render_test
