@@ -6,6 +6,7 @@
 #include <cdr/platform/worker_pool.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/renderer.h>
+#include <cdr/render/renderer_setup.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,12 +90,42 @@ InspectedView viewOf(const measure::TruthCaster& caster, const PairCollector& pa
     return view;
 }
 
-void predict(const InspectedView& view, const depth::Cascades& cascades, InspectedTechnique& technique) {
+/// How fast the distance of what a pixel shows changes over the picture, scene units per pixel.
+double changeViewAt(const measure::TruthImage& truth, std::size_t i) {
+    const auto along = [&](std::size_t place, std::size_t count, std::size_t step) {
+        double most = 0.0;
+        for (const std::size_t other : {place > 0 ? i - step : i, place + 1 < count ? i + step : i}) {
+            const measure::TruthPixel& pixel = truth.pixels[other];
+            if (pixel.id == truth.pixels[i].id) {
+                most = std::max(most, std::abs(pixel.distanceView - truth.pixels[i].distanceView));
+            }
+        }
+        return most;
+    };
+    return std::hypot(along(i % truth.width, truth.width, 1),
+                      along(i / truth.width, truth.height, truth.width));
+}
+
+/// forecastIn(), with what rounding vertices to sub-pixels does to the surface of a pixel.
+/// @param bits nothing: vertices are not rounded, or move in the surface's plane
+std::optional<depth::Forecast> forecastAt(const InspectedView& view, std::size_t i,
+                                          const depth::Technique& technique, const depth::Cascades& cascades,
+                                          std::optional<unsigned> bits) {
+    auto forecast = depth::forecastIn(technique, cascades, view.truth.pixels[i].distanceView);
+    if (forecast && bits) {
+        forecast->rounding.snapGapView = depth::snapGapView(*bits, changeViewAt(view.truth, i), 1.0);
+    }
+    return forecast;
+}
+
+/// Predictions count the rounding of vertices where it is asked for. Else the device may not do it.
+void predict(const InspectedView& view, const depth::Cascades& cascades, std::optional<unsigned> bits,
+             InspectedTechnique& technique) {
     for (std::size_t i = 0; i < view.truth.pixels.size(); ++i) {
         const measure::TruthPixel& pixel = view.truth.pixels[i];
         if (view.judgedPixels.pixels[i] != 0 && pixel.secondId != 0) {
             const OrderChance chance =
-                orderChance(technique.technique, cascades, pixel.distanceView, pixel.gapView(),
+                orderChance(forecastAt(view, i, technique.technique, cascades, bits), pixel.gapView(),
                             pixel.secondId > pixel.id ? DrawnLater::farther : DrawnLater::nearer);
             technique.undecided += chance.undecided;
             technique.predictedWrong += chance.wrong;
@@ -108,14 +139,13 @@ bool isRemedy(const InspectedTechnique& technique) {
 }
 
 void separate(const InspectedView& view, const PairCollector& pairs, const depth::Cascades& cascades,
-              InspectedTechnique& technique) {
+              std::optional<unsigned> bits, InspectedTechnique& technique) {
     const measure::PixelSlopes slopes =
         measure::pixelSlopes(view.camera, view.truth.width, view.truth.height);
     for (std::size_t i = 0; i < view.truth.pixels.size(); ++i) {
         const measure::TruthPixel& pixel = view.truth.pixels[i];
-        const auto forecast = view.isInPlane(i)
-                                  ? depth::forecastIn(technique.technique, cascades, pixel.distanceView)
-                                  : std::nullopt;
+        const auto forecast =
+            view.isInPlane(i) ? forecastAt(view, i, technique.technique, cascades, bits) : std::nullopt;
         if (!forecast) {
             continue;
         }
@@ -150,14 +180,14 @@ class TechniqueRun {
   public:
     TechniqueRun(const gpu::Device& device, const scene::Scene& scene, const render::GpuScene& onDevice,
                  const InspectOptions& options, InspectedTechnique& result)
-        : m_renderer(device, scene, onDevice,
-                     {.width = options.width,
-                      .height = options.height,
-                      .technique = result.technique,
-                      .threads = options.threads,
-                      .snapBits = options.snapBits,
-                      .snapping = options.snapping}),
-          m_result(result) {}
+        : TechniqueRun(device, scene, onDevice,
+                       render::RenderOptions{.width = options.width,
+                                             .height = options.height,
+                                             .technique = result.technique,
+                                             .threads = options.threads,
+                                             .snapBits = options.snapBits,
+                                             .snapping = options.snapping},
+                       result) {}
 
     void add(const InspectedView& view, const PairCollector& pairs, std::uint64_t& worst,
              image::ImageRgba8& heatMap) {
@@ -165,9 +195,9 @@ class TechniqueRun {
         const render::Frame frame = m_renderer.render(view.camera);
         const measure::WrongPixels wrong = measure::countWrong(frame.ids(), view.truth, view.judgedPixels);
         m_result.wrong += wrong;
-        predict(view, frame.cascades, m_result);
+        predict(view, frame.cascades, m_isSnapped ? m_subPixelBits : std::nullopt, m_result);
         if (isRemedy(m_result)) {
-            separate(view, pairs, frame.cascades, m_result);
+            separate(view, pairs, frame.cascades, m_subPixelBits, m_result);
         }
         m_result.cascades = std::max(m_result.cascades, frame.cascades.size());
         const std::uint64_t bad = wrong.wrong + view.inPlane();
@@ -178,16 +208,27 @@ class TechniqueRun {
     }
 
   private:
+    TechniqueRun(const gpu::Device& device, const scene::Scene& scene, const render::GpuScene& onDevice,
+                 const render::RenderOptions& options, InspectedTechnique& result)
+        : m_renderer(device, scene, onDevice, options),
+          m_isSnapped(options.snapBits > 0),
+          m_result(result) {
+        if (options.snapping == render::Snapping::byDevice) {
+            m_subPixelBits = render::subPixelBits(device, options);
+        }
+    }
+
     render::Renderer m_renderer;
+    std::optional<unsigned> m_subPixelBits; ///< nothing: vertices move in the planes of surfaces
+    bool m_isSnapped;                       ///< for sure, whatever the device does
     InspectedTechnique& m_result;
 };
 
 } // namespace
 
-OrderChance orderChance(const depth::Technique& technique, const depth::Cascades& cascades,
-                        double distanceView, double gapView, DrawnLater drawnLater) {
+OrderChance orderChance(const std::optional<depth::Forecast>& forecast, double gapView,
+                        DrawnLater drawnLater) {
     const double later = drawnLater == DrawnLater::farther ? 1.0 : 0.0;
-    const auto forecast = depth::forecastIn(technique, cascades, distanceView);
     if (!forecast || !std::isfinite(forecast->bufferStepView)) {
         return {.undecided = 1.0, .wrong = later};
     }

@@ -2,6 +2,7 @@
 
 #include "pairs.h"
 
+#include <cdr/depth/forecast.h>
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
@@ -101,8 +102,7 @@ struct OrderChance {
 /// Which of two surfaces is drawn later.
 enum class DrawnLater : std::uint8_t { nearer, farther };
 
-/// At a distance, for surfaces that are `gapView` apart.
-OrderChance orderChance(const depth::Technique& technique, const depth::Cascades& cascades,
-                        double distanceView, double gapView, DrawnLater later);
+/// For surfaces that are `gapView` apart where the forecast holds; nothing: in no cascade.
+OrderChance orderChance(const std::optional<depth::Forecast>& forecast, double gapView, DrawnLater later);
 
 } // namespace cdr::experiments

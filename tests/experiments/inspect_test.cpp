@@ -1,0 +1,81 @@
+#include "../support/shared_device.h"
+
+#include <experiments/inspect/inspect.h>
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace cdr::experiments_test {
+
+using namespace experiments;
+
+namespace {
+
+using InspectTest = test::DeviceTest;
+
+constexpr float kSlope = 0.6f;
+
+/// Leans to the right.
+scene::Mesh leaningSquare(float halfX, float halfY) {
+    scene::Mesh mesh;
+    for (const glm::vec2 corner : {glm::vec2(-halfX, -halfY), glm::vec2(halfX, -halfY),
+                                   glm::vec2(halfX, halfY), glm::vec2(-halfX, halfY)}) {
+        mesh.vertices.push_back(
+            {.position = {corner.x, corner.y, kSlope * corner.x}, .normal = {0.0f, 0.0f, 1.0f}});
+    }
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    mesh.boundingRadius = scene::boundingRadiusOf(mesh.vertices);
+    return mesh;
+}
+
+/// Two leaning squares of different outlines, the smaller one nearer by a gap.
+scene::Scene squares(double gap) {
+    scene::Scene scene;
+    scene.materials.push_back({.name = "plain"});
+    scene.meshes = {leaningSquare(9.1f, 11.0f), leaningSquare(16.9f, 15.3f)};
+    scene::addInstance(scene, 0, 0, 0, {0.0, 0.0, gap - 37.3}, glm::mat3(1.0f));
+    scene::addInstance(scene, 1, 0, 1, {0.0, 0.0, -37.3}, glm::mat3(1.0f));
+    return scene;
+}
+
+Inspection inspect(const gpu::Device& device, double gap, const InspectOptions& options) {
+    const scene::Camera camera{.fovY = 0.9, .nearView = 0.1, .farView = 400.0};
+    return runInspect(device, squares(gap), {camera}, options, [](auto&&...) {});
+}
+
+/// Vertices that are rounded to a 16th of a pixel move a slope by far more than a depth is off.
+TEST_F(InspectTest, RoundedVerticesCountInHowFarFacesAreToBeMoved) {
+    InspectOptions options;
+    options.width = 320;
+    options.height = 180;
+    options.snapBits = 4;
+    options.techniques = {depth::namedTechnique("reversed"), depth::namedTechnique("anchored")};
+    options.judged = depth::namedTechnique("anchored");
+    const Inspection inPlane = inspect(device(), 0.0, options);
+    ASSERT_GT(inPlane.coplanarPixels, 1000u);
+    for (const InspectedTechnique& technique : inPlane.techniques) {
+        if (technique.technique.format != depth::DepthFormat::d32f) {
+            continue;
+        }
+        const double apart = technique.apart.at({0, 1});
+        const Inspection moved = inspect(device(), 1.001 * apart, options);
+        EXPECT_EQ(moved.coplanarPixels, 0u);
+        const Inspection tooNear = inspect(device(), 0.19 * apart, options);
+        for (std::size_t i = 0; i < moved.techniques.size(); ++i) {
+            if (moved.techniques[i].technique == technique.technique) {
+                EXPECT_EQ(moved.techniques[i].wrong.wrong, 0u) << technique.name << " " << apart;
+                EXPECT_GT(tooNear.techniques[i].wrong.wrong, 100u) << technique.name;
+                EXPECT_GT(tooNear.techniques[i].predictedWrong, 100.0) << technique.name;
+            }
+        }
+    }
+    // Faces that move in their own planes need no more than depth does.
+    options.snapping = render::Snapping::inPlane;
+    const Inspection kept = inspect(device(), 0.0, options);
+    EXPECT_LT(kept.techniques.back().apart.at({0, 1}), 0.1 * inPlane.techniques.back().apart.at({0, 1}));
+}
+
+} // namespace
+
+} // namespace cdr::experiments_test
