@@ -109,12 +109,17 @@ void CommandFiles::writesSequence(const std::string& option, std::size_t begin, 
     }
 }
 
-void CommandFiles::writesPictures(const std::string& option, const fs::path& folder,
-                                  const std::string& stem) {
-    m_pictures.push_back({option, resolved(folder / "x").parent_path(), stem});
+void CommandFiles::writesFolder(const std::string& option, const fs::path& folder) {
+    m_folders.push_back({option, resolved(folder / "x").parent_path()});
     for (const Output& output : m_outputs) {
         requireApart(output);
     }
+}
+
+void CommandFiles::writesPictures(const std::string& option, const fs::path& folder,
+                                  const std::string& stem) {
+    m_pictures.push_back({option, resolved(folder / "x").parent_path(), stem});
+    writesFolder(option, folder);
 }
 
 bool CommandFiles::isSameName(const fs::path& path, const Output& output) {
@@ -150,6 +155,11 @@ void CommandFiles::requireApart(const Output& output) const {
         }
     }
     const fs::path file = output.keys.front();
+    for (const Folder& folder : m_folders) {
+        if (file == folder.path) {
+            refuseBoth(output.path, folder.option, output.option);
+        }
+    }
     for (const Pictures& pictures : m_pictures) {
         if (file.parent_path() == pictures.folder && file.extension() == ".png" &&
             file.filename().string().starts_with(pictures.stem)) {

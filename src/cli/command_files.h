@@ -33,6 +33,9 @@ class CommandFiles {
     void writesSequence(const std::string& option, std::size_t begin, std::size_t end,
                         const std::function<std::filesystem::path(std::size_t number)>& nameAt);
 
+    /// Files in a folder of their own. base::InputError when another output has its name.
+    void writesFolder(const std::string& option, const std::filesystem::path& folder);
+
     /// Pictures in a folder: .png files whose names begin with `stem`. base::InputError when another output is one.
     void writesPictures(const std::string& option, const std::filesystem::path& folder,
                         const std::string& stem = "");
@@ -48,6 +51,10 @@ class CommandFiles {
         std::size_t begin = 0;
         std::size_t end = 0;
         std::function<std::filesystem::path(std::size_t number)> nameAt; ///< outlives the call that gave it
+    };
+    struct Folder {
+        std::string option;
+        std::filesystem::path path; ///< its canonical name
     };
     struct Pictures {
         std::string option;
@@ -66,6 +73,7 @@ class CommandFiles {
     std::vector<Output> m_outputs;
     std::unordered_map<std::string, std::size_t> m_outputOf; ///< by keys
     std::vector<Sequence> m_sequences;
+    std::vector<Folder> m_folders;
     std::vector<Pictures> m_pictures;
 };
 

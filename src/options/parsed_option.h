@@ -51,16 +51,23 @@ CLI::Option* addParsedList(CLI::App& command, const char* names, std::vector<Val
         ->delimiter(',');
 }
 
+/// Refuses the empty text, such as that of a script's variable which is not set.
+/// @param what a file or a folder
+inline CLI::Validator namesOne(const std::string& what) {
+    return {[what](const std::string& text) { return text.empty() ? "names no " + what : std::string(); },
+            ""};
+}
+
 /// Adds an option that takes the path of a file.
 template <typename Path>
 CLI::Option* addFile(CLI::App& command, const char* names, Path& path, const std::string& help) {
-    return command.add_option(names, path, help)->type_name("FILE");
+    return command.add_option(names, path, help)->type_name("FILE")->check(namesOne("file"));
 }
 
 /// Adds an option that takes the path of a folder.
 template <typename Path>
 CLI::Option* addFolder(CLI::App& command, const char* names, Path& path, const std::string& help) {
-    return command.add_option(names, path, help)->type_name("FOLDER");
+    return command.add_option(names, path, help)->type_name("FOLDER")->check(namesOne("folder"));
 }
 
 } // namespace cdr::options

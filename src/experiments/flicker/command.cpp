@@ -169,6 +169,12 @@ void run(Command& command, FlickerArguments& arguments) {
         command.files().writes("--state", *options.state);
         command.sayKept(*options.state);
     }
+    if (arguments.videos) {
+        command.files().writesFolder("--videos", *arguments.videos);
+    }
+    if (arguments.tga) {
+        command.files().writesFolder("--tga", *arguments.tga);
+    }
     const auto results = measure(command, arguments);
     if (!command.ranks().isFirst()) {
         return;
