@@ -165,6 +165,30 @@ TEST_F(FrameTest, AnEmptySceneIsBackground) {
                             [](const render::GBufferPixel& pixel) { return pixel.idAndCascade == 0; }));
 }
 
+TEST_F(FrameTest, AnEmptyWorldIsBackgroundUntilItHasAnInstance) {
+    for (const render::Submission submission : submissions()) {
+        scene::World world;
+        render::GpuScene onDevice(device(), world);
+        render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
+        options.submission = submission;
+        render::Renderer renderer(device(), onDevice, options);
+        const scene::Camera camera{.fovY = 0.5};
+        const auto isShown = [&] {
+            const Frame frame = renderer.render(camera);
+            return frame.id(frame.width() / 2, frame.height() / 2) == 1;
+        };
+        EXPECT_FALSE(isShown()) << nameOf(submission);
+        const scene::MeshHandle box = world.addMesh(scene::makeBox(glm::vec3(0.5f)));
+        const scene::MaterialHandle look = world.addMaterial({});
+        EXPECT_FALSE(isShown()) << nameOf(submission);
+        const scene::InstanceHandle instance =
+            world.addInstance({.mesh = box, .material = look, .transform = {.position = {0.0, 0.0, -5.0}}});
+        EXPECT_TRUE(isShown()) << nameOf(submission);
+        world.removeInstance(instance);
+        EXPECT_FALSE(isShown()) << nameOf(submission);
+    }
+}
+
 TEST_F(FrameTest, RefusesWhatCannotBeRendered) {
     const scene::Scene scene = boxScene();
     const render::GpuScene gpuScene(device(), scene);

@@ -299,12 +299,7 @@ bool BinningPass::copyChanges(const Changes& changes, Copies& copies) const {
         stager.add(kMaterials, 0, all.materials);
         stager.add(kLevels, 0, all.levels);
     }
-    // A scene that stands still keeps no copy of itself.
-    if (stager.isEmpty()) {
-        copies.staging = {};
-    } else {
-        stager.write(m_device, copies.staging, copies.regions);
-    }
+    stager.write(m_device, copies.staging, copies.regions);
     m_scatter.stage({changes.instances, m_spheres, m_looks},
                     {(*m_sceneBuffers)[kSpheres], (*m_sceneBuffers)[kLooks]}, copies.scattered);
     return !stager.isEmpty() || !changes.instances.empty();

@@ -13,6 +13,10 @@ void Stager::add(const Piece& piece) {
 
 void Stager::write(const gpu::Device& device, gpu::Buffer& staging,
                    std::span<std::vector<vk::BufferCopy>> regions) const {
+    if (isEmpty()) {
+        staging = {}; // a scene that stands still keeps no copy of itself
+        return;
+    }
     if (staging.size() < m_bytes) {
         gpu::requireDeviceBytes(device, m_bytes, "changes of a gpu-driven scene");
         staging = gpu::Buffer(device, m_bytes + m_bytes / 2, vk::BufferUsageFlagBits::eTransferSrc,

@@ -23,7 +23,8 @@ class Stager {
 
     bool isEmpty() const { return m_pieces.empty(); }
 
-    /// Puts all into a buffer that the host writes, which grows where it must, and adds the copies from there.
+    /// Puts all into a buffer that the host writes, which grows where it must, and adds the copies from there. Without
+    /// anything there is no buffer after it.
     /// base::RunError, with both figures, when the device's memory does not suffice.
     /// @param regions by buffer
     void write(const gpu::Device& device, gpu::Buffer& staging,
