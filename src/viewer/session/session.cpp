@@ -45,7 +45,9 @@ void Session::renewDevice() {
 }
 
 void Session::followPath(double seconds) {
-    if (m_model.camera.motion == Motion::recording || m_model.camera.motion == Motion::tour) {
+    // A tour waits while another scene is opened.
+    const bool isOnTour = m_model.camera.motion == Motion::tour && m_model.settings.scene == kTourScene;
+    if (m_model.camera.motion == Motion::recording || isOnTour) {
         m_model.camera.playedSeconds += seconds;
     }
     if (m_model.camera.motion == Motion::free || m_model.picture.shown == nullptr || !m_thread->isReady()) {
@@ -102,11 +104,12 @@ void Session::goTo(std::uint32_t frame) {
 }
 
 void Session::followTour() {
-    if (m_model.settings.scene != kTourScene) { // another one was opened since
-        m_model.camera.motion = Motion::free;
+    const bool isOpen = m_model.picture.shown->sceneName == m_model.settings.scene;
+    if (m_model.settings.scene != kTourScene) { // another one was asked for, which may not open
+        m_model.camera.motion = isOpen ? Motion::free : Motion::tour;
         return;
     }
-    if (m_model.picture.shown->sceneName != m_model.settings.scene) {
+    if (!isOpen) {
         m_model.camera.playedSeconds = 0.0; // it is still being opened
         return;
     }
@@ -222,7 +225,9 @@ bool Session::takeResult() {
         std::rethrow_exception(result->failure->error);
     }
     m_model.interface.sayProblem(result->failure->message);
-    m_model.camera.motion = m_model.camera.motion == Motion::tour ? Motion::free : m_model.camera.motion;
+    if (m_model.camera.motion == Motion::tour && m_model.settings.scene == kTourScene) {
+        m_model.camera.motion = Motion::free; // it would fail again
+    }
     m_good.divider = m_model.settings.divider;
     m_model.settings = m_good;
     return false;
