@@ -119,6 +119,43 @@ TEST_F(ViewerTest, ATourEndsWhereAnotherSceneIsOpened) {
     EXPECT_EQ(valueOf(states[1], "motion"), "free") << states[1];
 }
 
+/// It is not the tour's scene that failed.
+TEST_F(ViewerTest, ATourGoesOnAfterAFileThatDoesNotOpen) {
+    std::ofstream(folder() / "broken.gltf") << "{";
+    const RunResult run = play("--size 300x200 cubes", "wait-frame\nkey T\nwait-state shown=orbit\n"
+                                                       "drop broken.gltf\nwait-state scene=broken.gltf\n"
+                                                       "wait-state scene=orbit\nwait-ui 3\nstate\nquit\n");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 1u) << run.out;
+    EXPECT_EQ(valueOf(states[0], "motion"), "tour") << states[0];
+    EXPECT_NE(valueOf(states[0], "notice").find("broken.gltf"), std::string::npos) << states[0];
+}
+
+/// Levels of detail open the scene anew. It is the same scene for whoever looks at it.
+TEST_F(ViewerTest, KeepsPivotAndPickedPointWhereItsSceneIsOpenedAnew) {
+    const RunResult run = play("--size 748x500 --technique anchored coplanar",
+                               "wait-frame\nwait-ui 3\nmove 278 242\nwait-ui 2\npress\nrelease\nwait-ui 2\n"
+                               "wait-frame\nstate\nclick Draw\nwait-ui 2\nclick detail\n"
+                               "click detail=object\nwait-ui 2\nwait-frame\nstate\nquit\n");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 2u) << run.out;
+    EXPECT_FALSE(valueOf(states[0], "picked").empty()) << states[0];
+    for (const char* kept : {"picked", "picked-at", "pivot", "eye"}) {
+        EXPECT_EQ(valueOf(states[1], kept), valueOf(states[0], kept)) << kept;
+    }
+}
+
+TEST_F(ViewerTest, SaysWhoseARecordingIsThatPlaysInAnotherScene) {
+    fs::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", folder() / "m.gltf");
+    const RunResult run = play("--size 300x200 cubes",
+                               "wait-frame\nkey R\nwait-ui 5\nkey R\nwait-ui 1\nkey P\nwait-ui 1\nstate\n"
+                               "drop m.gltf\nwait-state shown=m.gltf\nkey P\nwait-ui 1\nstate\nquit\n");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 2u) << run.out;
+    EXPECT_EQ(valueOf(states[0], "notice").find("recorded in"), std::string::npos) << states[0];
+    EXPECT_NE(valueOf(states[1], "notice").find("recorded in cubes"), std::string::npos) << states[1];
+}
+
 TEST_F(ViewerTest, SaysThatAFolderCannotBeWritten) {
     std::ofstream(folder() / "script")
         << "wait-frame\nkey F12\nwait-ui 2\nstate\nkey F12 shift\nwait-ui 3\nstate\nkey R\nwait-ui 2\nkey R\n"

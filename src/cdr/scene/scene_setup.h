@@ -5,8 +5,10 @@
 #include <cdr/scene/scene.h>
 #include <cdr/scene/world/check.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,6 +66,8 @@ struct OpenedScene {
     std::vector<std::string> notes;              ///< what an importer ignored, one line each
     std::vector<PlayableAnimation> animations{}; ///< what a file holds, whether it is played or not
     std::vector<ListedLight> lights{};           ///< what a file holds, whether they are shown or not
+    /// Which of the notes says that no animation is played. What plays them leaves it out.
+    std::optional<std::size_t> animationsNote{};
 };
 
 } // namespace cdr::scene

@@ -38,6 +38,9 @@ void drawFinishPanel(const Widgets& widgets, ViewSettings& settings) {
     choose(widgets, "detail", visibility::kDetailModes, finish.detail.mode);
     choose(widgets, "translucency", render::kTranslucencies, finish.translucency.method);
     choose(widgets, "shadows", render::kShadowMethods, finish.shadows.method);
+    if (finish.shadows.isOn() && !castsShadows(finish, settings.targets.kind)) {
+        widgets.sentence("So no shadows are drawn now.");
+    }
     choose(widgets, "edges", render::kAntialiases, finish.effects.antialias);
     choose(widgets, "tone mapping", render::kToneMaps, finish.effects.finish.toneMap);
     chooseLength(widgets, "occlusion", finish.effects.occlusion.radius);

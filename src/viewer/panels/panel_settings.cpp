@@ -2,6 +2,7 @@
 #include "panels.h"
 #include "thumbnails.h"
 
+#include <viewer/state/importer_notes.h>
 #include <viewer/state/light_list.h>
 #include <viewer/state/plain_words.h>
 
@@ -73,8 +74,8 @@ void drawScenePanel(const Widgets& widgets, const RenderResult* result, ViewSett
         for (const std::string& line : lightLines(opened.lights)) {
             widgets.sentence(line);
         }
-        for (const std::string& note : opened.notes) {
-            widgets.sentence("ignored: " + note);
+        for (const std::string& note : importerNotes(opened)) {
+            widgets.sentence(note);
         }
     }
 }

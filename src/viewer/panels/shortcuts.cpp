@@ -151,7 +151,8 @@ constexpr std::array kKeeping{
              "choose in a panel by arrows, enter and space; esc gives the keys back to the camera", showPanel,
              GLFW_KEY_F2, kPanels.size()},
     Shortcut{"F1", "show or hide this help", toggleHelp, GLFW_KEY_F1},
-    Shortcut{"ctrl + Q", "close the window", take<Action::quit>, GLFW_KEY_Q, 1, GLFW_MOD_CONTROL},
+    Shortcut{"ctrl + Q", "close the window; to sink slowly, use ctrl and page down", take<Action::quit>,
+             GLFW_KEY_Q, 1, GLFW_MOD_CONTROL},
 };
 
 constexpr std::array kSections{

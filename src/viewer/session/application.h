@@ -53,6 +53,8 @@ class Application {
     void tryPerform(Action action);
     void dropFiles(const DropInput& drop);
     void toggleRecording();
+    /// From its beginning, if there is one. Says so if it is another scene's.
+    void playRecording();
     void toggleVideo();
     void recordVideo(double seconds);
     void copyCommandLines();

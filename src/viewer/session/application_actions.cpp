@@ -57,6 +57,21 @@ void Application::toggleRecording() {
     }
 }
 
+void Application::playRecording() {
+    const PathRecorder& recorder = m_model.camera.recorder;
+    if (recorder.recording().cameras.empty() || recorder.isRecording()) {
+        return;
+    }
+    m_model.camera.playedSeconds = 0.0;
+    m_model.camera.motion = Motion::recording;
+    m_model.camera.followsAnimation = false;
+    if (recorder.recording().scene != m_model.settings.scene) {
+        const std::filesystem::path scene = recorder.recording().scene;
+        m_model.interface.say(
+            fmt::format("playing a path that was recorded in {}", scene.filename().string()));
+    }
+}
+
 void Application::toggleVideo() {
     if (m_model.video != nullptr) {
         const auto video = std::exchange(m_model.video, nullptr);
@@ -182,11 +197,7 @@ void Application::tryPerform(Action action) {
         toggleRecording();
         break;
     case Action::playRecording:
-        if (!m_model.camera.recorder.recording().cameras.empty() && !m_model.camera.recorder.isRecording()) {
-            m_model.camera.playedSeconds = 0.0;
-            m_model.camera.motion = Motion::recording;
-            m_model.camera.followsAnimation = false;
-        }
+        playRecording();
         break;
     case Action::frameSelected:
         frameSelected();

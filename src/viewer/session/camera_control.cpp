@@ -107,6 +107,10 @@ void CameraControl::handle(const InputEvent& event, const PictureArea& area, Inp
     const bool isOfPicture = owner == InputOwner::picture;
     if (const auto* move = std::get_if<MoveInput>(&event)) {
         onMove(*move, area, model);
+    } else if (std::holds_alternative<LeaveInput>(event)) {
+        if (!m_held) { // what is dragged goes on outside the window
+            m_input.cursor = kNoCursor;
+        }
     } else if (const auto* button = std::get_if<ButtonInput>(&event)) {
         onButton(*button, area, owner, model);
     } else if (const auto* scroll = std::get_if<ScrollInput>(&event)) {

@@ -25,6 +25,13 @@ bool isStill(const scene::SceneSetup& setup) {
     return setup.path.frames <= 1 && !setup.motion;
 }
 
+/// Whether a result shows the scene that was shown before, if perhaps opened anew: in other colours, for levels of
+/// detail or with another animation. A file that was asked for again may be another.
+bool isOfSameScene(const RenderResult* before, const RenderResult& result) {
+    return before != nullptr && before->sceneName == result.sceneName &&
+           before->settings.openings == result.settings.openings;
+}
+
 } // namespace
 
 Session::Session(RenderDevice& device, ViewerModel& model) : m_device(device), m_model(model) {
@@ -45,7 +52,9 @@ void Session::renewDevice() {
 }
 
 void Session::followPath(double seconds) {
-    if (m_model.camera.motion == Motion::recording || m_model.camera.motion == Motion::tour) {
+    // A tour waits while another scene is opened.
+    const bool isOnTour = m_model.camera.motion == Motion::tour && m_model.settings.scene == kTourScene;
+    if (m_model.camera.motion == Motion::recording || isOnTour) {
         m_model.camera.playedSeconds += seconds;
     }
     if (m_model.camera.motion == Motion::free || m_model.picture.shown == nullptr || !m_thread->isReady()) {
@@ -102,11 +111,12 @@ void Session::goTo(std::uint32_t frame) {
 }
 
 void Session::followTour() {
-    if (m_model.settings.scene != kTourScene) { // another one was opened since
-        m_model.camera.motion = Motion::free;
+    const bool isOpen = m_model.picture.shown->sceneName == m_model.settings.scene;
+    if (m_model.settings.scene != kTourScene) { // another one was asked for, which may not open
+        m_model.camera.motion = isOpen ? Motion::free : Motion::tour;
         return;
     }
-    if (m_model.picture.shown->sceneName != m_model.settings.scene) {
+    if (!isOpen) {
         m_model.camera.playedSeconds = 0.0; // it is still being opened
         return;
     }
@@ -222,14 +232,20 @@ bool Session::takeResult() {
         std::rethrow_exception(result->failure->error);
     }
     m_model.interface.sayProblem(result->failure->message);
-    m_model.camera.motion = m_model.camera.motion == Motion::tour ? Motion::free : m_model.camera.motion;
+    if (m_model.camera.motion == Motion::tour && m_model.settings.scene == kTourScene) {
+        m_model.camera.motion = Motion::free; // it would fail again
+    }
     m_good.divider = m_model.settings.divider;
     m_model.settings = m_good;
     return false;
 }
 
 void Session::adopt(RenderResult result) {
-    const bool isEntered = m_model.picture.shown == nullptr || m_model.picture.shown->scene != result.scene;
+    const RenderResult* before = m_model.picture.shown.get();
+    const bool isEntered = !isOfSameScene(before, result);
+    if (before == nullptr || before->scene != result.scene) {
+        takeOpened(result);
+    }
     if (isEntered) {
         enterScene(result);
     }
@@ -252,8 +268,8 @@ void Session::adopt(RenderResult result) {
         m_model.camera.surfaceView =
             ahead > 0.0 ? flightDistance(m_model.camera.now, ahead, m_model.camera.surfaceView)
                         : m_model.camera.now.nearView;
-        if (isEntered) {
-            const double pivotView = std::isfinite(ahead) ? ahead : m_model.camera.surfaceView;
+        if (std::exchange(m_isPivotDue, false)) {
+            const double pivotView = ahead > 0.0 && std::isfinite(ahead) ? ahead : m_model.camera.surfaceView;
             m_model.camera.pivot = m_model.camera.now.position - m_model.camera.now.back * pivotView;
         }
     }
@@ -340,35 +356,40 @@ void Session::pick(const Click& click, const RenderResult& result) {
         m_model.picture.measuring.click(*point);
         m_model.picture.pickedMaterials = materialsOf(result.scene->setup.scene, point->object);
         m_model.camera.pivot = point->position;
+        m_isPivotDue = false;
     }
 }
 
-void Session::enterScene(const RenderResult& result) {
+void Session::takeOpened(const RenderResult& result) {
     if (m_model.interface.notice.kind == NoticeKind::opening) {
         m_model.interface.notice = {};
     }
     if (m_click && !m_click->serial) {
         m_click.reset(); // on what is gone
     }
+    m_model.camera.ofScene = result.scene->setup.path.at(0);
+    m_model.camera.animatedFrame.reset();
+    m_model.performance.statistics.clear();
+    m_model.picture.underCursor = {};
+    m_model.picture.readable = {};
+}
+
+void Session::enterScene(const RenderResult& result) {
     const scene::CameraPath& path = result.scene->setup.path;
-    m_model.camera.ofScene = path.at(0);
     const auto first = std::exchange(m_model.camera.first, std::nullopt);
     if (m_model.picture.shown == nullptr || m_model.picture.shown->sceneName != result.sceneName) {
         const options::CameraOptions told = first.value_or(options::CameraOptions{});
         m_model.camera.lens = options::lensOf(told);
         m_model.camera.followsAnimation = !(told.eye || told.target || told.direction || told.up);
     }
-    m_model.camera.animatedFrame.reset();
     m_model.camera.pathFrame = first ? first->frame : 0;
     m_model.camera.now =
         scene::canonical(first ? overridden(path.at(frameOfMotion()), *first) : result.camera);
     m_model.camera.isThere = true;
     m_model.camera.surfaceView = 0.0;
     m_model.picture.measuring.clear();
-    m_model.performance.statistics.clear();
-    m_model.picture.underCursor = {};
-    m_model.picture.readable = {};
     m_model.camera.pivot = m_model.camera.now.position - m_model.camera.now.back;
+    m_isPivotDue = true;
 }
 
 void Session::readCursor(const PictureArea& area, const glm::dvec2& cursor) {

@@ -70,6 +70,9 @@ class Session {
     void ask(RenderRequest request);
     void adopt(RenderResult result);
     void takeWrong(const RenderResult& result);
+    /// Forgets what is of how the scene was opened before, and nothing that a person sees as the scene's.
+    void takeOpened(const RenderResult& result);
+    /// Puts the camera into another scene, where nothing is picked yet.
     void enterScene(const RenderResult& result);
     void pickOrAsk();
     void takeClicked(const RenderResult& result);
@@ -84,7 +87,8 @@ class Session {
     std::uint64_t m_serial = 0;
     std::uint64_t m_shownSerial = 0;
     std::uint64_t m_results = 0;
-    bool m_isIdle = false; ///< at the last update()
+    bool m_isIdle = false;     ///< at the last update()
+    bool m_isPivotDue = false; ///< no picture of the scene has told yet how far what it looks at is
     std::optional<Click> m_click;
     Clock::time_point m_surfacesAsked{};
     struct Asked {

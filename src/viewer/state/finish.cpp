@@ -13,9 +13,14 @@ void apply(const Finish& finish, render::RenderOptions& options) {
     if (options.targets.kind == render::TargetsKind::layers) {
         options.focus = finish.focus;
     }
-    if (!options.focus.isOn() && render::castsShadows(finish.detail.mode)) {
+    if (castsShadows(finish, options.targets.kind)) {
         options.shadows = finish.shadows;
     }
+}
+
+bool castsShadows(const Finish& finish, render::TargetsKind targets) {
+    const bool isFocused = targets == render::TargetsKind::layers && finish.focus.isOn();
+    return finish.shadows.isOn() && !isFocused && render::castsShadows(finish.detail.mode);
 }
 
 std::string_view explanationOf(visibility::DetailMode detail) {
@@ -41,9 +46,10 @@ std::string_view explanationOf(render::Translucency translucency) {
 std::string_view explanationOf(render::ShadowMethod shadows) {
     constexpr std::array<std::string_view, 3> kTexts{
         "There are no shadows.",
-        "The first four lights cast shadows, each by a map for every range of distances that is seen. They "
-        "cannot be used with a focus or levels of detail.",
-        "Today's practice: four maps for each light, for any distances."};
+        "The first four lights cast shadows, each by a map for every range of distances that is seen. There "
+        "are none with a focus, nor with levels of detail by cascade or cluster.",
+        "Today's practice: four maps for each light, for any distances. There are none with a focus, nor with "
+        "levels of detail by cascade or cluster."};
     return kTexts[static_cast<std::size_t>(shadows)];
 }
 

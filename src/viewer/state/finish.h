@@ -21,6 +21,8 @@ struct Finish {
 /// others it is worked out over the whole picture. A focus is for `layers` alone, so with others there is
 /// none. There are no shadows with a focus, nor where levels of detail cast none.
 void apply(const Finish& finish, render::RenderOptions& options);
+/// Whether the shadows that are chosen are drawn with such targets, beside what else is chosen.
+bool castsShadows(const Finish& finish, render::TargetsKind targets);
 
 std::string_view explanationOf(visibility::DetailMode detail);
 std::string_view explanationOf(render::Translucency translucency);

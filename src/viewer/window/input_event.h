@@ -27,6 +27,8 @@ struct MoveInput {
     double x = 0.0;
     double y = 0.0;
 };
+/// The pointer is no longer over the window.
+struct LeaveInput {};
 struct ScrollInput {
     double x = 0.0;
     double y = 0.0;
@@ -40,7 +42,7 @@ struct ResizeInput {
     int height = 0;
 };
 
-using InputEvent =
-    std::variant<KeyInput, CharacterInput, ButtonInput, MoveInput, ScrollInput, DropInput, ResizeInput>;
+using InputEvent = std::variant<KeyInput, CharacterInput, ButtonInput, MoveInput, LeaveInput, ScrollInput,
+                                DropInput, ResizeInput>;
 
 } // namespace cdr::viewer

@@ -84,6 +84,9 @@ struct Window::Callbacks {
     }
     static void enter(GLFWwindow* handle, int entered) {
         ImGui_ImplGlfw_CursorEnterCallback(handle, entered);
+        if (entered == GLFW_FALSE) {
+            of(handle).m_events.emplace_back(LeaveInput{});
+        }
     }
     static void focus(GLFWwindow* handle, int focused) {
         ImGui_ImplGlfw_WindowFocusCallback(handle, focused);
@@ -163,6 +166,7 @@ void Window::inject(const InputEvent& event) {
                                   button.modifiers);
             },
             [&](const MoveInput& move) { Callbacks::move(window, move.x, move.y); },
+            [&](const LeaveInput&) { Callbacks::enter(window, GLFW_FALSE); },
             [&](const ScrollInput& scroll) { Callbacks::scroll(window, scroll.x, scroll.y); },
             [&](const DropInput& drop) {
                 std::vector<std::string> texts(drop.paths.begin(), drop.paths.end());

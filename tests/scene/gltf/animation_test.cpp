@@ -58,7 +58,11 @@ TEST_F(GltfAnimation, MovesItsNodes) {
     const OpenedScene still = openGltf(path);
     EXPECT_EQ(still.setup.scene.instances.x[0], 1.0);
     EXPECT_FALSE(still.setup.motion);
-    EXPECT_TRUE(anySays(still.notes, "its animation of 2 s, which render --time shows"));
+    ASSERT_TRUE(still.animationsNote.has_value());
+    EXPECT_EQ(still.notes.at(*still.animationsNote), "its animation of 2 s, which render --time shows");
+    GltfChoice played;
+    played.seconds = 0.0;
+    EXPECT_FALSE(openGltf(path, played).animationsNote.has_value());
     ASSERT_EQ(still.animations.size(), 1u);
     EXPECT_EQ(still.animations[0].name, "slide");
     EXPECT_EQ(still.animations[0].seconds, 2.0);

@@ -1,4 +1,5 @@
 #include <cdr/depth/forecast.h>
+#include <viewer/state/importer_notes.h>
 #include <viewer/state/light_list.h>
 #include <viewer/state/plain_words.h>
 #include <viewer/state/technique_label.h>
@@ -29,6 +30,17 @@ TEST(LightLines, NameTypesAndBoundTheirNumber) {
     ASSERT_EQ(many.size(), 13u);
     EXPECT_EQ(many[0], "point light");
     EXPECT_EQ(many[12], "and 2 more lights");
+}
+
+/// The viewer plays animations, so what a renderer would leave out is not ignored.
+TEST(ImporterNotes, LeaveOutTheOneOfAnimations) {
+    scene::OpenedScene opened;
+    opened.notes = {"its camera", "its animation", "a sheen"};
+    EXPECT_EQ(
+        importerNotes(opened),
+        (std::vector<std::string>{"ignored: its camera", "ignored: its animation", "ignored: a sheen"}));
+    opened.animationsNote = 1;
+    EXPECT_EQ(importerNotes(opened), (std::vector<std::string>{"ignored: its camera", "ignored: a sheen"}));
 }
 
 TEST(TechniqueStep, IsTheForecastsWhereCascadesAgree) {

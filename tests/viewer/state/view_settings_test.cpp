@@ -5,6 +5,7 @@
 
 #include <set>
 #include <string>
+#include <string_view>
 
 namespace cdr::viewer {
 
@@ -50,6 +51,27 @@ TEST(ViewSettings, AnotherFileKeepsALampOrASky) {
     settings.choice.light = scene::ModelLight::file;
     chooseScene(settings, "a.glb");
     EXPECT_FALSE(settings.choice.light.has_value());
+}
+
+TEST(ViewSettings, ShadowsAreDrawnWhereLevelsOfDetailAndFocusLeaveThem) {
+    using visibility::DetailMode;
+    constexpr auto kSingle = render::TargetsKind::single;
+    for (const render::ShadowMethod method : {render::ShadowMethod::anchored, render::ShadowMethod::plain}) {
+        Finish finish;
+        EXPECT_FALSE(castsShadows(finish, kSingle)) << "none are chosen";
+        finish.shadows.method = method;
+        for (const DetailMode mode : visibility::kDetailModes) {
+            finish.detail.mode = mode;
+            EXPECT_EQ(castsShadows(finish, kSingle),
+                      mode == DetailMode::none || mode == DetailMode::perObject);
+        }
+        finish.detail.mode = DetailMode::none;
+        finish.focus = {.distance = 3.0, .aperture = 0.1};
+        EXPECT_TRUE(castsShadows(finish, kSingle)) << "a focus is for layers";
+        EXPECT_FALSE(castsShadows(finish, render::TargetsKind::layers));
+        EXPECT_NE(explanationOf(method).find("nor with levels of detail by cascade or cluster"),
+                  std::string_view::npos);
+    }
 }
 
 TEST(ViewSettings, SidesBecomeRenderOptions) {

@@ -247,6 +247,7 @@ void noteCameras(GltfImport& import, const std::optional<GltfCamera>& chosen) {
 struct Played {
     SceneMotion motion;
     std::optional<gltf::MovingLights> lights;
+    std::optional<std::size_t> animationsNote{}; ///< OpenedScene's
 };
 
 /// Shows the first moment of the chosen animation, if any.
@@ -263,6 +264,7 @@ Played playedFrom(GltfImport& import, const std::optional<std::size_t>& chosen, 
             lights[light].moves = true;
         }
     } else if (import.animation != nullptr && !import.animation->animations.empty()) {
+        played.animationsNote = import.ignored.size();
         import.ignored.push_back(animationsNote(import.animation->animations));
     }
     return played;
@@ -338,6 +340,7 @@ OpenedScene opened(const std::filesystem::path& path, GltfImport import, const G
         result.setup.motion = std::move(played.motion);
     }
     result.notes = std::move(import.ignored);
+    result.animationsNote = played.animationsNote;
     return result;
 }
 

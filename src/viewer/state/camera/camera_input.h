@@ -49,20 +49,23 @@ struct PictureExtent {
     bool operator==(const PictureExtent&) const = default;
 };
 
+/// A cursor that is outside every picture.
+inline constexpr glm::dvec2 kNoCursor{-1.0};
+
 /// Seconds of input that one frame may apply, so that a frame that took long does not throw the camera far away.
 inline constexpr double kLongestStep = 0.25;
 
 /// What a person asked of the camera during one frame. Nothing in it is of a window system.
 struct CameraInput {
     CameraKeys keys{};
-    glm::dvec2 drag{0.0};   ///< movement with the button that looks or turns held: pixels, x right, y down
-    glm::dvec2 look{0.0};   ///< with the button that looks about though the camera orbits
-    glm::dvec2 turn{0.0};   ///< with the button that goes round the pivot though the camera flies
-    glm::dvec2 pan{0.0};    ///< movement with the button that shifts held: pixels, x right, y down
-    glm::dvec2 cursor{0.0}; ///< pixels from the picture's top left corner
-    double scroll = 0.0;    ///< notches that go nearer, away from the person positive
-    double lens = 0.0;      ///< notches that narrow the lens
-    bool flies = false;     ///< keys fly though the camera orbits
+    glm::dvec2 drag{0.0}; ///< movement with the button that looks or turns held: pixels, x right, y down
+    glm::dvec2 look{0.0}; ///< with the button that looks about though the camera orbits
+    glm::dvec2 turn{0.0}; ///< with the button that goes round the pivot though the camera flies
+    glm::dvec2 pan{0.0};  ///< movement with the button that shifts held: pixels, x right, y down
+    glm::dvec2 cursor{kNoCursor}; ///< pixels from the picture's top left corner
+    double scroll = 0.0;          ///< notches that go nearer, away from the person positive
+    double lens = 0.0;            ///< notches that narrow the lens
+    bool flies = false;           ///< keys fly though the camera orbits
     CameraAxes axes{};
     double seconds = 0.0; ///< since the last frame, >= 0
     PictureExtent extent{};
