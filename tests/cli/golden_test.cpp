@@ -2,7 +2,6 @@
 #include "program.h"
 
 #include <cdr/image/codec.h>
-#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

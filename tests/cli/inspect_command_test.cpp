@@ -2,7 +2,6 @@
 #include "program.h"
 
 #include <cdr/base/quantity_text.h>
-#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 

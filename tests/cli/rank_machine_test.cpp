@@ -1,6 +1,5 @@
 #include "rank_test.h"
 
-#include <cdr/platform/file.h>
 #include <cdr/platform/thread_placement.h>
 
 #include <gtest/gtest.h>

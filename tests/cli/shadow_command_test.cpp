@@ -1,7 +1,5 @@
 #include "program.h"
 
-#include <cdr/platform/file.h>
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,5 @@
 #include "program.h"
 
-#include <cdr/platform/file.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/camera_recording.h>
 #include <scenes/cubes.h>
