@@ -18,12 +18,11 @@ struct BadInput {
 };
 
 /// Each ends with one line, exit status 2, and nothing written.
-class BadInputTest : public testing::TestWithParam<BadInput> {};
+class BadInputTest : public FolderTest, public testing::WithParamInterface<BadInput> {};
 
 TEST_P(BadInputTest, IsRefusedInOneLine) {
-    const TemporaryFolder folder;
-    expectRefusal(GetParam().arguments, folder.path(), GetParam().says);
-    EXPECT_TRUE(folder.isEmpty());
+    expectRefusal(GetParam().arguments, GetParam().says);
+    EXPECT_TRUE(folderIsEmpty());
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -295,14 +294,13 @@ struct BadFile {
 
     friend std::ostream& operator<<(std::ostream& out, const BadFile& bad) { return out << bad.name; }
 };
-class BadFileTest : public testing::TestWithParam<BadFile> {};
+class BadFileTest : public FolderTest, public testing::WithParamInterface<BadFile> {};
 
 TEST_P(BadFileTest, IsRefusedInOneLine) {
-    const TemporaryFolder folder;
-    const std::filesystem::path file = folder.path().string() + "_" + GetParam().name;
+    const std::filesystem::path file = folder().string() + "_" + GetParam().name;
     std::ofstream(file) << GetParam().content;
-    expectRefusal("render '" + file.string() + "' -o a.png", folder.path(), GetParam().name);
-    EXPECT_TRUE(folder.isEmpty());
+    expectRefusal("render '" + file.string() + "' -o a.png", GetParam().name);
+    EXPECT_TRUE(folderIsEmpty());
     std::filesystem::remove(file);
 }
 

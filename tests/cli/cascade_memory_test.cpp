@@ -78,8 +78,7 @@ TEST_F(CascadeMemory, ARankHoldsWhatItsCascadesTouch) {
     if (deviceInfo().kind != gpu::DeviceKind::cpu) {
         GTEST_SKIP() << "textures lie on the device, and its driver reserves more addresses than any limit";
     }
-    const TemporaryFolder folder;
-    writeTexturedSquares(folder.path());
+    writeTexturedSquares(folder());
     const std::string render =
         "render squares.gltf --depth anchored --split count:8 --size 320x180 --eye 0,0,0 "
         "--target 0,0,-1 --fov 40 --near 5 --far 327680 --hash --ranks cascades -o ";
@@ -92,10 +91,10 @@ TEST_F(CascadeMemory, ARankHoldsWhatItsCascadesTouch) {
     // What a process takes besides textures depends on the machine. So the least limit that suffices is searched for, up or
     // down from what one machine needed.
     constexpr long kStep = 100;
-    const std::filesystem::path one = folder.path() / "one.png";
+    const std::filesystem::path one = at("one.png");
     std::string picture;
     const auto suffices = [&](long limit) {
-        const bool isDrawn = runProgram(render + "one.png", folder.path(), limited(limit)).status == 0;
+        const bool isDrawn = run(render + "one.png", limited(limit)).status == 0;
         picture = isDrawn ? readText(one) : picture;
         EXPECT_EQ(std::filesystem::remove(one), isDrawn) << limit << " MiB";
         return isDrawn;
@@ -107,10 +106,10 @@ TEST_F(CascadeMemory, ARankHoldsWhatItsCascadesTouch) {
         ASSERT_TRUE(limit > 600 && limit < 3000);
     } while (suffices(limit) == isTooMuch);
     const long tooLittle = isTooMuch ? limit : limit - kStep;
-    const ProgramResult four = runProgram(render + "four.png", folder.path(),
-                                          test::launched(CDR_MPIEXEC, 4) + " " + "env " + limited(tooLittle));
+    const ProgramResult four =
+        run(render + "four.png", test::launched(CDR_MPIEXEC, 4) + " " + "env " + limited(tooLittle));
     EXPECT_EQ(four.status, 0) << four.err;
-    EXPECT_TRUE(!picture.empty() && readText(folder.path() / "four.png") == picture);
+    EXPECT_TRUE(!picture.empty() && textIn("four.png") == picture);
     std::printf("one process needs more than %ld MiB of address space, four ranks do not\n", tooLittle);
 }
 

@@ -16,17 +16,17 @@ namespace cdr::cli_test {
 namespace {
 
 using nlohmann::json;
+using CertifyCommand = FolderTest;
 
 constexpr const char* kCertify = "render afc --technique anchored --size 320x180 --certify c.json ";
 
-TEST(CertifyCommand, WritesPicturesThatAreRightAndTheirCertificate) {
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        std::string(kCertify) + "--frames 2 --aov wrong --json a.json -o p%04d.png", folder.path());
+TEST_F(CertifyCommand, WritesPicturesThatAreRightAndTheirCertificate) {
+    const ProgramResult result =
+        run(std::string(kCertify) + "--frames 2 --aov wrong --json a.json -o p%04d.png");
     ASSERT_EQ(result.status, 0) << result.err;
-    EXPECT_TRUE(std::filesystem::exists(folder.path() / "p0001.png"));
-    const json rows = json::parse(readText(folder.path() / "a.json")).at("results");
-    const json certificate = json::parse(readText(folder.path() / "c.json"));
+    EXPECT_TRUE(std::filesystem::exists(at("p0001.png")));
+    const json rows = jsonIn("a.json").at("results");
+    const json certificate = jsonIn("c.json");
     EXPECT_EQ(certificate.at("command"), "render");
     EXPECT_EQ(certificate.at("device").at("name"), deviceInfo().name);
     EXPECT_EQ(certificate.at("sub_pixel_bits"), deviceInfo().subPixelBits);
@@ -61,54 +61,46 @@ TEST(CertifyCommand, WritesPicturesThatAreRightAndTheirCertificate) {
 }
 
 /// The garden with all that is blended made masked, in as many bytes.
-TEST(CertifyCommand, CastsWhereAMaskDecides) {
-    const TemporaryFolder folder;
+TEST_F(CertifyCommand, CastsWhereAMaskDecides) {
     std::string model = readText(CDR_SOURCE_DIR "/tests/assets/garden.glb");
     const std::string blended = R"("alphaMode":"BLEND")";
     for (std::size_t at = model.find(blended); at != std::string::npos; at = model.find(blended, at)) {
         model.replace(at, blended.size(), R"("alphaMode":"MASK" )");
     }
-    std::ofstream(folder.path() / "masked.glb", std::ios::binary) << model;
-    const ProgramResult result = runProgram(
-        "render masked.glb --technique anchored --size 320x180 --certify c.json --aov wrong --json a.json",
-        folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json frame = json::parse(readText(folder.path() / "c.json")).at("results")[0];
+    std::ofstream(at("masked.glb"), std::ios::binary) << model;
+    const json row = documentOf(
+        "render masked.glb --technique anchored --size 320x180 --certify c.json --aov wrong")["results"][0];
+    const json frame = jsonIn("c.json").at("results")[0];
     EXPECT_GT(frame.at("cast_masked").get<int>(), 320 * 180 / 100);
     EXPECT_LE(frame.at("cast_masked"), frame.at("cast"));
     EXPECT_EQ(frame.at("certified").get<int>() + frame.at("cast").get<int>(), 320 * 180);
     EXPECT_EQ(frame.at("refused"), 0);
-    const json row = json::parse(readText(folder.path() / "a.json")).at("results")[0];
     EXPECT_EQ(row.at("wrong"), 0);
     EXPECT_EQ(row.at("edge_wrong"), 0);
 }
 
 /// A driver that draws an eighth of a pixel beside the place.
-TEST(CertifyCommand, EndsWithStatus3WhereADriverKeepsNotToItsLimits) {
-    const TemporaryFolder folder;
+TEST_F(CertifyCommand, EndsWithStatus3WhereADriverKeepsNotToItsLimits) {
     const test::Fault beside{.call = "vkCmdSetViewport", .times = test::kForever, .result = 2};
-    const ProgramResult result =
-        runProgram("--quiet " + std::string(kCertify) + "-o p.png", folder.path(), beside.environment());
+    const ProgramResult result = run("--quiet " + std::string(kCertify) + "-o p.png", beside.environment());
     EXPECT_EQ(result.status, 3);
     EXPECT_NE(result.err.find("frame 0 refused: "), std::string::npos) << result.err;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_FALSE(std::filesystem::exists(folder.path() / "p.png"));
-    const json frame = json::parse(readText(folder.path() / "c.json")).at("results")[0];
+    EXPECT_FALSE(std::filesystem::exists(at("p.png")));
+    const json frame = jsonIn("c.json").at("results")[0];
     EXPECT_GT(frame.at("refused"), 0);
     EXPECT_EQ(frame.at("first_refused").size(), 2u);
     EXPECT_FALSE(frame.contains("hash"));
 }
 
 /// No ray is cast for a frame that is refused: what rays would have found is not known.
-TEST(CertifyCommand, CountsNoRaysOfARefusedFrame) {
-    const TemporaryFolder folder;
+TEST_F(CertifyCommand, CountsNoRaysOfARefusedFrame) {
     const test::Fault beside{.call = "vkCmdSetViewport", .times = test::kForever, .result = 2};
-    const ProgramResult result =
-        runProgram(std::string(kCertify) + "--json a.json -o p.png", folder.path(), beside.environment());
+    const ProgramResult result = run(std::string(kCertify) + "--json a.json -o p.png", beside.environment());
     ASSERT_EQ(result.status, 3) << result.err;
     EXPECT_TRUE(std::regex_search(result.out, std::regex(" +- +- +- +[0-9.]+ *\n"))) << result.out;
     for (const char* name : {"a.json", "c.json"}) {
-        const json frame = json::parse(readText(folder.path() / name)).at("results")[0];
+        const json frame = jsonIn(name).at("results")[0];
         ASSERT_GT(frame.at("refused"), 0) << name;
         for (const char* field : {"cast", "cast_masked", "wrong_before", "repaired"}) {
             EXPECT_TRUE(frame.at(field).is_null()) << name << " " << field;

@@ -19,6 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using Commands = FolderTest;
+using RenderTable = FolderTest;
 
 /// What the device has of the formats with 24 bits and more.
 std::string fineFormats() {
@@ -35,11 +37,10 @@ void expectEnvelope(const json& document, const std::string& command) {
     EXPECT_TRUE(document.at("results").is_array());
 }
 
-TEST(Commands, DevicesListsAUsableOne) {
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram("devices --json d.json", folder.path());
+TEST_F(Commands, DevicesListsAUsableOne) {
+    const ProgramResult result = run("devices --json d.json");
     EXPECT_EQ(result.status, 0) << result.err;
-    const json document = json::parse(readText(folder.path() / "d.json"));
+    const json document = jsonIn("d.json");
     expectEnvelope(document, "devices");
     ASSERT_FALSE(document["results"].empty());
     EXPECT_NE(result.out.find(document["results"][0]["name"].get<std::string>()), std::string::npos);
@@ -59,8 +60,7 @@ TEST(Commands, DevicesListsAUsableOne) {
 
 /// The loader hides a driver that lacks a part of Vulkan unless the program asks for such drivers. Here lavapipe's manifest
 /// says that it lacks one.
-TEST(Commands, DevicesFindsPortabilityDrivers) {
-    const TemporaryFolder folder;
+TEST_F(Commands, DevicesFindsPortabilityDrivers) {
     const fs::path manifests = "/usr/share/vulkan/icd.d";
     std::string library;
     for (const auto& entry :
@@ -75,17 +75,16 @@ TEST(Commands, DevicesFindsPortabilityDrivers) {
     const json manifest{
         {"file_format_version", "1.0.1"},
         {"ICD", {{"library_path", library}, {"api_version", "1.3.0"}, {"is_portability_driver", true}}}};
-    std::ofstream(folder.path() / "driver.json") << manifest;
+    std::ofstream(at("driver.json")) << manifest;
     const ProgramResult result =
-        runProgram("render cubes --size 64x36", folder.path(),
-                   "VK_ICD_FILENAMES=\"$PWD/driver.json\" VK_DRIVER_FILES=\"$PWD/driver.json\"");
+        run("render cubes --size 64x36",
+            "VK_ICD_FILENAMES=\"$PWD/driver.json\" VK_DRIVER_FILES=\"$PWD/driver.json\"");
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.out.find("llvmpipe"), std::string::npos) << result.out;
 }
 
-TEST(Commands, PrecisionReproducesAll16CellsOfTable41) {
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram("precision --json --curve c.csv", folder.path());
+TEST_F(Commands, PrecisionReproducesAll16CellsOfTable41) {
+    const ProgramResult result = run("precision --json --curve c.csv");
     EXPECT_EQ(result.status, 0) << result.err;
     const json document = json::parse(result.out);
     expectEnvelope(document, "precision");
@@ -97,12 +96,11 @@ TEST(Commands, PrecisionReproducesAll16CellsOfTable41) {
         }
     }
     EXPECT_EQ(cells, 16);
-    EXPECT_EQ(readText(folder.path() / "c.csv").substr(0, 18), "distance,standard,");
+    EXPECT_EQ(textIn("c.csv").substr(0, 18), "distance,standard,");
 }
 
-TEST(Commands, PicturesWritesThemAllAndTheirNumbers) {
-    const TemporaryFolder folder;
-    const json document = documentOf("--validate pictures --size 320x180 --frames 2 --out p", folder.path());
+TEST_F(Commands, PicturesWritesThemAllAndTheirNumbers) {
+    const json document = documentOf("--validate pictures --size 320x180 --frames 2 --out p");
     expectEnvelope(document, "pictures");
     std::set<std::string> seen;
     for (const json& row : document["results"]) {
@@ -111,7 +109,7 @@ TEST(Commands, PicturesWritesThemAllAndTheirNumbers) {
         EXPECT_GT(row["pixels"], 1000);
         EXPECT_NEAR(row["wrong_fraction"].get<double>(),
                     row["wrong"].get<double>() / row["pixels"].get<double>(), 1e-12);
-        const auto picture = readPicture(folder.path() / "p" / (stem + ".png"));
+        const auto picture = readPicture(at("p") / (stem + ".png"));
         EXPECT_EQ(picture.width, 320u);
         // Not black: a good share of the picture is lit.
         EXPECT_GT(std::count_if(picture.pixels.begin(), picture.pixels.end(),
@@ -119,14 +117,12 @@ TEST(Commands, PicturesWritesThemAllAndTheirNumbers) {
                   320 * 180 / 20);
     }
     EXPECT_EQ(seen.size(), 12u);
-    EXPECT_EQ(readPicture(folder.path() / "p" / "contact_sheet.png").width, 6u * 328u + 8u);
+    EXPECT_EQ(readPicture(at("p/contact_sheet.png")).width, 6u * 328u + 8u);
 }
 
 /// A million units away: nothing that starts from a float32 distance, micrometres anchored.
-TEST(Commands, ProbeFindsWhatEachTechniqueResolves) {
-    const TemporaryFolder folder;
-    const json document =
-        documentOf("--validate probe --distances 1e6 --formats " + fineFormats(), folder.path());
+TEST_F(Commands, ProbeFindsWhatEachTechniqueResolves) {
+    const json document = documentOf("--validate probe --distances 1e6 --formats " + fineFormats());
     expectEnvelope(document, "probe");
     std::map<std::string, double> resolved;
     for (const json& row : document["results"]) {
@@ -153,23 +149,20 @@ TEST(Commands, ProbeFindsWhatEachTechniqueResolves) {
 }
 
 /// Not asked for formats, probe takes those there are and says which are absent.
-TEST(Commands, ProbeTakesTheFormatsThereAre) {
-    const TemporaryFolder folder;
+TEST_F(Commands, ProbeTakesTheFormatsThereAre) {
     const ProgramResult result =
-        runProgram("probe --distances 10 --techniques anchored --size 160x90 --json p.json", folder.path());
+        run("probe --distances 10 --techniques anchored --size 160x90 --json p.json");
     EXPECT_EQ(result.status, 0) << result.err;
-    const json document = json::parse(readText(folder.path() / "p.json"));
+    const json document = jsonIn("p.json");
     const std::size_t has = deviceInfo().depthFormats.size();
     EXPECT_EQ(document["results"].size(), has);
     EXPECT_EQ(document["missing_formats"].size(), depth::kDepthFormats.size() - has);
     EXPECT_EQ(result.out.find("cannot draw to it: d24") != std::string::npos, !hasD24()) << result.out;
 }
 
-TEST(Commands, ProbeTakesTechniquesByTheirParts) {
-    const TemporaryFolder folder;
+TEST_F(Commands, ProbeTakesTechniquesByTheirParts) {
     const json document = documentOf(
-        "--validate probe --distances 1e7 --techniques anchored-reversed/fitted --formats " + fineFormats(),
-        folder.path());
+        "--validate probe --distances 1e7 --techniques anchored-reversed/fitted --formats " + fineFormats());
     ASSERT_EQ(document["results"].size(), hasD24() ? 2u : 1u);
     for (const json& row : document["results"]) {
         EXPECT_EQ(row["technique"], "anchored-reversed/fitted");
@@ -181,14 +174,12 @@ TEST(Commands, ProbeTakesTechniquesByTheirParts) {
 }
 
 /// At this size 4 bits are too few for what `mixed` shows.
-TEST(Commands, PicturesSnapVertices) {
-    const TemporaryFolder folder;
+TEST_F(Commands, PicturesSnapVertices) {
     const auto rowOf = [&](int bits, const std::string& snapping) {
         json document =
             documentOf("--validate pictures --scenes mixed --frames 1 --size 480x270 --techniques anchored "
                        "--out p --snapping " +
-                           snapping + " --snap-bits " + std::to_string(bits),
-                       folder.path());
+                       snapping + " --snap-bits " + std::to_string(bits));
         EXPECT_EQ(document["options"]["snap_bits"], bits);
         EXPECT_EQ(document["options"]["snapping"], snapping);
         return document["results"][0];
@@ -198,40 +189,37 @@ TEST(Commands, PicturesSnapVertices) {
     EXPECT_LT(snapped["wrong_fraction"], 0.05);
     EXPECT_LE(rowOf(0, "by-device")["wrong"], snapped["wrong"]);
     EXPECT_EQ(rowOf(4, "in-plane")["wrong"], 0);
-    EXPECT_EQ(runProgram("render cubes --snap-bits 9", folder.path()).status, 2);
-    expectRefusal("render cubes --snapping in-plan", folder.path(), "in-plane");
+    EXPECT_EQ(run("render cubes --snap-bits 9").status, 2);
+    expectRefusal("render cubes --snapping in-plan", "in-plane");
 }
 
-TEST(Commands, AdviseCountsSnapping) {
-    const TemporaryFolder folder;
+TEST_F(Commands, AdviseCountsSnapping) {
     const std::string question = "advise --separation 0.5 --far 1e5 --json a.json";
-    const ProgramResult plain = runProgram(question, folder.path());
+    const ProgramResult plain = run(question);
     ASSERT_EQ(plain.status, 0) << plain.err;
     EXPECT_NE(plain.out.find("If vertices snap to 8 sub-pixel bits"), std::string::npos) << plain.out;
-    EXPECT_TRUE(json::parse(readText(folder.path() / "a.json"))["options"]["sub_pixel_bits"].is_null());
-    ASSERT_EQ(runProgram(question + " --sub-pixel-bits 8", folder.path()).status, 0);
-    const json document = json::parse(readText(folder.path() / "a.json"));
+    EXPECT_TRUE(jsonIn("a.json")["options"]["sub_pixel_bits"].is_null());
+    ASSERT_EQ(run(question + " --sub-pixel-bits 8").status, 0);
+    const json document = jsonIn("a.json");
     EXPECT_EQ(document["options"]["sub_pixel_bits"], 8);
     EXPECT_TRUE(document["simplest"].is_null());
     for (const json& row : document["results"]) {
         EXPECT_NEAR(row["snap_step"].get<double>(), 0.626, 0.001);
     }
     for (const char* bad : {"33", "-1", "x"}) {
-        EXPECT_EQ(runProgram(question + " --sub-pixel-bits " + bad, folder.path()).status, 2) << bad;
+        EXPECT_EQ(run(question + " --sub-pixel-bits " + bad).status, 2) << bad;
     }
-    EXPECT_EQ(runProgram(question + " --slope nan", folder.path()).status, 2);
+    EXPECT_EQ(run(question + " --slope nan").status, 2);
 }
 
-TEST(Commands, AdviseMeasures) {
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        "--validate advise --separation 0.01 --at 1e6 --far 2e6 --fov 0.002 --format d32f --measured "
-        "--frames 2 --json a.json",
-        folder.path());
+TEST_F(Commands, AdviseMeasures) {
+    const ProgramResult result =
+        run("--validate advise --separation 0.01 --at 1e6 --far 2e6 --fov 0.002 --format d32f --measured "
+            "--frames 2 --json a.json");
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.out.find("time over standard"), std::string::npos);
     EXPECT_NE(result.out.find("was measured to resolve"), std::string::npos) << result.out;
-    const json document = json::parse(readText(folder.path() / "a.json"));
+    const json document = jsonIn("a.json");
     expectEnvelope(document, "advise");
     EXPECT_FALSE(document["device"]["name"].get<std::string>().empty());
     ASSERT_EQ(document["results"].size(), 8u);
@@ -246,12 +234,10 @@ TEST(Commands, AdviseMeasures) {
     EXPECT_EQ(document["simplest"]["technique"], "anchored");
 }
 
-TEST(Commands, AdviseMeasuresTheTechniquesAskedForInPicturesAskedFor) {
-    const TemporaryFolder folder;
+TEST_F(Commands, AdviseMeasuresTheTechniquesAskedForInPicturesAskedFor) {
     const json document = documentOf(
         "advise --separation 1 --far 1000 --format d32f --techniques reversed,standard/count:2 --measured "
-        "--size 160x90 --frames 1",
-        folder.path());
+        "--size 160x90 --frames 1");
     EXPECT_EQ(document["options"]["measured_width"], 160);
     EXPECT_EQ(document["options"]["measured_height"], 90);
     ASSERT_EQ(document["results"].size(), 2u);
@@ -259,52 +245,46 @@ TEST(Commands, AdviseMeasuresTheTechniquesAskedForInPicturesAskedFor) {
     EXPECT_TRUE(document["results"][1]["time_ratio"].is_number());
 }
 
-TEST(Commands, AdviseSaysWhenReversedIsEnough) {
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram("advise --separation 0.5 --at 5000 --json a.json", folder.path());
+TEST_F(Commands, AdviseSaysWhenReversedIsEnough) {
+    const ProgramResult result = run("advise --separation 0.5 --at 5000 --json a.json");
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.out.find("reversed with d32f in one cascade is enough"), std::string::npos)
         << result.out;
-    const json document = json::parse(readText(folder.path() / "a.json"));
+    const json document = jsonIn("a.json");
     expectEnvelope(document, "advise");
     EXPECT_EQ(document["simplest"]["technique"], "reversed");
     EXPECT_EQ(document["results"].size(), 24u);
     EXPECT_TRUE(document["results"][0].contains("predicted"));
 }
 
-TEST(Commands, RenderWritesEveryOutputInEveryFormat) {
-    const TemporaryFolder folder;
+TEST_F(Commands, RenderWritesEveryOutputInEveryFormat) {
     for (const char* aov : {"color", "linear", "id", "distance", "normal", "cascade", "wrong"}) {
         for (const char* extension : {"png", "tga", "exr"}) {
             const std::string file = std::string(aov) + "." + extension;
-            const ProgramResult result = runProgram(
-                "--quiet render cubes --size 64x36 --technique cdr --aov " + std::string(aov) + " -o " + file,
-                folder.path());
+            const ProgramResult result = run("--quiet render cubes --size 64x36 --technique cdr --aov " +
+                                             std::string(aov) + " -o " + file);
             EXPECT_EQ(result.status, 0) << result.err;
             EXPECT_EQ(result.out, "");
-            EXPECT_GT(fs::file_size(folder.path() / file), 100u) << file;
+            EXPECT_GT(fs::file_size(at(file)), 100u) << file;
         }
     }
 }
 
-TEST(Commands, NamesOfPicturesEndInEitherCase) {
-    const TemporaryFolder folder;
+TEST_F(Commands, NamesOfPicturesEndInEitherCase) {
     const std::string render = "--quiet render cubes --size 64x36 -o ";
     for (const auto& [upper, lower] :
          {std::pair("A.PNG", "a.png"), std::pair("A.Tga", "a.tga"), std::pair("A.EXR", "a.exr")}) {
-        const ProgramResult result = runProgram(render + upper, folder.path());
+        const ProgramResult result = run(render + upper);
         EXPECT_EQ(result.status, 0) << result.err;
-        EXPECT_EQ(runProgram(render + lower, folder.path()).status, 0);
-        EXPECT_EQ(readText(folder.path() / upper), readText(folder.path() / lower)) << upper;
+        EXPECT_EQ(run(render + lower).status, 0);
+        EXPECT_EQ(textIn(upper), textIn(lower)) << upper;
     }
 }
 
 /// Against the truth of where each frame puts 100,000 objects, from 1 to 10,000,000 units away.
-TEST(Commands, RenderDrawsTrafficWithoutAWrongPixel) {
-    const TemporaryFolder folder;
+TEST_F(Commands, RenderDrawsTrafficWithoutAWrongPixel) {
     const auto count = [&](const std::string& arguments) {
-        return documentOf("render traffic --size 960x540 --aov wrong -o w.png " + arguments,
-                          folder.path())["results"][0];
+        return documentOf("render traffic --size 960x540 --aov wrong -o w.png " + arguments)["results"][0];
     };
     for (const char* frame : {"3", "100"}) {
         const json row = count("--technique anchored --frame " + std::string(frame));
@@ -315,22 +295,20 @@ TEST(Commands, RenderDrawsTrafficWithoutAWrongPixel) {
     EXPECT_GT(count("--technique standard --frame 100")["wrong"], 20) << "what would be seen";
 }
 
-TEST(Commands, RenderCountsWrongPixelsAsPicturesDoes) {
-    const TemporaryFolder folder;
-    const ProgramResult rendered = runProgram(
-        "render cubes --size 320x180 --technique standard --aov wrong -o w.png --json r.json", folder.path());
+TEST_F(Commands, RenderCountsWrongPixelsAsPicturesDoes) {
+    const ProgramResult rendered =
+        run("render cubes --size 320x180 --technique standard --aov wrong -o w.png --json r.json");
     ASSERT_EQ(rendered.status, 0) << rendered.err;
-    const json row = json::parse(readText(folder.path() / "r.json"))["results"][0];
+    const json row = jsonIn("r.json")["results"][0];
     const json expected =
-        documentOf("pictures --scenes cubes --techniques standard --size 320x180 --frames 1",
-                   folder.path())["results"][0];
+        documentOf("pictures --scenes cubes --techniques standard --size 320x180 --frames 1")["results"][0];
     EXPECT_GT(expected["wrong"], 0);
     for (const char* field : {"pixels", "wrong", "overlap_pixels", "overlap_wrong", "edge_wrong"}) {
         EXPECT_EQ(row[field], expected[field]) << field;
     }
     // Both write their counts alike, so what the picture marks must agree too, and the shares with the
     // counts.
-    const auto marks = readPicture(folder.path() / "w.png").pixels;
+    const auto marks = readPicture(at("w.png")).pixels;
     EXPECT_EQ(row["wrong"], std::count(marks.begin(), marks.end(), image::Rgba8{255, 0, 0, 255}));
     EXPECT_EQ(row["edge_wrong"], std::count(marks.begin(), marks.end(), image::Rgba8{255, 165, 0, 255}));
     EXPECT_EQ(row["wrong_fraction"], row["wrong"].get<double>() / row["pixels"].get<double>());
@@ -341,10 +319,9 @@ TEST(Commands, RenderCountsWrongPixelsAsPicturesDoes) {
     EXPECT_NE(rendered.out.find(share), std::string::npos) << rendered.out;
 }
 
-TEST(Commands, RenderIdIsObjectIndexPlusOneInThreeBytes) {
-    const TemporaryFolder folder;
-    ASSERT_EQ(runProgram("render cubes --size 320x180 --aov id -o id.png", folder.path()).status, 0);
-    const auto picture = readPicture(folder.path() / "id.png");
+TEST_F(Commands, RenderIdIsObjectIndexPlusOneInThreeBytes) {
+    ASSERT_EQ(run("render cubes --size 320x180 --aov id -o id.png").status, 0);
+    const auto picture = readPicture(at("id.png"));
     std::set<unsigned> ids;
     for (const auto& p : picture.pixels) {
         ids.insert(p[0] + 256u * p[1] + 65536u * p[2]);
@@ -355,15 +332,14 @@ TEST(Commands, RenderIdIsObjectIndexPlusOneInThreeBytes) {
     EXPECT_GT(*ids.rbegin(), 256u);
 }
 
-TEST(Commands, RenderSequencesNumberTheirFrames) {
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        "render afc --size 160x90 --frame 7 --frames 3 -o f_%04d.png --hash --json r.json", folder.path());
+TEST_F(Commands, RenderSequencesNumberTheirFrames) {
+    const ProgramResult result =
+        run("render afc --size 160x90 --frame 7 --frames 3 -o f_%04d.png --hash --json r.json");
     EXPECT_EQ(result.status, 0) << result.err;
     for (const char* name : {"f_0007.png", "f_0008.png", "f_0009.png"}) {
-        EXPECT_TRUE(fs::exists(folder.path() / name)) << name;
+        EXPECT_TRUE(fs::exists(at(name))) << name;
     }
-    const json document = json::parse(readText(folder.path() / "r.json"));
+    const json document = jsonIn("r.json");
     expectEnvelope(document, "render");
     std::set<std::string> hashes;
     for (const json& row : document["results"]) {
@@ -376,13 +352,12 @@ TEST(Commands, RenderSequencesNumberTheirFrames) {
     EXPECT_EQ(hashes.size(), 3u);
 }
 
-TEST(Commands, RenderSaysWhichTargetsAndHowManyLayers) {
-    const TemporaryFolder folder;
+TEST_F(Commands, RenderSaysWhichTargetsAndHowManyLayers) {
     std::set<std::string> hashes;
     for (const auto& [targets, layers] : {std::pair{"single", 0}, {"pool:4", 4}, {"layers", 0}}) {
         const std::string name = targets;
-        const json row = documentOf("render afc --technique cdr --size 160x90 --targets " + name,
-                                    folder.path())["results"][0];
+        const json row =
+            documentOf("render afc --technique cdr --size 160x90 --targets " + name)["results"][0];
         EXPECT_EQ(row["targets"], name.substr(0, name.find(':')));
         EXPECT_EQ(row["layers"], layers) << name;
         hashes.insert(row["hash"].get<std::string>());
@@ -427,10 +402,9 @@ TEST(Assets, LargerOnesAreRecognisable) {
 }
 
 /// A special case is named in every output.
-TEST(RenderTable, NamesASurfacePathThatIsNotTheDefault) {
-    const TemporaryFolder folder;
+TEST_F(RenderTable, NamesASurfacePathThatIsNotTheDefault) {
     const auto drawn = [&](const std::string& options) {
-        return runProgram("render cubes --technique standard --size 64x36 " + options, folder.path()).out;
+        return run("render cubes --technique standard --size 64x36 " + options).out;
     };
     EXPECT_NE(drawn("--surface lit").find("standard/lit"), std::string::npos) << drawn("--surface lit");
     EXPECT_EQ(drawn("").find("standard/"), std::string::npos) << drawn("");

@@ -11,15 +11,14 @@ namespace cdr::cli_test {
 namespace {
 
 using nlohmann::json;
+using CoplanarCommand = FolderTest;
 
-TEST(CoplanarCommand, CountsWhichOfTwoFacesIsSeen) {
-    const TemporaryFolder folder;
+TEST_F(CoplanarCommand, CountsWhichOfTwoFacesIsSeen) {
     const ProgramResult result =
-        runProgram("--validate coplanar --frames 2 --search-views 1 --size 160x90 --techniques "
-                   "reversed,anchored --out pictures --json c.json",
-                   folder.path());
+        run("--validate coplanar --frames 2 --search-views 1 --size 160x90 --techniques "
+            "reversed,anchored --out pictures --json c.json");
     ASSERT_EQ(result.status, 0) << result.err;
-    const json document = json::parse(readText(folder.path() / "c.json"));
+    const json document = jsonIn("c.json");
     EXPECT_EQ(document.at("command"), "coplanar");
     std::vector<std::string> methods;
     for (const json& row : document.at("results")) {
@@ -35,8 +34,7 @@ TEST(CoplanarCommand, CountsWhichOfTwoFacesIsSeen) {
         }
         EXPECT_EQ(row.at("slope_factor").is_null(), row.at("method") != "polygon offset");
         if (isNone) {
-            EXPECT_TRUE(
-                std::filesystem::exists(folder.path() / "pictures" / row.at("picture").get<std::string>()));
+            EXPECT_TRUE(std::filesystem::exists(at("pictures") / row.at("picture").get<std::string>()));
         }
     }
     EXPECT_EQ(methods,
@@ -46,31 +44,29 @@ TEST(CoplanarCommand, CountsWhichOfTwoFacesIsSeen) {
 }
 
 /// One setting that does nothing draws what no method draws.
-TEST(CoplanarCommand, SearchesTheSettingsThatAreGiven) {
-    const TemporaryFolder folder;
+TEST_F(CoplanarCommand, SearchesTheSettingsThatAreGiven) {
     const std::string command =
         "coplanar --frames 1 --search-views 1 --size 64x36 --techniques reversed --json c.json --slopes ";
-    const ProgramResult result = runProgram("--validate " + command + "0 --constants 0", folder.path());
+    const ProgramResult result = run("--validate " + command + "0 --constants 0");
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.out.find("the best of 1 settings"), std::string::npos) << result.out;
-    const json document = json::parse(readText(folder.path() / "c.json"));
+    const json document = jsonIn("c.json");
     EXPECT_EQ(document.at("options").at("slopes"), json::array({0.0}));
     const json& rows = document.at("results");
     EXPECT_GT(rows.at(0).at("wrong").get<int>(), 0);
     EXPECT_EQ(rows.at(1).at("wrong"), rows.at(0).at("wrong"));
-    ASSERT_EQ(runProgram(command + "0.25,0.5 --constants 0,4", folder.path()).status, 0);
-    const json chosen = json::parse(readText(folder.path() / "c.json")).at("results").at(1);
+    ASSERT_EQ(run(command + "0.25,0.5 --constants 0,4").status, 0);
+    const json chosen = jsonIn("c.json").at("results").at(1);
     EXPECT_LT(chosen.at("wrong"), rows.at(0).at("wrong"));
     EXPECT_GE(chosen.at("slope_factor"), 0.25);
-    EXPECT_EQ(runProgram(command + "1e7", folder.path()).status, 2);
+    EXPECT_EQ(run(command + "1e7").status, 2);
 }
 
 /// Vertices that are rounded to halves of a pixel cover pixels that no ray meets them in, and some of these flip.
-TEST(CoplanarCommand, TellsFlipsByCoverageFromOthers) {
-    const TemporaryFolder folder;
+TEST_F(CoplanarCommand, TellsFlipsByCoverageFromOthers) {
     const json results = documentOf(
-        "--quiet coplanar --frames 8 --search-views 1 --size 160x90 --techniques anchored --snap-bits 1",
-        folder.path())["results"];
+        "--quiet coplanar --frames 8 --search-views 1 --size 160x90 --techniques anchored --snap-bits 1")
+        ["results"];
     const json& none = results.at(0);
     EXPECT_GT(none.at("coverage_flips").get<int>(), 0);
     EXPECT_LE(none.at("coverage_flips").get<int>(), none.at("coverage").get<int>());

@@ -12,14 +12,13 @@ namespace cdr::cli_test {
 namespace {
 
 using nlohmann::json;
+using DetailCommand = FolderTest;
 
-TEST(DetailCommand, ComparesEveryModeWithNone) {
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        "--validate detail boulders --frames 1 --size 96x54 --threads 2 --out pictures --json d.json",
-        folder.path());
+TEST_F(DetailCommand, ComparesEveryModeWithNone) {
+    const ProgramResult result =
+        run("--validate detail boulders --frames 1 --size 96x54 --threads 2 --out pictures --json d.json");
     ASSERT_EQ(result.status, 0) << result.err;
-    const json document = json::parse(readText(folder.path() / "d.json"));
+    const json document = jsonIn("d.json");
     EXPECT_EQ(document.at("command"), "detail");
     EXPECT_EQ(document.at("options").at("split"), "count:5");
     EXPECT_EQ(document.at("scene_triangles"), 200 * 20'480);
@@ -38,52 +37,47 @@ TEST(DetailCommand, ComparesEveryModeWithNone) {
         if (modes.back() != "cascade") {
             EXPECT_EQ(row.at("cracks"), 0);
         }
-        EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures" / (modes.back() + ".png")));
+        EXPECT_TRUE(std::filesystem::exists(at("pictures") / (modes.back() + ".png")));
     }
     EXPECT_EQ(modes, (std::vector<std::string>{"none", "none-again", "object", "cascade", "cluster"}));
     EXPECT_NE(result.out.find("speed-up"), std::string::npos);
 }
 
-TEST(DetailCommand, RenderTakesADetailHoweverSubmitted) {
+TEST_F(DetailCommand, RenderTakesADetailHoweverSubmitted) {
     if (!canDrawGpuDriven()) {
         GTEST_SKIP() << "the device cannot draw gpu-driven";
     }
-    const TemporaryFolder folder;
     std::set<std::string> hashes;
     for (const char* how : {"none", "object --submission gpu-driven", "object:0.5 --threads 3"}) {
         const json row = documentOf(std::string("--validate render " CDR_SOURCE_DIR
                                                 "/tests/golden/spheres.gltf --size 96x54 "
                                                 "--split count:3 --detail ") +
-                                        how,
-                                    folder.path())["results"][0];
+                                    how)["results"][0];
         EXPECT_EQ(row.at("detail"), std::string(how) == "none" ? "none" : "object:0.5");
         hashes.insert(row.at("hash").get<std::string>());
     }
     EXPECT_EQ(hashes.size(), 2u);
 }
 
-TEST(DetailCommand, RenderTakesClusters) {
-    const TemporaryFolder folder;
+TEST_F(DetailCommand, RenderTakesClusters) {
     std::set<std::string> hashes;
     for (const char* how : {"cluster", "cluster:0.5 --threads 3 --targets layers", "none"}) {
         const json row = documentOf(std::string("--validate render " CDR_SOURCE_DIR
                                                 "/tests/golden/spheres.gltf --size 96x54 --detail ") +
-                                        how,
-                                    folder.path())["results"][0];
+                                    how)["results"][0];
         EXPECT_EQ(row.at("detail"), std::string(how) == "none" ? "none" : "cluster:0.5");
         hashes.insert(row.at("hash").get<std::string>());
     }
     EXPECT_EQ(hashes.size(), 2u);
 }
 
-TEST(DetailCommand, BadDetailsAreOneLine) {
-    const TemporaryFolder folder;
+TEST_F(DetailCommand, BadDetailsAreOneLine) {
     for (const char* bad :
          {"render cubes --detail objects", "render cubes --detail object:0", "render cubes --detail none:1",
           "render cubes --detail cascade:x", "render boulders --detail cluster --submission gpu-driven",
           "detail cubes --pixels -1", "detail cubes --pixels nan", "detail nowhere.glb",
           "detail cubes --split count:0"}) {
-        expectRefusal(bad, folder.path());
+        expectRefusal(bad);
     }
 }
 

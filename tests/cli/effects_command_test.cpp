@@ -11,18 +11,17 @@ namespace cdr::cli_test {
 namespace {
 
 using nlohmann::json;
+using EffectsCommand = FolderTest;
 
-TEST(EffectsCommand, LooksAlikeUnderEveryTechniqueAndLosesPerLayer) {
-    const TemporaryFolder folder;
-    const json document =
-        documentOf("--validate effects --frames 2 --size 320x180 --out pictures", folder.path());
+TEST_F(EffectsCommand, LooksAlikeUnderEveryTechniqueAndLosesPerLayer) {
+    const json document = documentOf("--validate effects --frames 2 --size 320x180 --out pictures");
     EXPECT_EQ(document.at("command"), "effects");
     std::map<std::string, json> rows;
     for (const json& row : document.at("results")) {
         const std::string mode = row.at("mode");
         rows[mode] = row;
         EXPECT_GT(row.at("execute_ms").get<double>(), 0.0);
-        EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures" / (mode + ".png")));
+        EXPECT_TRUE(std::filesystem::exists(at("pictures") / (mode + ".png")));
     }
     ASSERT_EQ(rows.size(), 5u);
     const double plain = rows["plain"].at("differing");
@@ -32,10 +31,8 @@ TEST(EffectsCommand, LooksAlikeUnderEveryTechniqueAndLosesPerLayer) {
     EXPECT_GT(document.at("lost_per_layer").get<double>(), 0.0);
 }
 
-TEST(EffectsCommand, ComparesTheTechniquesThatAreGiven) {
-    const TemporaryFolder folder;
-    const json document =
-        documentOf("--validate effects --frames 1 --size 32x18 --techniques log", folder.path());
+TEST_F(EffectsCommand, ComparesTheTechniquesThatAreGiven) {
+    const json document = documentOf("--validate effects --frames 1 --size 32x18 --techniques log");
     EXPECT_EQ(document.at("options").at("techniques"), json::array({"log"}));
     for (const json& row : document.at("results")) {
         EXPECT_EQ(row.at("least_alike"), "log");
@@ -43,23 +40,20 @@ TEST(EffectsCommand, ComparesTheTechniquesThatAreGiven) {
 }
 
 /// One byte of a surface is either how it shines or its occlusion per cascade.
-TEST(EffectsCommand, OcclusionPerLayerDrawsShinyScenesMattAndSaysSo) {
-    const TemporaryFolder folder;
+TEST_F(EffectsCommand, OcclusionPerLayerDrawsShinyScenesMattAndSaysSo) {
     const std::string render =
         "--validate render '" CDR_SOURCE_DIR "/tests/golden/spheres.gltf' --size 64x36 ";
     const std::string saying = "not drawn as requested: surfaces are matt";
-    const ProgramResult perLayer =
-        runProgram(render + "--targets accumulate --occlusion 1:layers", folder.path());
+    const ProgramResult perLayer = run(render + "--targets accumulate --occlusion 1:layers");
     ASSERT_EQ(perLayer.status, 0) << perLayer.err;
     EXPECT_NE(perLayer.out.find(saying), std::string::npos) << perLayer.out;
-    const ProgramResult whole = runProgram(render + "--occlusion 1", folder.path());
+    const ProgramResult whole = run(render + "--occlusion 1");
     ASSERT_EQ(whole.status, 0) << whole.err;
     EXPECT_EQ(whole.out.find(saying), std::string::npos) << whole.out;
 }
 
-TEST(EffectsCommand, RefusesWhatCannotBe) {
-    const TemporaryFolder folder;
-    expectRefusal("effects --occlusion=-1", folder.path(), "not negative");
+TEST_F(EffectsCommand, RefusesWhatCannotBe) {
+    expectRefusal("effects --occlusion=-1", "not negative");
 }
 
 } // namespace

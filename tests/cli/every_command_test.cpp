@@ -50,7 +50,7 @@ const SmallRun kSmallRuns[] = {
      "it lacks"},
     {"Report", "report --smallest -o r"}};
 
-class EveryCommand : public testing::TestWithParam<SmallRun> {};
+class EveryCommand : public FolderTest, public testing::WithParamInterface<SmallRun> {};
 
 /// It ends with status 0 and JSON on every device that has what it needs. Elsewhere it says in one line what is missing.
 TEST_P(EveryCommand, RunsOnTheDevice) {
@@ -59,9 +59,7 @@ TEST_P(EveryCommand, RunsOnTheDevice) {
     if (command == "report" && !takesAllCases()) {
         GTEST_SKIP() << "a minute, with CDR_ALL_CASES; the tests of ranks run a report too";
     }
-    const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram(std::string(GetParam().arguments) + " --json j.json", folder.path());
+    const ProgramResult result = run(std::string(GetParam().arguments) + " --json j.json");
     const char* refusal = GetParam().refusal;
     if (result.status == 2 && refusal != nullptr && result.err.find(refusal) != std::string::npos) {
         EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
@@ -70,7 +68,7 @@ TEST_P(EveryCommand, RunsOnTheDevice) {
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(result.err, "");
     EXPECT_FALSE(result.out.empty());
-    const json document = json::parse(readText(folder.path() / "j.json"));
+    const json document = jsonIn("j.json");
     EXPECT_EQ(document.at("command"), command);
     EXPECT_FALSE(document.at("results").empty());
     EXPECT_NE(document.at("device").at("name").get<std::string>().empty(), GetParam().usesDevice);

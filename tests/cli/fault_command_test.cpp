@@ -22,21 +22,20 @@ struct Fatal {
     }
 };
 
-class FaultTest : public testing::TestWithParam<Fatal> {};
+class FaultTest : public FolderTest, public testing::WithParamInterface<Fatal> {};
 
 /// One line, exit status 1, nothing half written, no hang and no crash.
 TEST_P(FaultTest, EndsInOneLine) {
     if (std::string(GetParam().arguments).find("gpu-driven") != std::string::npos && !canDrawGpuDriven()) {
         GTEST_SKIP() << "the device cannot draw gpu-driven";
     }
-    const TemporaryFolder folder;
     const ProgramResult result =
-        runProgram(std::string(GetParam().arguments) + " --validate --size 320x180 -o a.png --json a.json",
-                   folder.path(), GetParam().fault.environment() + " timeout 1000");
+        run(std::string(GetParam().arguments) + " --validate --size 320x180 -o a.png --json a.json",
+            GetParam().fault.environment() + " timeout 1000");
     EXPECT_EQ(result.status, 1) << result.err;
     EXPECT_NE(result.err.find(GetParam().says), std::string::npos) << result.err;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_TRUE(folder.isEmpty());
+    EXPECT_TRUE(folderIsEmpty());
 }
 
 TEST(Fault, ThatNeverComesChangesNothing) {

@@ -17,6 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using Files = FolderTest;
+using Notes = FolderTest;
+using Driver = FolderTest;
+using Probe = FolderTest;
 
 /// A glTF file of which something is not drawn.
 void writeNotedModel(const fs::path& path) {
@@ -25,85 +29,80 @@ void writeNotedModel(const fs::path& path) {
     std::ofstream(path) << model.dump();
 }
 
-TEST(Files, AnOutputNeverReplacesTheInput) {
-    const TemporaryFolder folder;
-    writeNotedModel(folder.path() / "in.gltf");
-    fs::create_symlink("in.gltf", folder.path() / "link.json");
-    fs::create_hard_link(folder.path() / "in.gltf", folder.path() / "other.json");
-    const std::string before = readText(folder.path() / "in.gltf");
+TEST_F(Files, AnOutputNeverReplacesTheInput) {
+    writeNotedModel(at("in.gltf"));
+    fs::create_symlink("in.gltf", at("link.json"));
+    fs::create_hard_link(at("in.gltf"), at("other.json"));
+    const std::string before = textIn("in.gltf");
     for (const char* arguments :
          {"render in.gltf --json link.json", "render in.gltf --json other.json",
           "render in.gltf --trace in.gltf", "pictures --scenes in.gltf --json link.json",
           "detail in.gltf --json link.json", "render cubes --path in.gltf --json link.json",
           "inspect cubes --path in.gltf --json link.json", "shadows alley --path in.gltf --json link.json"}) {
-        expectRefusal(arguments, folder.path(), "would replace what the command reads");
-        EXPECT_EQ(readText(folder.path() / "in.gltf"), before) << arguments;
+        expectRefusal(arguments, "would replace what the command reads");
+        EXPECT_EQ(textIn("in.gltf"), before) << arguments;
     }
 }
 
 /// As it would where --json takes the first of two models for its file.
-TEST(Files, ABareJsonNeverReplacesAModel) {
-    const TemporaryFolder folder;
-    writeNotedModel(folder.path() / "in.gltf");
-    const std::string before = readText(folder.path() / "in.gltf");
-    expectRefusal("models --json in.gltf in.gltf", folder.path(), "write --json=FILE, or --json last");
-    EXPECT_EQ(readText(folder.path() / "in.gltf"), before);
+TEST_F(Files, ABareJsonNeverReplacesAModel) {
+    writeNotedModel(at("in.gltf"));
+    const std::string before = textIn("in.gltf");
+    expectRefusal("models --json in.gltf in.gltf", "write --json=FILE, or --json last");
+    EXPECT_EQ(textIn("in.gltf"), before);
 }
 
 /// Whether the files are there already or not.
-TEST(Files, NoOutputIsALaterPictureOfASequence) {
-    const TemporaryFolder folder;
-    fs::create_directory(folder.path() / "d");
+TEST_F(Files, NoOutputIsALaterPictureOfASequence) {
+    fs::create_directory(at("d"));
     const std::string frames = "--quiet render cubes --size 16x16 --frames 3 -o d/f%d.png ";
     for (const bool isThere : {false, true}) {
         for (const char* other : {"--trace d/f1.png", "--json d/f2.png", "--state ./d/../d/f2.png"}) {
             if (isThere) {
-                std::ofstream(folder.path() / "d" / "f1.png") << "x";
-                std::ofstream(folder.path() / "d" / "f2.png") << "x";
+                std::ofstream(at("d/f1.png")) << "x";
+                std::ofstream(at("d/f2.png")) << "x";
             }
-            expectRefusal(frames + other, folder.path(), "would write it");
-            EXPECT_FALSE(fs::exists(folder.path() / "d" / "f0.png")) << other;
+            expectRefusal(frames + other, "would write it");
+            EXPECT_FALSE(fs::exists(at("d/f0.png"))) << other;
         }
     }
-    EXPECT_EQ(runProgram(frames + "--trace d/f3.png", folder.path()).status, 0);
+    EXPECT_EQ(run(frames + "--trace d/f3.png").status, 0);
 }
 
 /// Its buffers and pictures too, and by any picture of a sequence.
-TEST(Files, AnOutputNeverReplacesWhatAModelIsMadeOf) {
-    const TemporaryFolder folder;
+TEST_F(Files, AnOutputNeverReplacesWhatAModelIsMadeOf) {
     json model = json::parse(readText(CDR_SOURCE_DIR "/tests/golden/shapes.gltf"));
-    image::writeImage(folder.path() / "t_0003.png", image::ImageRgba8(4, 4, {200, 100, 50, 255}));
+    image::writeImage(at("t_0003.png"), image::ImageRgba8(4, 4, {200, 100, 50, 255}));
     model["images"] = {{{"uri", "t_0003.png"}}};
     model["textures"] = {{{"source", 0}}};
     model["materials"][0]["emissiveTexture"] = {{"index", 0}};
-    std::ofstream(folder.path() / "m.gltf") << model.dump();
-    const std::string before = readText(folder.path() / "t_0003.png");
+    std::ofstream(at("m.gltf")) << model.dump();
+    const std::string before = textIn("t_0003.png");
     for (const char* arguments :
          {"render m.gltf --size 8x8 -o t_0003.png", "render m.gltf --size 8x8 -o t_%04d.png --frames 4",
           "render m.gltf --size 8x8 --json t_0003.png",
           "pictures --scenes m.gltf --size 8x8 --json t_0003.png"}) {
-        expectRefusal(arguments, folder.path(), "would replace what the command reads");
-        EXPECT_EQ(readText(folder.path() / "t_0003.png"), before) << arguments;
+        expectRefusal(arguments, "would replace what the command reads");
+        EXPECT_EQ(textIn("t_0003.png"), before) << arguments;
     }
-    EXPECT_FALSE(fs::exists(folder.path() / "t_0000.png"));
-    EXPECT_EQ(runProgram("render m.gltf --size 8x8 -o t_%04d.png --frames 3", folder.path()).status, 0);
+    EXPECT_FALSE(fs::exists(at("t_0000.png")));
+    EXPECT_EQ(run("render m.gltf --size 8x8 -o t_%04d.png --frames 3").status, 0);
 }
 
 /// By a link, a hard link or a way around, and where none of the files is there yet.
-TEST(Files, NoTwoOutputsAreNamesOfOneFile) {
-    const TemporaryFolder folder;
-    fs::create_directory(folder.path() / "d");
-    fs::create_directory_symlink("d", folder.path() / "linked");
-    std::ofstream(folder.path() / "a.json") << "x";
-    fs::create_symlink("a.json", folder.path() / "link.json");
-    fs::create_hard_link(folder.path() / "a.json", folder.path() / "hard.json");
+TEST_F(Files, NoTwoOutputsAreNamesOfOneFile) {
+    fs::create_directory(at("d"));
+    fs::create_directory_symlink("d", at("linked"));
+    std::ofstream(at("a.json")) << "x";
+    fs::create_symlink("a.json", at("link.json"));
+    fs::create_hard_link(at("a.json"), at("hard.json"));
     for (const char* outputs :
          {"--trace a.json --json link.json", "--trace hard.json --json a.json",
           "--trace link.json --json hard.json", "--trace d/../a.json --json hard.json",
           "--trace new.json --json d/../new.json", "--trace d/n.json --json linked/n.json"}) {
-        expectRefusal(std::string("render cubes --size 8x8 ") + outputs, folder.path(), "would write it");
+        expectRefusal(std::string("render cubes --size 8x8 ") + outputs, "would write it");
     }
-    EXPECT_EQ(readText(folder.path() / "a.json"), "x");
+    EXPECT_EQ(textIn("a.json"), "x");
 }
 
 /// A model that has only these pictures.
@@ -115,79 +114,74 @@ void writePictureModel(const fs::path& path, const std::vector<std::string>& nam
     std::ofstream(path) << json{{"asset", {{"version", "2.0"}}}, {"images", images}};
 }
 
-TEST(Files, NoPictureOfASequenceIsAnotherNameOfWhatAModelIsMadeOf) {
-    const TemporaryFolder folder;
-    fs::create_directory(folder.path() / "d");
-    fs::create_directory_symlink("d", folder.path() / "linked");
-    std::ofstream(folder.path() / "t.png") << "x";
-    writePictureModel(folder.path() / "m.gltf", {"none.png", "t.png"});
-    fs::create_symlink("../t.png", folder.path() / "d" / "soft1.png");
-    fs::create_hard_link(folder.path() / "t.png", folder.path() / "d" / "hard2.png");
+TEST_F(Files, NoPictureOfASequenceIsAnotherNameOfWhatAModelIsMadeOf) {
+    fs::create_directory(at("d"));
+    fs::create_directory_symlink("d", at("linked"));
+    std::ofstream(at("t.png")) << "x";
+    writePictureModel(at("m.gltf"), {"none.png", "t.png"});
+    fs::create_symlink("../t.png", at("d/soft1.png"));
+    fs::create_hard_link(at("t.png"), at("d/hard2.png"));
     for (const char* name : {"d/soft%d.png", "d/hard%d.png", "linked/hard%d.png", "d/../d/soft%d.png"}) {
-        expectRefusal(std::string("render m.gltf --size 8x8 --frames 3 -o ") + name, folder.path(),
+        expectRefusal(std::string("render m.gltf --size 8x8 --frames 3 -o ") + name,
                       "-o would replace what the command reads");
     }
-    EXPECT_EQ(readText(folder.path() / "t.png"), "x");
+    EXPECT_EQ(textIn("t.png"), "x");
 }
 
 /// To compare each with each would take many minutes.
-TEST(Files, ManyOfAModelAndASequenceAreCheckedInSecondsOfAProcessor) {
-    const TemporaryFolder folder;
+TEST_F(Files, ManyOfAModelAndASequenceAreCheckedInSecondsOfAProcessor) {
     for (int frame = 0; frame < 1000; ++frame) {
-        std::ofstream(folder.path() / ("f" + std::to_string(frame) + ".png")) << "x";
+        std::ofstream(folder() / ("f" + std::to_string(frame) + ".png")) << "x";
     }
     std::vector<std::string> pictures;
     for (int picture = 0; picture < 600; ++picture) {
         pictures.push_back("t" + std::to_string(picture) + ".png");
     }
     pictures.push_back("f999.png");
-    writePictureModel(folder.path() / "m.gltf", pictures);
-    expectRefusal("render m.gltf --size 8x8 --frames 1000 -o f%d.png", folder.path(),
+    writePictureModel(at("m.gltf"), pictures);
+    expectRefusal("render m.gltf --size 8x8 --frames 1000 -o f%d.png",
                   "f999.png: -o would replace what the command reads", "ulimit -t 20 &&");
 }
 
-TEST(Files, ScenesOfOneNameAreRefused) {
-    const TemporaryFolder folder;
+TEST_F(Files, ScenesOfOneNameAreRefused) {
     for (const char* name : {"a", "b"}) {
-        fs::create_directory(folder.path() / name);
-        writeNotedModel(folder.path() / name / "m.gltf");
+        fs::create_directory(at(name));
+        writeNotedModel(at(name) / "m.gltf");
     }
-    const ProgramResult result = runProgram("--quiet pictures --scenes a/m.gltf,b/m.gltf", folder.path());
+    const ProgramResult result = run("--quiet pictures --scenes a/m.gltf,b/m.gltf");
     EXPECT_EQ(result.status, 2);
     EXPECT_NE(result.err.find("a/m.gltf and b/m.gltf would both be written as m_*.png"), std::string::npos)
         << result.err; // after what is not drawn of each
-    EXPECT_FALSE(fs::exists(folder.path() / "out"));
+    EXPECT_FALSE(fs::exists(at("out")));
 }
 
 /// Every command that opens a file takes the budget, in front of the command or behind it.
-TEST(Files, ABudgetShrinksTexturesAndSaysSo) {
-    const TemporaryFolder folder;
+TEST_F(Files, ABudgetShrinksTexturesAndSaysSo) {
     json model = json::parse(readText(CDR_SOURCE_DIR "/tests/golden/shapes.gltf"));
-    image::writeImage(folder.path() / "large.png", image::ImageRgba8(600, 600, {200, 100, 50, 255}));
+    image::writeImage(at("large.png"), image::ImageRgba8(600, 600, {200, 100, 50, 255}));
     model["images"] = {{{"uri", "large.png"}}};
     model["textures"] = {{{"source", 0}}};
     for (json& material : model["materials"]) {
         material["emissiveTexture"] = {{"index", 0}};
         material["emissiveFactor"] = {1, 1, 1}; // else the texture is not used
     }
-    std::ofstream(folder.path() / "m.gltf") << model.dump();
+    std::ofstream(at("m.gltf")) << model.dump();
     const std::string said = "shown smaller than it is, so that all textures fit in 1 MiB";
     for (const char* arguments : {"render m.gltf --size 16x16 --texture-memory 1 -o a.png",
                                   "--texture-memory 1 render m.gltf --size 16x16 -o b.png",
                                   "inspect m.gltf --size 16x16 --texture-memory 1",
                                   "effects m.gltf --frames 1 --size 16x16 --texture-memory 1"}) {
-        const ProgramResult result = runProgram(arguments, folder.path());
+        const ProgramResult result = run(arguments);
         EXPECT_EQ(result.status, 0) << arguments << result.err;
         EXPECT_NE(result.out.find(said), std::string::npos) << arguments << result.out;
     }
-    const ProgramResult whole = runProgram("render m.gltf --size 16x16 -o c.png", folder.path());
+    const ProgramResult whole = run("render m.gltf --size 16x16 -o c.png");
     EXPECT_EQ(whole.status, 0) << whole.err;
     EXPECT_EQ(whole.out.find("shown smaller"), std::string::npos) << whole.out;
 }
 
 /// In front of a command or behind it, and whatever command opens the file.
-TEST(Files, ARadiusOfPointsChangesThePicture) {
-    const TemporaryFolder folder;
+TEST_F(Files, ARadiusOfPointsChangesThePicture) {
     const std::string survey = CDR_SOURCE_DIR "/tests/assets/survey.glb --camera 0 --size 64x36 ";
     const std::vector<std::string> lines{"render " + survey + "-o plain.png",
                                          "render " + survey + "--points 0.2 -o behind.png",
@@ -196,37 +190,34 @@ TEST(Files, ARadiusOfPointsChangesThePicture) {
                                          "models " + survey + "--points 0.2 --out thick",
                                          "render sheets --size 64x36 --points 0.2 -o sheets.png"};
     for (const std::string& arguments : lines) {
-        const ProgramResult result = runProgram(arguments, folder.path());
+        const ProgramResult result = run(arguments);
         EXPECT_EQ(result.status, 0) << arguments << result.err;
     }
-    EXPECT_NE(readText(folder.path() / "plain.png"), readText(folder.path() / "behind.png"));
-    EXPECT_EQ(readText(folder.path() / "before.png"), readText(folder.path() / "behind.png"));
-    EXPECT_NE(readText(folder.path() / "plain" / "survey.png"),
-              readText(folder.path() / "thick" / "survey.png"));
+    EXPECT_NE(textIn("plain.png"), textIn("behind.png"));
+    EXPECT_EQ(textIn("before.png"), textIn("behind.png"));
+    EXPECT_NE(textIn("plain/survey.png"), textIn("thick/survey.png"));
 }
 
-TEST(Files, DevicesTakeSeveralOutputs) {
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram("precision --json /dev/null --curve /dev/null", folder.path());
+TEST_F(Files, DevicesTakeSeveralOutputs) {
+    const ProgramResult result = run("precision --json /dev/null --curve /dev/null");
     EXPECT_EQ(result.status, 0) << result.err;
 }
 
-class NotesTest : public testing::TestWithParam<const char*> {};
+class NotesTest : public FolderTest, public testing::WithParamInterface<const char*> {};
 
 /// A command prints what of a file is not drawn, also with --quiet, and JSON has it.
 TEST_P(NotesTest, AreSaidEverywhere) {
-    const TemporaryFolder folder;
-    writeNotedModel(folder.path() / "m.gltf");
+    writeNotedModel(at("m.gltf"));
     const std::string arguments = std::string(GetParam()) + " --size 32x18 --json r.json";
-    const ProgramResult loud = runProgram(arguments, folder.path());
+    const ProgramResult loud = run(arguments);
     ASSERT_EQ(loud.status, 0) << loud.err;
     EXPECT_NE(loud.out.find("m.gltf: ignored: KHR_nobody_has_this: extension not used"), std::string::npos)
         << loud.out;
-    const json document = json::parse(readText(folder.path() / "r.json"));
+    const json document = jsonIn("r.json");
     const json& notes = document.at("notes");
     EXPECT_NE(std::find(notes.begin(), notes.end(), "KHR_nobody_has_this: extension not used"), notes.end());
     EXPECT_EQ(document.at("noted_files"), json(std::vector<std::string>(notes.size(), "m.gltf")));
-    const ProgramResult quiet = runProgram("--quiet " + arguments, folder.path());
+    const ProgramResult quiet = run("--quiet " + arguments);
     EXPECT_EQ(quiet.out, "");
     EXPECT_NE(quiet.err.find("ignored: KHR_nobody_has_this: extension not used"), std::string::npos)
         << quiet.err;
@@ -239,19 +230,17 @@ INSTANTIATE_TEST_SUITE_P(Commands, NotesTest,
                                          "focus m.gltf --frames 1 --cameras 1"));
 
 /// Of several files, each note says its own.
-TEST(Notes, SayWhichFileTheyAreAbout) {
-    const TemporaryFolder folder;
+TEST_F(Notes, SayWhichFileTheyAreAbout) {
     for (const char* name : {"first.gltf", "second.gltf"}) {
-        writeNotedModel(folder.path() / name);
+        writeNotedModel(at(name));
     }
-    fs::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", folder.path() / "whole.gltf");
+    fs::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", at("whole.gltf"));
     for (const char* arguments :
          {"models first.gltf whole.gltf second.gltf",
           "pictures --scenes first.gltf,whole.gltf,second.gltf --frames 1 --techniques log"}) {
-        const ProgramResult result =
-            runProgram(arguments + std::string(" --size 16x16 --json r.json"), folder.path());
+        const ProgramResult result = run(arguments + std::string(" --size 16x16 --json r.json"));
         ASSERT_EQ(result.status, 0) << arguments << result.err;
-        const json document = json::parse(readText(folder.path() / "r.json"));
+        const json document = jsonIn("r.json");
         ASSERT_EQ(document.at("notes").size(), document.at("noted_files").size()) << arguments;
         const json& files = document["noted_files"];
         for (const char* name : {"first.gltf", "second.gltf"}) {
@@ -262,33 +251,27 @@ TEST(Notes, SayWhichFileTheyAreAbout) {
     }
 }
 
-TEST(Notes, AreAnEmptyListWhereAllIsDrawn) {
-    const TemporaryFolder folder;
-    const json document = documentOf("render cubes --size 32x18", folder.path());
+TEST_F(Notes, AreAnEmptyListWhereAllIsDrawn) {
+    const json document = documentOf("render cubes --size 32x18");
     EXPECT_EQ(document.at("notes"), json::array());
     EXPECT_EQ(document.at("noted_files"), json::array());
 }
 
-TEST(Driver, AMissingOneIsNamedWithItsPackage) {
-    const TemporaryFolder folder;
+TEST_F(Driver, AMissingOneIsNamedWithItsPackage) {
     for (const char* arguments : {"render cubes", "devices"}) {
-        const ProgramResult result =
-            runProgram(arguments, folder.path(), "VK_DRIVER_FILES=/nowhere VK_ICD_FILENAMES=/nowhere");
+        const ProgramResult result = run(arguments, "VK_DRIVER_FILES=/nowhere VK_ICD_FILENAMES=/nowhere");
         EXPECT_EQ(result.status, 1) << arguments;
         EXPECT_NE(result.err.find("mesa-vulkan-drivers"), std::string::npos) << result.err;
         EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
     }
 }
 
-TEST(Probe, NamesTheFormatsThatTheDeviceLacks) {
-    const TemporaryFolder folder;
-    ASSERT_EQ(runProgram("devices --json d.json", folder.path()).status, 0);
-    const ProgramResult result =
-        runProgram("probe --distances 100 --size 32x18 --json p.json", folder.path());
+TEST_F(Probe, NamesTheFormatsThatTheDeviceLacks) {
+    ASSERT_EQ(run("devices --json d.json").status, 0);
+    const ProgramResult result = run("probe --distances 100 --size 32x18 --json p.json");
     ASSERT_EQ(result.status, 0) << result.err;
-    const json formats =
-        json::parse(readText(folder.path() / "d.json")).at("results").at(0).at("depth_formats");
-    const json missing = json::parse(readText(folder.path() / "p.json")).at("missing_formats");
+    const json formats = jsonIn("d.json").at("results").at(0).at("depth_formats");
+    const json missing = jsonIn("p.json").at("missing_formats");
     EXPECT_EQ(formats.size() + missing.size(), 3u);
     for (const json& format : missing) {
         EXPECT_EQ(std::find(formats.begin(), formats.end(), format), formats.end()) << format;
@@ -296,29 +279,26 @@ TEST(Probe, NamesTheFormatsThatTheDeviceLacks) {
 }
 
 /// Names of files may hold any byte.
-TEST(Files, NotesAndTablesHaveANameOnOneLine) {
-    const TemporaryFolder folder;
-    writeNotedModel(folder.path() / "a\nb.gltf");
-    const ProgramResult result = runProgram("render 'a\nb.gltf' --size 16x16 -o a.png", folder.path());
+TEST_F(Files, NotesAndTablesHaveANameOnOneLine) {
+    writeNotedModel(at("a\nb.gltf"));
+    const ProgramResult result = run("render 'a\nb.gltf' --size 16x16 -o a.png");
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.out.find("a b.gltf: ignored: "), std::string::npos) << result.out;
-    const ProgramResult table = runProgram("models 'a\nb.gltf' --size 16x16", folder.path());
+    const ProgramResult table = run("models 'a\nb.gltf' --size 16x16");
     EXPECT_EQ(table.status, 0) << table.err;
     EXPECT_NE(table.out.find("\na b  "), std::string::npos) << table.out;
 }
 
-TEST(Files, WhatIsMissingForASpecialFileIsNamedWithIt) {
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram("precision --json /dev/stdout", folder.path(), "TMPDIR=/nosuch");
+TEST_F(Files, WhatIsMissingForASpecialFileIsNamedWithIt) {
+    const ProgramResult result = run("precision --json /dev/stdout", "TMPDIR=/nosuch");
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.err, "cdr: /dev/stdout: cannot be written, the folder for temporary files is missing\n");
 }
 
-TEST(Files, AFolderThatIsGoneIsNoPlaceForAReport) {
-    const TemporaryFolder folder;
+TEST_F(Files, AFolderThatIsGoneIsNoPlaceForAReport) {
     for (const char* arguments : {"report --smallest --sections precision -o x", "shadows cubes --out x"}) {
-        fs::create_directory(folder.path() / "gone");
-        const ProgramResult result = runProgram(arguments, folder.path(), "cd gone && rmdir ../gone &&");
+        fs::create_directory(at("gone"));
+        const ProgramResult result = run(arguments, "cd gone && rmdir ../gone &&");
         EXPECT_EQ(result.status, 2) << result.err;
         EXPECT_TRUE(result.err.starts_with("cdr: x: cannot be ")) << result.err;
         EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;

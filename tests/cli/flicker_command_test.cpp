@@ -14,14 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using FlickerCommand = FolderTest;
 
 /// The result to reproduce: in wrong pixels, not in flips.
-TEST(FlickerCommand, WrongPixelsComeInTheThesisOrder) {
-    const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("flicker --frames 12 --size 640x360 --threads 2 --json f.json", folder.path());
+TEST_F(FlickerCommand, WrongPixelsComeInTheThesisOrder) {
+    const ProgramResult result = run("flicker --frames 12 --size 640x360 --threads 2 --json f.json");
     ASSERT_EQ(result.status, 0) << result.err;
-    const json document = json::parse(readText(folder.path() / "f.json"));
+    const json document = jsonIn("f.json");
     EXPECT_EQ(document.at("command"), "flicker");
     std::vector<std::string> order;
     std::vector<double> fractions;
@@ -57,12 +56,11 @@ TEST(FlickerCommand, WrongPixelsComeInTheThesisOrder) {
                            [](double a, double b) { return std::abs(a - b) < 1e-3; }));
 }
 
-TEST(FlickerCommand, SharesOfNothingAreNullAndBlank) {
-    const TemporaryFolder folder;
+TEST_F(FlickerCommand, SharesOfNothingAreNullAndBlank) {
     const ProgramResult result =
-        runProgram("flicker --frames 2 --size 64x36 --techniques standard,log --json f.json", folder.path());
+        run("flicker --frames 2 --size 64x36 --techniques standard,log --json f.json");
     ASSERT_EQ(result.status, 0) << result.err;
-    const json document = json::parse(readText(folder.path() / "f.json"));
+    const json document = jsonIn("f.json");
     for (const json& row : document.at("results")) {
         EXPECT_EQ(row.at("pixels"), 0) << "the cubes are too small here to have pixels off edges";
         EXPECT_EQ(row.at("wrong_fraction"), nullptr);
@@ -76,32 +74,31 @@ TEST(FlickerCommand, SharesOfNothingAreNullAndBlank) {
     EXPECT_EQ(result.out.find("0 %"), std::string::npos) << result.out;
 }
 
-TEST(FlickerCommand, WritesVideosFramesAndStateAndGoesOnFromIt) {
-    const TemporaryFolder folder;
+TEST_F(FlickerCommand, WritesVideosFramesAndStateAndGoesOnFromIt) {
     const std::string arguments = "--validate flicker --frames 3 --size 128x72 --techniques standard,log "
                                   "--format d16 --state . --tga frames --videos v --json ";
-    const ProgramResult first = runProgram(arguments + "a.json", folder.path());
+    const ProgramResult first = run(arguments + "a.json");
     if (first.err.find("need ffmpeg") != std::string::npos) {
         GTEST_SKIP() << "ffmpeg is not installed";
     }
     ASSERT_EQ(first.status, 0) << first.err;
     EXPECT_EQ(first.err, ""); // progress is for terminals
-    EXPECT_GT(fs::file_size(folder.path() / "v" / "standard_log.mp4"), 1000u);
-    EXPECT_TRUE(fs::exists(folder.path() / "v" / "standard_log.png"));
-    EXPECT_TRUE(fs::exists(folder.path() / "flicker_state.json"));
-    const std::string frame = readText(folder.path() / "frames" / "log" / "0002.tga");
+    EXPECT_GT(fs::file_size(at("v/standard_log.mp4")), 1000u);
+    EXPECT_TRUE(fs::exists(at("v/standard_log.png")));
+    EXPECT_TRUE(fs::exists(at("flicker_state.json")));
+    const std::string frame = textIn("frames/log/0002.tga");
     EXPECT_EQ(frame.size(), 18u + 3 * 128 * 72);
-    fs::remove_all(folder.path() / "frames");
+    fs::remove_all(at("frames"));
 
-    const ProgramResult again = runProgram(arguments + "b.json", folder.path());
+    const ProgramResult again = run(arguments + "b.json");
     ASSERT_EQ(again.status, 0) << again.err;
     EXPECT_NE(again.out.find("results kept in ./flicker_state.json: 3\n"), std::string::npos) << again.out;
     EXPECT_EQ(first.out.find("results kept"), std::string::npos) << first.out;
-    EXPECT_EQ(readText(folder.path() / "a.json"), readText(folder.path() / "b.json"));
-    EXPECT_EQ(readText(folder.path() / "frames" / "log" / "0002.tga"), frame);
-    EXPECT_EQ(json::parse(readText(folder.path() / "a.json")).at("results")[0].at("format"), "d16");
+    EXPECT_EQ(textIn("a.json"), textIn("b.json"));
+    EXPECT_EQ(textIn("frames/log/0002.tga"), frame);
+    EXPECT_EQ(jsonIn("a.json").at("results")[0].at("format"), "d16");
 
-    expectRefusal("flicker --frames 4 --size 128x72 --state .", folder.path(), "another version");
+    expectRefusal("flicker --frames 4 --size 128x72 --state .", "another version");
 }
 
 struct BadFlicker {
@@ -109,12 +106,11 @@ struct BadFlicker {
     const char* says;
 };
 
-class BadFlickerCommand : public testing::TestWithParam<BadFlicker> {};
+class BadFlickerCommand : public FolderTest, public testing::WithParamInterface<BadFlicker> {};
 
 TEST_P(BadFlickerCommand, IsOneLineAndStatusTwo) {
-    const TemporaryFolder folder;
-    expectRefusal(GetParam().arguments, folder.path(), GetParam().says);
-    EXPECT_TRUE(folder.isEmpty());
+    expectRefusal(GetParam().arguments, GetParam().says);
+    EXPECT_TRUE(folderIsEmpty());
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -128,12 +124,11 @@ INSTANTIATE_TEST_SUITE_P(
                     BadFlicker{"flicker --techniques standard,reversed --videos v", "pairs"},
                     BadFlicker{"flicker --size 64x35 --videos v", "128x35"}));
 
-TEST(FlickerCommand, AMissingEncoderIsNamed) {
-    const TemporaryFolder folder;
-    expectRefusal("flicker --frames 1 --size 64x36 --videos v", folder.path(),
+TEST_F(FlickerCommand, AMissingEncoderIsNamed) {
+    expectRefusal("flicker --frames 1 --size 64x36 --videos v",
                   "cdr: videos need ffmpeg, which is not installed (Debian, Ubuntu: ffmpeg)\n",
                   "PATH=/nowhere");
-    EXPECT_TRUE(folder.isEmpty());
+    EXPECT_TRUE(folderIsEmpty());
 }
 
 } // namespace

@@ -12,14 +12,13 @@ namespace cdr::cli_test {
 namespace {
 
 using nlohmann::json;
+using FocusCommand = FolderTest;
 
-TEST(FocusCommand, ComparesEveryLensWithManyCameras) {
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        "--validate focus --frames 2 --cameras 16 --size 320x180 --aperture 0.5 --out pictures --json f.json",
-        folder.path());
+TEST_F(FocusCommand, ComparesEveryLensWithManyCameras) {
+    const ProgramResult result = run(
+        "--validate focus --frames 2 --cameras 16 --size 320x180 --aperture 0.5 --out pictures --json f.json");
     ASSERT_EQ(result.status, 0) << result.err;
-    const json document = json::parse(readText(folder.path() / "f.json"));
+    const json document = jsonIn("f.json");
     EXPECT_EQ(document.at("command"), "focus");
     EXPECT_EQ(document.at("options").at("split"), "circles");
     std::map<std::string, json> rows;
@@ -28,7 +27,7 @@ TEST(FocusCommand, ComparesEveryLensWithManyCameras) {
         rows[mode] = row;
         EXPECT_GT(row.at("execute_ms").get<double>(), 0.0);
         EXPECT_EQ(row.at("rmse").get<double>() == 0.0, mode == "cameras");
-        EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures" / (mode + ".png")));
+        EXPECT_TRUE(std::filesystem::exists(at("pictures") / (mode + ".png")));
     }
     ASSERT_EQ(rows.size(), 5u);
     EXPECT_TRUE(rows["cameras"].at("ci95").is_null()); // drawn once
@@ -46,21 +45,18 @@ TEST(FocusCommand, ComparesEveryLensWithManyCameras) {
     EXPECT_TRUE(scales.contains(8));
 }
 
-TEST(FocusCommand, DrawsTheSplitThatWasAskedFor) {
-    const TemporaryFolder folder;
-    const json document = documentOf("focus --split none --frames 1 --cameras 1 --size 64x36", folder.path());
+TEST_F(FocusCommand, DrawsTheSplitThatWasAskedFor) {
+    const json document = documentOf("focus --split none --frames 1 --cameras 1 --size 64x36");
     EXPECT_EQ(document.at("options").at("split"), "none");
     EXPECT_EQ(document.at("cascades").size(), 1u);
 }
 
-TEST(FocusCommand, RenderTakesALens) {
-    const TemporaryFolder folder;
+TEST_F(FocusCommand, RenderTakesALens) {
     std::set<std::string> hashes;
     for (const char* lens : {"12:0.3", "12:0.3:blend", "6:0.3"}) {
         const json row = documentOf(
             std::string("--validate render alley --size 96x54 --split count:4 --targets layers --focus ") +
-                lens,
-            folder.path())["results"][0];
+            lens)["results"][0];
         hashes.insert(row.at("hash").get<std::string>());
     }
     EXPECT_EQ(hashes.size(), 3u);

@@ -2,7 +2,6 @@
 #include "program.h"
 
 #include <cdr/image/codec.h>
-#include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -21,6 +20,7 @@ namespace cdr::cli_test {
 namespace {
 
 namespace fs = std::filesystem;
+using GoldenStore = FolderTest;
 
 const fs::path kFolder = fs::path(CDR_SOURCE_DIR) / "tests" / "golden";
 
@@ -90,34 +90,31 @@ std::size_t countApart(const image::ImageRgba8& golden, const image::ImageRgba8&
     return apart;
 }
 
-class GoldenPicture : public testing::TestWithParam<Golden> {};
+class GoldenPicture : public FolderTest, public testing::WithParamInterface<Golden> {};
 
 TEST_P(GoldenPicture, IsRenderedStill) {
     const fs::path scene = scenePath(GetParam().scene);
     if (GetParam().scene.starts_with("ASSETS/") && !fs::exists(scene)) {
         GTEST_SKIP() << scene << " is absent";
     }
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram("--validate render '" + scene.string() + "' " +
-                                                GetParam().arguments + " --size 320x180 -o render.png",
-                                            folder.path());
+    const ProgramResult result = run("--validate render '" + scene.string() + "' " + GetParam().arguments +
+                                     " --size 320x180 -o render.png");
     ASSERT_EQ(result.status, 0) << result.err;
     const fs::path golden = kFolder / (GetParam().name + ".png");
     if (snapReach() > 0.0) {
-        const std::size_t apart = countApart(readPicture(golden), readPicture(folder.path() / "render.png"));
+        const std::size_t apart = countApart(readPicture(golden), readPicture(at("render.png")));
         // Surfaces narrower than a pixel appear or vanish. 4 bits emulated on lavapipe give as many.
         EXPECT_LE(static_cast<double>(apart), (test::Tolerance{}.pixelShare + 0.1 * snapReach()) * 320 * 180);
         return;
     }
-    EXPECT_EQ(compareFiles(golden, folder.path() / "render.png"), 0)
-        << "tools/approve_golden.sh shows both pictures";
+    EXPECT_EQ(compareFiles(golden, at("render.png")), 0) << "tools/approve_golden.sh shows both pictures";
 }
 
 INSTANTIATE_TEST_SUITE_P(List, GoldenPicture, testing::ValuesIn(readList()),
                          [](const auto& test) { return test.param.name; });
 
 /// Every picture is in the list, and every line has its picture.
-TEST(GoldenStore, IsComplete) {
+TEST_F(GoldenStore, IsComplete) {
     std::size_t pictures = 0;
     for (const fs::directory_entry& entry : fs::directory_iterator(kFolder)) {
         pictures += entry.path().extension() == ".png" ? 1 : 0;
@@ -130,14 +127,13 @@ TEST(GoldenStore, IsComplete) {
 }
 
 /// What must fail does: a comparer that passes anything would keep every picture golden.
-TEST(GoldenStore, WhatDiffersOrIsMissingFails) {
-    const TemporaryFolder folder;
-    const fs::path golden = folder.path() / "golden.png";
+TEST_F(GoldenStore, WhatDiffersOrIsMissingFails) {
+    const fs::path golden = at("golden.png");
     image::ImageRgba8 picture(100, 50, {100, 100, 100, 255});
     image::writeImage(golden, picture);
     const auto statusOf = [&](const image::ImageRgba8& render) {
-        image::writeImage(folder.path() / "render.png", render);
-        return compareFiles(golden, folder.path() / "render.png");
+        image::writeImage(at("render.png"), render);
+        return compareFiles(golden, at("render.png"));
     };
     EXPECT_EQ(statusOf(picture), 0);
     for (const int step : {6, -6}) {
@@ -148,10 +144,10 @@ TEST(GoldenStore, WhatDiffersOrIsMissingFails) {
         EXPECT_EQ(statusOf(off), 1) << step;
     }
     EXPECT_EQ(statusOf({50, 100, {100, 100, 100, 255}}), 1);
-    EXPECT_EQ(compareFiles(folder.path() / "missing.png", golden), 2);
-    EXPECT_EQ(compareFiles(golden, folder.path() / "missing.png"), 2);
-    std::ofstream(folder.path() / "damaged.png") << "not a picture";
-    EXPECT_EQ(compareFiles(golden, folder.path() / "damaged.png"), 2);
+    EXPECT_EQ(compareFiles(at("missing.png"), golden), 2);
+    EXPECT_EQ(compareFiles(golden, at("missing.png")), 2);
+    std::ofstream(at("damaged.png")) << "not a picture";
+    EXPECT_EQ(compareFiles(golden, at("damaged.png")), 2);
 }
 
 } // namespace

@@ -18,10 +18,10 @@ namespace cdr::cli_test {
 namespace {
 
 using nlohmann::json;
-
-json readJson(const std::filesystem::path& path) {
-    return json::parse(readText(path));
-}
+using TimingCommand = FolderTest;
+using ScalingCommand = FolderTest;
+using RenderCommand = FolderTest;
+using ProbeCommand = FolderTest;
 
 std::size_t lineCount(const std::string& text) {
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
@@ -44,9 +44,8 @@ std::map<std::string, int> tracksOf(const json& trace) {
     return events;
 }
 
-TEST(TimingCommand, HelpNamesWhatItsOptionsExclude) {
-    const TemporaryFolder folder;
-    const std::string help = runProgram("timing --help", folder.path()).out;
+TEST_F(TimingCommand, HelpNamesWhatItsOptionsExclude) {
+    const std::string help = run("timing --help").out;
     const auto meaningOf = [&help](const std::string& option) {
         const std::size_t begin = help.find("\n  --" + option);
         std::istringstream words(help.substr(begin, help.find("\n  --", begin + 1) - begin));
@@ -68,14 +67,12 @@ TEST(TimingCommand, HelpNamesWhatItsOptionsExclude) {
 }
 
 /// Never the times themselves, only what must hold of any.
-TEST(TimingCommand, ReportsEveryModeOverStandard) {
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        "--validate timing --frames 7 --size 64x36 --threads 2 --modes cdr-2,logcdr-5 --json t.json "
-        "--csv t.csv --trace trace.json",
-        folder.path());
+TEST_F(TimingCommand, ReportsEveryModeOverStandard) {
+    const ProgramResult result =
+        run("--validate timing --frames 7 --size 64x36 --threads 2 --modes cdr-2,logcdr-5 --json t.json "
+            "--csv t.csv --trace trace.json");
     ASSERT_EQ(result.status, 0) << result.err;
-    const json document = readJson(folder.path() / "t.json");
+    const json document = jsonIn("t.json");
     EXPECT_EQ(document.at("command"), "timing");
     EXPECT_EQ(document.at("options").at("frames"), 7);
     std::vector<std::tuple<std::string, int, json>> modes;
@@ -98,21 +95,19 @@ TEST(TimingCommand, ReportsEveryModeOverStandard) {
                   {"standard", 1, nullptr}, {"standard", 1, nullptr}, {"cdr", 2, 3.4}, {"logcdr", 5, 10.4}}));
     EXPECT_EQ(document.at("results").at(0).at("overhead_pct"), 0.0);
     EXPECT_EQ(document.at("noise_floor_pct"), document.at("results").at(1).at("overhead_pct"));
-    EXPECT_EQ(lineCount(readText(folder.path() / "t.csv")), 5u);
+    EXPECT_EQ(lineCount(textIn("t.csv")), 5u);
     EXPECT_NE(result.out.find("Noise floor"), std::string::npos);
 
-    const auto tracks = tracksOf(readJson(folder.path() / "trace.json"));
+    const auto tracks = tracksOf(jsonIn("trace.json"));
     EXPECT_EQ(tracks.at("frames"), 4 * 5); // every mode's dropped frames, and no other
     EXPECT_EQ(tracks.at("device"), 4 * 5);
 }
 
 /// 100,000 objects that are placed again for each frame, in one process.
-TEST(TimingCommand, TimesTrafficThatMoves) {
-    const TemporaryFolder folder;
+TEST_F(TimingCommand, TimesTrafficThatMoves) {
     const json document =
         documentOf("--validate timing --scene traffic --frames 3 --size 64x36 --threads 2 --modes "
-                   "anchored,cdr-2",
-                   folder.path());
+                   "anchored,cdr-2");
     EXPECT_NE(document.at("options").at("scene").get<std::string>().find("100,000 cubes that move"),
               std::string::npos);
     std::vector<std::string> modes;
@@ -126,11 +121,9 @@ TEST(TimingCommand, TimesTrafficThatMoves) {
 }
 
 /// The program compared with itself. The ratios depend on the machine, so only the fields are tested.
-TEST(TimingCommand, RunsTwoBuildsInTurns) {
-    const TemporaryFolder folder;
+TEST_F(TimingCommand, RunsTwoBuildsInTurns) {
     const json document =
-        documentOf("timing --against " CDR_PROGRAM " --rounds 2 --frames 2 --size 64x36 --modes log,cdr-2",
-                   folder.path());
+        documentOf("timing --against " CDR_PROGRAM " --rounds 2 --frames 2 --size 64x36 --modes log,cdr-2");
     EXPECT_EQ(document.at("options").at("rounds"), 2);
     EXPECT_EQ(document.at("options").at("against_commit"), document.at("commit"));
     EXPECT_NE(document.at("device").at("driver"), "");
@@ -153,21 +146,18 @@ TEST(TimingCommand, RunsTwoBuildsInTurns) {
               (std::vector<std::string>{"standard", "standard-again", "log", "cdr-2", "run, CPU time"}));
 }
 
-TEST(TimingCommand, RefusesWhatIsNoBuild) {
-    const TemporaryFolder folder;
-    expectRefusal("timing --against true --rounds 1 --frames 1 --size 16x16 --modes log", folder.path(),
+TEST_F(TimingCommand, RefusesWhatIsNoBuild) {
+    expectRefusal("timing --against true --rounds 1 --frames 1 --size 16x16 --modes log",
                   "true wrote no timing results");
 }
 
 /// Programs that write something else where their JSON is asked for.
-TEST(TimingCommand, RefusesWhatIsNoTimingInOneLine) {
-    const TemporaryFolder folder;
+TEST_F(TimingCommand, RefusesWhatIsNoTimingInOneLine) {
     const auto errorOf = [&](const std::string& text) {
-        std::ofstream(folder.path() / "other")
-            << "#!/bin/sh\nfor last; do :; done\nprintf '" << text << "' >\"$last\"\n";
-        std::filesystem::permissions(folder.path() / "other", std::filesystem::perms::owner_all);
-        const ProgramResult result = runProgram(
-            "timing --against ./other --rounds 1 --frames 1 --size 16x16 --modes log", folder.path());
+        std::ofstream(at("other")) << "#!/bin/sh\nfor last; do :; done\nprintf '" << text << "' >\"$last\"\n";
+        std::filesystem::permissions(at("other"), std::filesystem::perms::owner_all);
+        const ProgramResult result =
+            run("timing --against ./other --rounds 1 --frames 1 --size 16x16 --modes log");
         EXPECT_EQ(result.status, 2) << text;
         EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
         return result.err;
@@ -183,10 +173,8 @@ TEST(TimingCommand, RefusesWhatIsNoTimingInOneLine) {
 }
 
 /// Never the times themselves: the stages are there, for each mode, and the frame is the last.
-TEST(TimingCommand, TellsTheStagesOfAFrame) {
-    const TemporaryFolder folder;
-    const json document =
-        documentOf("--validate timing --stages --frames 3 --size 64x36 --modes cdr-2", folder.path());
+TEST_F(TimingCommand, TellsTheStagesOfAFrame) {
+    const json document = documentOf("--validate timing --stages --frames 3 --size 64x36 --modes cdr-2");
     std::map<std::string, std::vector<std::string>> stages;
     for (const json& row : document.at("results")) {
         stages[row.at("mode")].push_back(row.at("stage"));
@@ -206,15 +194,13 @@ TEST(TimingCommand, TellsTheStagesOfAFrame) {
     EXPECT_NEAR(document.at("results").back().at("frame_pct").get<double>(), 100.0, 1e-9);
 }
 
-TEST(TimingCommand, PlotsTheStagesOfEachMode) {
-    const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("timing --stages --frames 2 --size 64x36 --modes cdr-2 --plot t.svg", folder.path());
+TEST_F(TimingCommand, PlotsTheStagesOfEachMode) {
+    const ProgramResult result = run("timing --stages --frames 2 --size 64x36 --modes cdr-2 --plot t.svg");
     if (result.err.find("need gnuplot") != std::string::npos) {
         GTEST_SKIP() << "gnuplot is not installed";
     }
     ASSERT_EQ(result.status, 0) << result.err;
-    const std::string plot = readText(folder.path() / "t.svg");
+    const std::string plot = textIn("t.svg");
     for (const char* word :
          {"</svg>", "standard", "cdr-2", "cull and bin", "vertices and set-up", "lights"}) {
         EXPECT_NE(plot.find(word), std::string::npos) << word;
@@ -222,15 +208,12 @@ TEST(TimingCommand, PlotsTheStagesOfEachMode) {
 }
 
 /// Predicted memory is measured memory, except for alignment and for what allocators round.
-TEST(TimingCommand, ForetellsMemory) {
+TEST_F(TimingCommand, ForetellsMemory) {
     if (std::string(CDR_FILE_FAULTS).empty()) {
         GTEST_SKIP() << "sanitizers replace the allocator that is asked";
     }
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram("timing --memory --size 512x256 --json t.json", folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = documentOf("timing --memory --size 512x256");
     std::map<std::string, double> measured;
-    const json document = readJson(folder.path() / "t.json");
     for (const json& row : document.at("results")) {
         const double predicted = row.at("predicted_bytes");
         measured[row.at("what")] = row.at("measured_bytes");
@@ -240,25 +223,21 @@ TEST(TimingCommand, ForetellsMemory) {
     EXPECT_GT(measured.at("targets layers"), measured.at("targets single"));
 }
 
-TEST(TimingCommand, PlotsTheFigure) {
-    const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("timing --frames 2 --size 64x36 --modes log --plot t.svg", folder.path());
+TEST_F(TimingCommand, PlotsTheFigure) {
+    const ProgramResult result = run("timing --frames 2 --size 64x36 --modes log --plot t.svg");
     if (result.err.find("need gnuplot") != std::string::npos) {
         GTEST_SKIP() << "gnuplot is not installed";
     }
     ASSERT_EQ(result.status, 0) << result.err;
-    const std::string plot = readText(folder.path() / "t.svg");
+    const std::string plot = textIn("t.svg");
     EXPECT_NE(plot.find("</svg>"), std::string::npos);
     EXPECT_NE(plot.find("standard-again"), std::string::npos);
 }
 
-TEST(ScalingCommand, DrawsTheSameImageWithAnyNumberOfThreads) {
-    const TemporaryFolder folder;
+TEST_F(ScalingCommand, DrawsTheSameImageWithAnyNumberOfThreads) {
     const json document = documentOf("--validate scaling --draws 700,3000 --threads 2,3 --cascades "
                                      "1,3 --targets single --repeats 2 --size 256x144 "
-                                     "--csv s.csv",
-                                     folder.path());
+                                     "--csv s.csv");
     EXPECT_EQ(document.at("command"), "scaling");
     std::map<std::tuple<int, int>, std::set<std::string>> hashes;
     std::set<int> threads;
@@ -289,17 +268,15 @@ TEST(ScalingCommand, DrawsTheSameImageWithAnyNumberOfThreads) {
     // Secondaries and the control.
     EXPECT_EQ(document.at("results").size(), 24u);
     EXPECT_EQ(document.at("fits").size(), 8u);
-    EXPECT_EQ(lineCount(readText(folder.path() / "s.csv")), 25u);
+    EXPECT_EQ(lineCount(textIn("s.csv")), 25u);
 }
 
-TEST(TimingCommand, TimesThroughputAndModesThatAreNoFigures) {
+TEST_F(TimingCommand, TimesThroughputAndModesThatAreNoFigures) {
     if (!canDrawGpuDriven()) {
         GTEST_SKIP() << "the device cannot draw gpu-driven";
     }
-    const TemporaryFolder folder;
     const json document = documentOf("--validate timing --frames 11 --in-flight 3 --size 64x36 "
-                                     "--modes naive,anchored/gpu-driven,standard/primaries",
-                                     folder.path());
+                                     "--modes naive,anchored/gpu-driven,standard/primaries");
     EXPECT_EQ(document.at("options").at("mode"), "throughput");
     EXPECT_EQ(document.at("options").at("frames_in_flight"), 3);
     std::vector<std::tuple<std::string, std::string, std::string>> modes;
@@ -317,17 +294,15 @@ TEST(TimingCommand, TimesThroughputAndModesThatAreNoFigures) {
                          {"standard/primaries", "primaries", "instanced"}}));
 }
 
-TEST(RenderCommand, HowDrawsAreSubmittedChangesNoHash) {
-    const TemporaryFolder folder;
+TEST_F(RenderCommand, HowDrawsAreSubmittedChangesNoHash) {
     std::set<std::string> hashes;
     for (const char* how : {"--submission secondaries --batching per-object", "--submission primaries",
                             "--submission gpu-driven", "--batching push-constants"}) {
         if (how == std::string("--submission gpu-driven") && !canDrawGpuDriven()) {
             continue;
         }
-        const json row =
-            documentOf(std::string("--validate render rotation --size 96x54 --split count:3 ") + how,
-                       folder.path())["results"][0];
+        const json row = documentOf(std::string("--validate render rotation --size 96x54 --split count:3 ") +
+                                    how)["results"][0];
         EXPECT_NE(std::string(how).find(row.at("submission").get<std::string>()) == std::string::npos &&
                       std::string(how).find(row.at("batching").get<std::string>()) == std::string::npos,
                   true)
@@ -340,13 +315,11 @@ TEST(RenderCommand, HowDrawsAreSubmittedChangesNoHash) {
     }
 }
 
-TEST(RenderCommand, TracesWorkersCascadesAndTheDevice) {
-    const TemporaryFolder folder;
+TEST_F(RenderCommand, TracesWorkersCascadesAndTheDevice) {
     const ProgramResult result =
-        runProgram("render rotation --size 64x36 --split count:3 --threads 2 --frames 2 --trace trace.json",
-                   folder.path());
+        run("render rotation --size 64x36 --split count:3 --threads 2 --frames 2 --trace trace.json");
     ASSERT_EQ(result.status, 0) << result.err;
-    const auto tracks = tracksOf(readJson(folder.path() / "trace.json"));
+    const auto tracks = tracksOf(jsonIn("trace.json"));
     EXPECT_EQ(tracks.at("frames"), 2);
     EXPECT_EQ(tracks.at("stages"), 2 * 4); // cull, split, bin, record
     EXPECT_EQ(tracks.at("device"), 2);
@@ -359,16 +332,13 @@ TEST(RenderCommand, TracesWorkersCascadesAndTheDevice) {
 }
 
 /// A list of techniques is divided at commas, but not where a split has some.
-TEST(ProbeCommand, TakesTechniquesWhoseNamesHaveCommas) {
-    const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("probe --distances 1000 --size 64x36 --formats d32f --techniques "
-                   "standard/at:1,2,anchored/fitted:1px,max=2,reversed --json p.json",
-                   folder.path());
+TEST_F(ProbeCommand, TakesTechniquesWhoseNamesHaveCommas) {
+    const ProgramResult result = run("probe --distances 1000 --size 64x36 --formats d32f --techniques "
+                                     "standard/at:1,2,anchored/fitted:1px,max=2,reversed --json p.json");
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.out.find("no pixel tells"), std::string::npos) << result.out;
     std::vector<std::string> names;
-    const json document = json::parse(readText(folder.path() / "p.json"));
+    const json document = jsonIn("p.json");
     for (const json& row : document.at("results")) {
         names.push_back(row.at("technique"));
         EXPECT_EQ(row.at("pairs_seen"), 0);

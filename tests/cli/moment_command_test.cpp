@@ -1,7 +1,5 @@
 #include "program.h"
 
-#include <cdr/platform/file.h>
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -16,6 +14,7 @@ namespace cdr::cli_test {
 namespace {
 
 using nlohmann::json;
+using ShadowCommand = FolderTest;
 
 constexpr const char* kStage = " " CDR_SOURCE_DIR "/tests/assets/stage.glb ";
 
@@ -29,7 +28,7 @@ struct Still {
     friend std::ostream& operator<<(std::ostream& out, const Still& still) { return out << still.command; }
 };
 
-class StillCommand : public testing::TestWithParam<Still> {};
+class StillCommand : public FolderTest, public testing::WithParamInterface<Still> {};
 
 TEST_P(StillCommand, ShowsTheChosenMomentCameraAndLights) {
     const Still& still = GetParam();
@@ -61,7 +60,6 @@ TEST_P(StillCommand, ShowsTheChosenMomentCameraAndLights) {
 
 TEST_P(StillCommand, RefusesWhatThereIsNot) {
     const Still& still = GetParam();
-    const TemporaryFolder folder;
     std::set<std::string> bad{std::string("cubes --time 1"),           std::string("cubes --camera 0"),
                               std::string("cubes --animation 0"),      kStage + std::string("--camera 9"),
                               kStage + std::string("--animation fly"), kStage + std::string("--time -1"),
@@ -70,9 +68,8 @@ TEST_P(StillCommand, RefusesWhatThereIsNot) {
         bad.insert({std::string("cubes --light file"), kStage + std::string("--light skies")});
     }
     for (const std::string& arguments : bad) {
-        expectRefusal(fmt::format("{} {} {} --json s.json", still.command, arguments, still.options),
-                      folder.path());
-        EXPECT_FALSE(std::filesystem::exists(folder.path() / "s.json")) << arguments;
+        expectRefusal(fmt::format("{} {} {} --json s.json", still.command, arguments, still.options));
+        EXPECT_FALSE(std::filesystem::exists(at("s.json"))) << arguments;
     }
 }
 
@@ -87,11 +84,9 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<Still>& info) { return std::string(info.param.command); });
 
 /// A spot, a point light inside its bulb, where all is in shadow, and a directional one, each against float64 rays.
-TEST(ShadowCommand, MeasuresAFilesOwnLights) {
-    const TemporaryFolder folder;
+TEST_F(ShadowCommand, MeasuresAFilesOwnLights) {
     const json rows = documentOf("shadows" + std::string(kStage) +
-                                     "--camera 0 --light file --time 0.7 --size 640x360 --threads 2",
-                                 folder.path())["results"];
+                                 "--camera 0 --light file --time 0.7 --size 640x360 --threads 2")["results"];
     ASSERT_EQ(rows.size(), 3u);
     for (const json& row : rows) {
         EXPECT_GT(row["pixels"], 1000) << row;

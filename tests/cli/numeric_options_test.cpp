@@ -15,6 +15,9 @@ namespace cdr::cli_test {
 
 namespace {
 
+using NumericOptionsList = FolderTest;
+using WholeNumbers = FolderTest;
+
 /// Ends and middles of the ranges of float32, float64 and whole numbers, and what is no number. None asks for much work
 /// and is taken: whole numbers are few, or more than any option allows.
 constexpr std::array kNumbers{"0",
@@ -340,9 +343,9 @@ INSTANTIATE_TEST_SUITE_P(Commands, NumericOptions, testing::ValuesIn(kNumbersOfC
 
 /// Each line's first two words in a command's help: an option and its type, where it describes one.
 std::vector<std::pair<std::string, std::string>> typedOptions(const std::string& command,
-                                                              const TemporaryFolder& folder) {
+                                                              const std::filesystem::path& folder) {
     std::vector<std::pair<std::string, std::string>> found;
-    std::istringstream help(runProgram(command + " --help", folder.path()).out);
+    std::istringstream help(runProgram(command + " --help", folder).out);
     for (std::string line; std::getline(help, line);) {
         std::istringstream words(line);
         auto& [name, type] = found.emplace_back();
@@ -352,7 +355,7 @@ std::vector<std::pair<std::string, std::string>> typedOptions(const std::string&
 }
 
 /// Options that take a number by itself stand above.
-TEST(NumericOptionsList, HoldsEveryOption) {
+TEST_F(NumericOptionsList, HoldsEveryOption) {
     std::set<std::string> commands;
     std::set<std::string> listed;
     for (const Numbers& numbers : kNumbersOfCommands) {
@@ -366,9 +369,8 @@ TEST(NumericOptionsList, HoldsEveryOption) {
             }
         }
     }
-    const TemporaryFolder folder;
     for (const std::string& command : commands) {
-        for (const auto& [name, type] : typedOptions(command, folder)) {
+        for (const auto& [name, type] : typedOptions(command, folder())) {
             if (type == "UINT" || type == "INT" || type == "FLOAT") {
                 EXPECT_TRUE(listed.contains(command + " " + name)) << command << " " << name;
             }
@@ -377,14 +379,13 @@ TEST(NumericOptionsList, HoldsEveryOption) {
 }
 
 /// Of every command. Other bases are refused, and leading zeros say nothing.
-TEST(WholeNumbers, AreDecimal) {
-    const TemporaryFolder folder;
+TEST_F(WholeNumbers, AreDecimal) {
     std::size_t options = 0;
     for (const std::string& command : commandNames()) {
-        for (const auto& [name, type] : typedOptions(command, folder)) {
+        for (const auto& [name, type] : typedOptions(command, folder())) {
             if (type == "UINT" || type == "INT") {
                 ++options;
-                expectRefusal(command + " " + name + "=0x1", folder.path(), "in decimal, not 0x1");
+                expectRefusal(command + " " + name + "=0x1", "in decimal, not 0x1");
             }
         }
     }
@@ -392,10 +393,10 @@ TEST(WholeNumbers, AreDecimal) {
     for (const char* frame : {"010", "008", "00", "-01"}) {
         const std::string arguments = std::string("render afc --size 8x8 --frame=") + frame + " -o f%d.png";
         const bool isTaken = std::string(frame) != "-01";
-        EXPECT_EQ(runProgram(arguments, folder.path()).status, isTaken ? 0 : 2) << frame;
+        EXPECT_EQ(run(arguments).status, isTaken ? 0 : 2) << frame;
     }
     for (const char* name : {"f10.png", "f8.png", "f0.png"}) {
-        EXPECT_TRUE(std::filesystem::exists(folder.path() / name)) << name;
+        EXPECT_TRUE(std::filesystem::exists(at(name))) << name;
     }
 }
 

@@ -5,22 +5,20 @@
 namespace cdr::cli_test {
 namespace {
 
-TEST(OrbitCommand, MissingMapsAreOneLineAndLeaveNothing) {
-    const TemporaryFolder folder;
-    expectRefusal("orbit --data nowhere --out pictures", folder.path(), "tools/setup.sh");
-    EXPECT_FALSE(std::filesystem::exists(folder.path() / "pictures"));
-    expectRefusal("render orbit -o a.png", folder.path(), "nowhere/earth-blue-marble.jpg",
-                  "CDR_ORBIT_DATA=nowhere");
+using OrbitCommand = FolderTest;
+
+TEST_F(OrbitCommand, MissingMapsAreOneLineAndLeaveNothing) {
+    expectRefusal("orbit --data nowhere --out pictures", "tools/setup.sh");
+    EXPECT_FALSE(std::filesystem::exists(at("pictures")));
+    expectRefusal("render orbit -o a.png", "nowhere/earth-blue-marble.jpg", "CDR_ORBIT_DATA=nowhere");
 }
 
-TEST(OrbitCommand, MeasuresTheZoom) {
+TEST_F(OrbitCommand, MeasuresTheZoom) {
     if (!std::filesystem::exists(CDR_SOURCE_DIR "/.cache/orbit-data")) {
         GTEST_SKIP() << "the Earth of the scene orbit is not installed; tools/setup.sh fetches it";
     }
-    const TemporaryFolder folder;
     const auto document = documentOf("--validate orbit --frames 2 --size 160x90 --techniques "
-                                     "reversed,anchored --out pictures",
-                                     folder.path());
+                                     "reversed,anchored --out pictures");
     const auto& rows = document["results"];
     ASSERT_EQ(rows.size(), 4u);
     EXPECT_EQ(rows[0]["frame"], 0);
@@ -33,7 +31,7 @@ TEST(OrbitCommand, MeasuresTheZoom) {
     EXPECT_GT(rows[3]["pixels"].get<int>(), 5000);
     for (const char* file :
          {"orbit_window.png", "orbit_reversed.png", "orbit_anchored_wrong.png", "orbit_sheet.png"}) {
-        EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures" / file)) << file;
+        EXPECT_TRUE(std::filesystem::exists(at("pictures") / file)) << file;
     }
 }
 

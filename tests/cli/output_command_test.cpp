@@ -11,6 +11,8 @@ namespace cdr::cli_test {
 namespace {
 
 namespace fs = std::filesystem;
+using Outputs = FolderTest;
+using Advise = FolderTest;
 
 /// Runs the program with a redirection of its own, such as ">/dev/full".
 ProgramResult runRedirected(const std::string& arguments, const std::string& redirection,
@@ -18,40 +20,35 @@ ProgramResult runRedirected(const std::string& arguments, const std::string& red
     return runProgram(arguments, folder, "sh -c '\"$0\" \"$@\" " + redirection + "'");
 }
 
-TEST(Outputs, WhatStandardOutputCannotTakeIsAFailure) {
-    const TemporaryFolder folder;
+TEST_F(Outputs, WhatStandardOutputCannotTakeIsAFailure) {
     for (const char* arguments : {"--quiet precision --json", "precision", "--version", "precision --help"}) {
-        const ProgramResult result = runRedirected(arguments, ">/dev/full", folder.path());
+        const ProgramResult result = runRedirected(arguments, ">/dev/full", folder());
         EXPECT_EQ(result.status, 1) << arguments;
         EXPECT_EQ(result.err, "cdr: standard output: write failed: No space left on device\n") << arguments;
     }
 }
 
-TEST(Outputs, AFullStandardErrorChangesNoStatus) {
-    const TemporaryFolder folder;
-    EXPECT_EQ(runRedirected("render nosuch", "2>/dev/full", folder.path()).status, 2);
-    EXPECT_EQ(runRedirected("precision --json /dev/fd/3", "2>/dev/full 3>/dev/full", folder.path()).status,
-              1);
+TEST_F(Outputs, AFullStandardErrorChangesNoStatus) {
+    EXPECT_EQ(runRedirected("render nosuch", "2>/dev/full", folder()).status, 2);
+    EXPECT_EQ(runRedirected("precision --json /dev/fd/3", "2>/dev/full 3>/dev/full", folder()).status, 1);
 }
 
-TEST(Outputs, GoIntoDescriptorsAndWhatALinkPointsAt) {
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram("--quiet precision --json /dev/fd/1", folder.path());
+TEST_F(Outputs, GoIntoDescriptorsAndWhatALinkPointsAt) {
+    const ProgramResult result = run("--quiet precision --json /dev/fd/1");
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(nlohmann::json::parse(result.out).at("command"), "precision");
-    EXPECT_EQ(runRedirected("precision --json /dev/fd/3", "3>/dev/full", folder.path()).err,
+    EXPECT_EQ(runRedirected("precision --json /dev/fd/3", "3>/dev/full", folder()).err,
               "cdr: /dev/fd/3: write failed: No space left on device\n");
-    fs::create_symlink("to.json", folder.path() / "link.json");
-    EXPECT_EQ(runProgram("precision --json link.json", folder.path()).status, 0);
-    EXPECT_TRUE(fs::is_symlink(folder.path() / "link.json"));
-    EXPECT_EQ(nlohmann::json::parse(readText(folder.path() / "to.json")).at("command"), "precision");
+    fs::create_symlink("to.json", at("link.json"));
+    EXPECT_EQ(run("precision --json link.json").status, 0);
+    EXPECT_TRUE(fs::is_symlink(at("link.json")));
+    EXPECT_EQ(jsonIn("to.json").at("command"), "precision");
 }
 
-TEST(Advise, EndsForTheSmallestNumbers) {
-    const TemporaryFolder folder;
+TEST_F(Advise, EndsForTheSmallestNumbers) {
     for (const char* arguments : {"advise --separation 4.9e-324", "advise --separation 1e-310",
                                   "advise --separation 1 --fov 1e-28"}) {
-        const ProgramResult result = runProgram(arguments, folder.path());
+        const ProgramResult result = run(arguments);
         EXPECT_EQ(result.status, 0) << arguments << ": " << result.err;
         EXPECT_FALSE(result.out.empty()) << arguments;
     }

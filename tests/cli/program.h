@@ -6,6 +6,7 @@
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
 
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -55,6 +56,30 @@ using test::takesAllCases;
 using test::TemporaryFolder;
 
 std::string readText(const std::filesystem::path& path);
+
+/// A test in a folder of its own, where the program runs.
+class FolderTest : public testing::Test {
+  protected:
+    const std::filesystem::path& folder() const { return m_folder.path(); }
+    bool folderIsEmpty() const { return m_folder.isEmpty(); }
+    std::filesystem::path at(const std::string& name) const { return folder() / name; }
+    std::string textIn(const std::string& name) const { return readText(at(name)); }
+    nlohmann::json jsonIn(const std::string& name) const { return nlohmann::json::parse(textIn(name)); }
+
+    ProgramResult run(const std::string& arguments, const std::string& environment = "") const {
+        return runProgram(arguments, folder(), environment);
+    }
+    nlohmann::json documentOf(const std::string& arguments) const {
+        return cli_test::documentOf(arguments, folder());
+    }
+    void expectRefusal(const std::string& arguments, const std::string& what = "",
+                       const std::string& environment = "") const {
+        cli_test::expectRefusal(arguments, folder(), what, environment);
+    }
+
+  private:
+    TemporaryFolder m_folder;
+};
 
 /// Those of a text file, without their ends.
 std::vector<std::string> linesIn(const std::filesystem::path& path);

@@ -30,12 +30,10 @@ class RankFiles : public RankTest {
         }
     }
 
-    fs::path at(const std::string& rank) const { return m_folder.path() / rank; }
-
     ProgramResult run(const std::string& arguments) const {
-        return runProgram(arguments, m_folder.path(),
-                          "timeout 1200 env CDR_ORBIT_DATA=maps " + test::launched(CDR_MPIEXEC, 3) +
-                              " sh -c 'cd $OMPI_COMM_WORLD_RANK$PMI_RANK && exec \"$@\"' sh");
+        return RankTest::run(arguments, "timeout 1200 env CDR_ORBIT_DATA=maps " +
+                                            test::launched(CDR_MPIEXEC, 3) +
+                                            " sh -c 'cd $OMPI_COMM_WORLD_RANK$PMI_RANK && exec \"$@\"' sh");
     }
 
     ProgramResult render() const {
@@ -47,41 +45,38 @@ class RankFiles : public RankTest {
         const ProgramResult result = render();
         EXPECT_EQ(result.status, 2);
         EXPECT_TRUE(std::regex_match(result.err, std::regex("cdr: " + line + "\n"))) << result.err;
-        EXPECT_FALSE(fs::exists(at("0") / "all.json"));
+        EXPECT_FALSE(fs::exists(at("0/all.json")));
     }
-
-  private:
-    TemporaryFolder m_folder;
 };
 
 /// Of the same length each time, and of a file that another file refers to.
 TEST_F(RankFiles, BuffersAndPicturesOfAModelAreAlikeOnAllRanks) {
     EXPECT_EQ(render().status, 0);
-    fs::remove(at("0") / "all.json");
+    fs::remove(at("0/all.json"));
     std::string buffer = readText(kModelFolder / "well.bin");
     buffer.back() = static_cast<char>(buffer.back() ^ 1);
-    platform::writeText(at("1") / "well.bin", buffer);
+    platform::writeText(at("1/well.bin"), buffer);
     expectRefused("rank 1 on .+: well.gltf: its file well.bin is another one than the first rank's");
-    fs::copy_file(at("0") / "well.bin", at("1") / "well.bin", fs::copy_options::overwrite_existing);
+    fs::copy_file(at("0/well.bin"), at("1/well.bin"), fs::copy_options::overwrite_existing);
 
-    std::string picture = readText(at("0") / "stone.jpg");
+    std::string picture = textIn("0/stone.jpg");
     picture[picture.size() / 2] = static_cast<char>(picture[picture.size() / 2] ^ 1);
-    platform::writeText(at("2") / "stone.jpg", picture);
+    platform::writeText(at("2/stone.jpg"), picture);
     expectRefused("rank 2 on .+: well.gltf: its file stone.jpg is another one than the first rank's");
 }
 
 /// A link that leads out of the folder is refused, so that rank knows of one file less.
 TEST_F(RankFiles, AFileThatOneRankRefusesIsNamed) {
-    fs::remove(at("1") / "well.bin");
-    fs::create_symlink(at("0") / "well.bin", at("1") / "well.bin");
+    fs::remove(at("1/well.bin"));
+    fs::create_symlink(at("0/well.bin"), at("1/well.bin"));
     expectRefused("rank 1 on .+: well.gltf: its file well.bin is another one than the first rank's");
 }
 
 TEST_F(RankFiles, AMissingFileOfAModelIsNamed) {
-    fs::remove(at("2") / "stone.jpg");
+    fs::remove(at("2/stone.jpg"));
     expectRefused("rank 2 on .+: well.gltf: its file stone.jpg is another one than the first rank's");
-    fs::remove(at("0") / "stone.jpg");
-    fs::remove(at("1") / "stone.jpg");
+    fs::remove(at("0/stone.jpg"));
+    fs::remove(at("1/stone.jpg"));
     const ProgramResult one = runProgram("render well.gltf --size 32x18", at("1"));
     EXPECT_EQ(one.status, 2);
     EXPECT_NE(one.err.find("stone.jpg: no such file"), std::string::npos) << one.err;
@@ -94,12 +89,12 @@ TEST_F(RankFiles, AMissingFileOfAModelIsNamed) {
 
 /// As in a shared folder that may not be entered, which root may all the same: so here a link to itself.
 TEST_F(RankFiles, WhatCannotBeLookedAtIsOneLine) {
-    fs::create_symlink("state.json", at("0") / "state.json");
+    fs::create_symlink("state.json", at("0/state.json"));
     const ProgramResult state = run("flicker --frames 1 --size 32x18 --state state.json");
     EXPECT_EQ(state.status, 2);
     EXPECT_EQ(state.err, "cdr: state.json: too many links\n");
-    fs::remove(at("1") / "well.gltf");
-    fs::create_symlink("well.gltf", at("1") / "well.gltf");
+    fs::remove(at("1/well.gltf"));
+    fs::create_symlink("well.gltf", at("1/well.gltf"));
     expectRefused("rank 1 on .+: well.gltf: Too many levels of symbolic links");
 }
 
@@ -111,7 +106,7 @@ TEST_F(RankFiles, ThePicturesOfTheEarthAreAlikeOnAllRanks) {
     for (const char* rank : {"0", "1", "2"}) {
         fs::copy(maps, at(rank) / "maps");
     }
-    fs::resize_file(at("1") / "maps/earth-topology.png", 1000);
+    fs::resize_file(at("1/maps/earth-topology.png"), 1000);
     for (const char* arguments :
          {"render orbit --size 32x18", "render eclipse --size 32x18", "render earth --size 32x18",
           "orbit --frames 1 --size 32x18", "report --smallest -o r"}) {

@@ -27,9 +27,8 @@ class RankKills : public RankTest {
     /// @param signalling as the function of that name says; empty for a run that is left alone.
     ProgramResult run(unsigned ranks, const std::string& arguments,
                       const std::string& signalling = "") const {
-        const ProgramResult result =
-            runProgram(arguments, m_folder.path(),
-                       signalling + test::launched(CDR_MPIEXEC, static_cast<int>(ranks)) +
+        const ProgramResult result = RankTest::run(
+            arguments, signalling + test::launched(CDR_MPIEXEC, static_cast<int>(ranks)) +
                            " sh -c 'echo $$ >pid.$OMPI_COMM_WORLD_RANK$PMI_RANK; exec \"$@\"' sh");
         if (!signalling.empty()) { // the process that signals must end before the next run
             platform::writeText(at("over"), "");
@@ -52,12 +51,6 @@ class RankKills : public RankTest {
                std::to_string(seconds) + "; [ -e over ] || kill -" + signal + " $(cat " + victim +
                "); echo >signalled; } 2>kill.err & } && ";
     }
-
-    const TemporaryFolder& folder() const { return m_folder; }
-    fs::path at(const std::string& name) const { return m_folder.path() / name; }
-
-  private:
-    TemporaryFolder m_folder;
 };
 
 /// The lines that begin as the program's own; MPI and its launcher may add some.
@@ -149,13 +142,13 @@ class KilledAgainAndAgain : public RankKills {
         ASSERT_EQ(runProgram(arguments, whole.path()).status, 0);
         killOften(arguments, kills(), [&](const ProgramResult& result) {
             if (result.status == 0) { // before the kill: the next run starts again
-                EXPECT_EQ(readText(at("all.json")), readText(whole.path() / "all.json"));
+                EXPECT_EQ(textIn("all.json"), readText(whole.path() / "all.json"));
                 fs::remove(at("state"));
             }
         });
         const ProgramResult last = run(3, arguments);
         EXPECT_EQ(last.status, 0) << last.err;
-        EXPECT_EQ(readText(at("all.json")), readText(whole.path() / "all.json"));
+        EXPECT_EQ(textIn("all.json"), readText(whole.path() / "all.json"));
     }
 
     static int kills() { return takesAllCases() ? 50 : 3; }
@@ -168,7 +161,7 @@ TEST_F(KilledAgainAndAgain, AFlickerRunThatIsKilledEndsAsOneThatIsNot) {
         "--flip-every 4 --json all.json --state state";
     const TemporaryFolder whole;
     expectSameEnd(arguments, whole);
-    EXPECT_EQ(readText(at("state")), readText(whole.path() / "state"));
+    EXPECT_EQ(textIn("state"), readText(whole.path() / "state"));
 }
 
 /// When each picture was written, by name.
@@ -208,7 +201,7 @@ class KilledRender : public KilledAgainAndAgain {
         std::size_t keptBefore = 0;
         std::map<std::string, fs::file_time_type> picturesBefore;
         const auto expectOnlyMissing = [&](const ProgramResult& result) {
-            const auto pictures = picturesIn(folder().path());
+            const auto pictures = picturesIn(folder());
             std::size_t drawn = 0;
             for (const auto& [name, time] : pictures) {
                 drawn += picturesBefore.contains(name) && picturesBefore.at(name) == time ? 0 : 1;
@@ -250,7 +243,7 @@ class KilledRender : public KilledAgainAndAgain {
             return files;
         };
         const auto expected = visible(whole.path());
-        const auto files = visible(folder().path());
+        const auto files = visible(folder());
         ASSERT_EQ(files.size(), expected.size());
         for (const auto& [name, text] : expected) {
             EXPECT_TRUE(files.contains(name) && files.at(name) == text) << name;

@@ -1,6 +1,5 @@
 #include "rank_test.h"
 
-#include <cdr/platform/file.h>
 #include <cdr/platform/thread_placement.h>
 
 #include <gtest/gtest.h>
@@ -88,16 +87,14 @@ TEST_F(RankMachine, RanksThatAreNotBoundShareItsProcessors) {
 /// A machine has more CPUs than a job may use.
 TEST_F(RankMachine, WhatTheRanksMayNotUseIsNotDivided) {
     const std::string last = std::to_string(platform::allowedCpus().back());
-    const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("--bind render cubes --size 32x18 --json a.json", folder.path(),
-                   "taskset --cpu-list " + last + " env " + test::launched(CDR_MPIEXEC, 3));
+    const ProgramResult result = run("--bind render cubes --size 32x18 --json a.json",
+                                     "taskset --cpu-list " + last + " env " + test::launched(CDR_MPIEXEC, 3));
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(
         result.out.substr(0, result.out.find('\n')),
         "3 ranks, 3 of them on this machine; lavapipe draws with 1 thread in each; they share 1 processor, "
         "and each keeps to its part");
-    EXPECT_EQ(nlohmann::json::parse(readText(folder.path() / "a.json")).at("host").at("cpus"), 1);
+    EXPECT_EQ(jsonIn("a.json").at("host").at("cpus"), 1);
 }
 
 TEST_F(RankMachine, WhatMpiBoundIsFollowed) {
@@ -137,11 +134,10 @@ TEST_F(RankMachine, JsonOfTimesCountsTheProcessorsOfTheRankThatTimed) {
     }
     const std::string first = std::to_string(platform::allowedCpus().front());
     for (const char* command : {"detail cubes --frames 1", "translucency --cascades 1 --repeats 1"}) {
-        const TemporaryFolder folder;
-        const ProgramResult result = runProgram(std::string(command) + " --size 64x36 --json a.json",
-                                                folder.path(), boundTo(first, first));
+        const ProgramResult result =
+            run(std::string(command) + " --size 64x36 --json a.json", boundTo(first, first));
         ASSERT_EQ(result.status, 0) << result.err;
-        EXPECT_EQ(nlohmann::json::parse(readText(folder.path() / "a.json")).at("host").at("cpus"), 1);
+        EXPECT_EQ(jsonIn("a.json").at("host").at("cpus"), 1);
     }
 }
 
@@ -149,19 +145,18 @@ TEST_F(RankMachine, ARankThatCannotBeBoundIsNamed) {
     if (hasOneCpu() || std::string(CDR_FILE_FAULTS).empty()) {
         GTEST_SKIP() << "needs two CPUs, and a build without sanitizers";
     }
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        "--bind render cubes --size 32x18 -o a.png", folder.path(),
-        test::launched(CDR_MPIEXEC, 2) +
-            " sh -c '[ $OMPI_COMM_WORLD_RANK$PMI_RANK = 0 ] || export CDR_AFFINITY_FAULT=1 LD_PRELOAD=" +
-            CDR_FILE_FAULTS + "; exec \"$@\"' sh");
+    const ProgramResult result =
+        run("--bind render cubes --size 32x18 -o a.png",
+            test::launched(CDR_MPIEXEC, 2) +
+                " sh -c '[ $OMPI_COMM_WORLD_RANK$PMI_RANK = 0 ] || export CDR_AFFINITY_FAULT=1 LD_PRELOAD=" +
+                CDR_FILE_FAULTS + "; exec \"$@\"' sh");
     EXPECT_EQ(result.status, 1);
     EXPECT_TRUE(std::regex_match(
         result.err,
         std::regex(
             "cdr: rank 1 on .+: --bind: the system does not allow this rank to use processors? [0-9, ]+\n")))
         << result.err;
-    EXPECT_TRUE(folder.isEmpty());
+    EXPECT_TRUE(folderIsEmpty());
 }
 
 /// Times apart: JSON says how many CPUs one process would have.

@@ -42,7 +42,7 @@ class RankState : public RankTest, public testing::WithParamInterface<Kept> {
         }
     }
 
-    fs::path state() const { return m_folder.path() / "s"; }
+    fs::path state() const { return at("s"); }
 
     /// All commands keep results by one mechanism, so one command tries all of it.
     static bool triesAll() {
@@ -53,23 +53,22 @@ class RankState : public RankTest, public testing::WithParamInterface<Kept> {
     /// @param ranks 0 for one process that no launcher starts.
     ProgramResult run(int ranks, const std::string& more = "--state s") const {
         for (const char* made : {"all.json", "out"}) {
-            fs::remove_all(m_folder.path() / made);
+            fs::remove_all(at(made));
         }
-        return runProgram(GetParam().arguments + (" --json all.json " + more), m_folder.path(),
-                          test::launched(CDR_MPIEXEC, ranks));
+        return RankTest::run(GetParam().arguments + (" --json all.json " + more),
+                             test::launched(CDR_MPIEXEC, ranks));
     }
 
     /// All that was written except for the state.
     std::map<std::string, std::string> results() const {
-        auto files = filesIn(m_folder.path());
+        auto files = filesIn(folder());
         files.erase("s");
         return files;
     }
 
     /// JSON with its times, except for what is measured at each start.
     std::string wholeJson() const {
-        return std::regex_replace(readText(m_folder.path() / "all.json"),
-                                  std::regex("\"make_levels_ms\": [^,\n]+"), "");
+        return std::regex_replace(textIn("all.json"), std::regex("\"make_levels_ms\": [^,\n]+"), "");
     }
 
     Lines stateLines() const { return linesIn(state()); }
@@ -85,9 +84,6 @@ class RankState : public RankTest, public testing::WithParamInterface<Kept> {
         EXPECT_TRUE(results().empty());
         EXPECT_EQ(readText(state()), before);
     }
-
-  private:
-    TemporaryFolder m_folder;
 };
 
 nlohmann::ordered_json recordIn(const std::string& line) {
@@ -203,15 +199,14 @@ TEST_P(RankState, RefusesWhatIsNoStateOfItsOwn) {
 }
 
 /// A report whose sections a state keeps, beside the files that they wrote.
-class RankReportState : public testing::Test {
+class RankReportState : public FolderTest {
   protected:
     ProgramResult report(int ranks, const std::string& more = "") const {
-        return runProgram("report --smallest --sections precision,advise,pictures,flicker-near,probe,effects,"
-                          "certificates-mixed -o r --state s " +
-                              more,
-                          m_folder.path(), test::launched(CDR_MPIEXEC, ranks));
+        return run("report --smallest --sections precision,advise,pictures,flicker-near,probe,effects,"
+                   "certificates-mixed -o r --state s " +
+                       more,
+                   test::launched(CDR_MPIEXEC, ranks));
     }
-    fs::path at(const std::string& name) const { return m_folder.path() / name; }
     /// Where a report of this state lies until it is whole.
     fs::path unfinished() const {
         return at(".r." + program::sha256Of(fs::canonical(at(".")).string() + "/s").substr(0, 12) + ".new");
@@ -230,15 +225,12 @@ class RankReportState : public testing::Test {
     /// By section, how long it took.
     std::map<std::string, double> secondsOfSections() const {
         std::map<std::string, double> seconds;
-        const auto manifest = nlohmann::json::parse(readText(at("r/report.json")));
+        const auto manifest = jsonIn("r/report.json");
         for (const auto& row : manifest.at("results")) {
             seconds[row.at("section")] = row.at("seconds");
         }
         return seconds;
     }
-
-  private:
-    TemporaryFolder m_folder;
 };
 
 /// Names of sections whose time is another one.

@@ -10,7 +10,7 @@
 namespace cdr::cli_test {
 
 /// Skipped where the program was built without MPI.
-class RankTest : public testing::Test {
+class RankTest : public FolderTest {
   protected:
     void SetUp() override {
         if (std::string(CDR_MPIEXEC).empty()) {

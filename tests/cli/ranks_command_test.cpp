@@ -24,6 +24,7 @@ ProgramResult runAsRanks(int ranks, const std::string& arguments, const fs::path
 }
 
 using RanksCommand = RankTest;
+using Devices = FolderTest;
 
 /// The numbers of ranks that divide what all commands divide by one mechanism: one of them, or all with CDR_ALL_CASES.
 std::vector<int> usualCounts() {
@@ -100,7 +101,6 @@ TEST_F(RanksCommand, CascadesAreLaidOverEachOther) {
 }
 
 TEST_F(RanksCommand, CascadesThatCannotBeDividedAreRefusedInOneLine) {
-    const TemporaryFolder folder;
     for (const auto& [arguments, what] :
          {std::pair("cubes --antialias edges", "smoothed edges need"),
           std::pair("sheets", "blended materials need"),
@@ -109,24 +109,21 @@ TEST_F(RanksCommand, CascadesThatCannotBeDividedAreRefusedInOneLine) {
         for (const int ranks : {0, 2}) {
             const std::string command =
                 std::string("render --ranks cascades -o a.png --size 32x18 ") + arguments;
-            const ProgramResult result =
-                ranks == 0 ? runProgram(command, folder.path()) : runAsRanks(ranks, command, folder.path());
+            const ProgramResult result = ranks == 0 ? run(command) : runAsRanks(ranks, command, folder());
             EXPECT_EQ(result.status, 2);
             EXPECT_EQ(result.err, std::string("cdr: cascades cannot be divided: ") + what + " all of them\n");
         }
     }
-    EXPECT_NE(runProgram("render cubes --ranks cascade", folder.path()).err.find("did you mean 'cascades'"),
-              std::string::npos);
-    EXPECT_TRUE(folder.isEmpty());
+    EXPECT_NE(run("render cubes --ranks cascade").err.find("did you mean 'cascades'"), std::string::npos);
+    EXPECT_TRUE(folderIsEmpty());
 }
 
 TEST_F(RanksCommand, ScalingMeasuresRanksWhereToldTo) {
-    const TemporaryFolder folder;
     const std::string small = " --draws 10000 --repeats 2 --json all.json";
     const ProgramResult swept =
-        runAsRanks(3, "scaling --ranks --heights 360 --cascades 1,4" + small, folder.path());
+        runAsRanks(3, "scaling --ranks --heights 360 --cascades 1,4" + small, folder());
     ASSERT_EQ(swept.status, 0) << swept.err;
-    const auto points = nlohmann::json::parse(readText(folder.path() / "all.json")).at("results");
+    const auto points = jsonIn("all.json").at("results");
     ASSERT_EQ(points.size(), 6u);
     for (std::size_t i = 0; i < 6; ++i) {
         const auto& point = points[i];
@@ -140,20 +137,19 @@ TEST_F(RanksCommand, ScalingMeasuresRanksWhereToldTo) {
     }
     EXPECT_LT(points[5].at("most_device_bytes"), points[3].at("most_device_bytes"));
 
-    const ProgramResult projected =
-        runAsRanks(2, "scaling --project 1000 --size 160x90" + small, folder.path());
+    const ProgramResult projected = runAsRanks(2, "scaling --project 1000 --size 160x90" + small, folder());
     ASSERT_EQ(projected.status, 0) << projected.err;
-    const auto document = nlohmann::json::parse(readText(folder.path() / "all.json"));
+    const auto document = jsonIn("all.json");
     EXPECT_EQ(document.at("results").size(), 11u);
     EXPECT_EQ(document.at("results").back().at("nodes"), 1000);
     EXPECT_EQ(document.at("check").at("frames"), 24);
     EXPECT_GT(document.at("costs").at("send_ms"), 0.0);
 
     EXPECT_EQ(
-        runAsRanks(2, "scaling --draws 300", folder.path()).err,
+        runAsRanks(2, "scaling --draws 300", folder()).err,
         "cdr: scaling without --ranks or --project runs in one process, and not as 2 ranks: start it without "
         "mpirun\n");
-    EXPECT_EQ(runProgram("scaling --ranks --draws 1,2", folder.path()).err,
+    EXPECT_EQ(run("scaling --ranks --draws 1,2").err,
               "cdr: scaling --ranks and --project take one number of --draws\n");
 }
 
@@ -177,8 +173,7 @@ TEST_F(RanksCommand, FlickerFindsWhatOneProcessDoes) {
 }
 
 TEST_F(RanksCommand, FlickerWritesTheVideosOfOneProcess) {
-    const TemporaryFolder folder;
-    if (runProgram("flicker --frames 1 --size 128x72 --techniques standard,log --videos v", folder.path())
+    if (run("flicker --frames 1 --size 128x72 --techniques standard,log --videos v")
             .err.find("need ffmpeg") != std::string::npos) {
         GTEST_SKIP() << "ffmpeg is not installed";
     }
@@ -223,28 +218,25 @@ TEST_F(RanksCommand, TranslucencyComparesWhatOneProcessDoes) {
     const std::string refused =
         "translucency --size 320x180 --cascades 3 --repeats 0 --translucency-memory 1 --json all.json";
     const TemporaryFolder alone;
-    const TemporaryFolder folder;
     EXPECT_EQ(runProgram(refused, alone.path()).status, 0);
-    EXPECT_NE(runAsRanks(3, refused, folder.path()).out.find("\n3 cascades drawn weighted: "),
-              std::string::npos);
-    EXPECT_EQ(filesIn(folder.path()), filesIn(alone.path()));
+    EXPECT_NE(runAsRanks(3, refused, folder()).out.find("\n3 cascades drawn weighted: "), std::string::npos);
+    EXPECT_EQ(filesIn(folder()), filesIn(alone.path()));
 }
 
 /// What measures time is left out, and so are the manifest and the page, which say how long sections took.
 TEST_F(RanksCommand, ReportHoldsWhatOneProcessFinds) {
     const TemporaryFolder alone;
-    const TemporaryFolder folder;
     const std::string report = "report --smallest -o r --sections advise,pictures,probe,inspect,timing,"
                                "certificates-mixed";
     const ProgramResult one = runProgram(report, alone.path());
     if (one.status == 2) {
         GTEST_SKIP() << "built without the report's page: tools/setup.sh fetches its npm packages";
     }
-    const ProgramResult three = runAsRanks(3, report, folder.path());
+    const ProgramResult three = runAsRanks(3, report, folder());
     EXPECT_EQ(three.status, one.status) << three.err;
     EXPECT_EQ(three.err, one.err);
     const auto expected = filesIn(alone.path());
-    const auto files = filesIn(folder.path());
+    const auto files = filesIn(folder());
     ASSERT_GT(expected.size(), 30u);
     ASSERT_EQ(files.size(), expected.size());
     const std::regex isTimed("r/(report.json|data.js|data/(timing|certificates-[a-z-]+).json)");
@@ -252,59 +244,56 @@ TEST_F(RanksCommand, ReportHoldsWhatOneProcessFinds) {
         ASSERT_TRUE(files.contains(name)) << name;
         EXPECT_TRUE(std::regex_match(name, isTimed) || files.at(name) == text) << name;
     }
-    const auto manifest = [](const TemporaryFolder& in) {
-        auto rows = nlohmann::json::parse(readText(in.path() / "r/report.json")).at("results");
+    const auto manifest = [](const fs::path& in) {
+        auto rows = nlohmann::json::parse(readText(in / "r/report.json")).at("results");
         for (auto& row : rows) {
             row.erase("seconds");
         }
         return rows;
     };
-    EXPECT_EQ(manifest(folder), manifest(alone));
+    EXPECT_EQ(manifest(folder()), manifest(alone.path()));
 }
 
 TEST_F(RanksCommand, OnlyTheFirstPrints) {
-    const TemporaryFolder folder;
-    const ProgramResult one = runProgram("precision", folder.path());
-    const ProgramResult three = runAsRanks(3, "precision", folder.path());
+    const ProgramResult one = run("precision");
+    const ProgramResult three = runAsRanks(3, "precision", folder());
     EXPECT_EQ(three.status, 0) << three.err;
     EXPECT_EQ(three.out, one.out);
-    EXPECT_EQ(runAsRanks(3, "--help", folder.path()).out, runProgram("--help", folder.path()).out);
-    EXPECT_NE(runAsRanks(3, "render cubes --size 32x18", folder.path())
+    EXPECT_EQ(runAsRanks(3, "--help", folder()).out, run("--help").out);
+    EXPECT_NE(runAsRanks(3, "render cubes --size 32x18", folder())
                   .out.find("3 ranks, 3 of them on this machine; lavapipe draws with "),
               std::string::npos);
 }
 
 TEST_F(RanksCommand, BadInputIsOneLine) {
-    const TemporaryFolder folder;
     for (const char* arguments : {"render nosuch", "render cubes --size 0x0", "render cubes -o missing/a.png",
                                   "probe --distances 0", "render cubes --device each --format d17",
                                   "flicker --frames 2 --size 32x18 --state missing/state.json"}) {
-        const ProgramResult one = runProgram(arguments, folder.path());
-        const ProgramResult three = runAsRanks(3, arguments, folder.path());
+        const ProgramResult one = run(arguments);
+        const ProgramResult three = runAsRanks(3, arguments, folder());
         EXPECT_EQ(three.status, 2) << arguments;
         EXPECT_EQ(three.err, one.err) << arguments;
         EXPECT_EQ(three.out.find("cascades"), std::string::npos) << three.out;
     }
-    EXPECT_TRUE(folder.isEmpty());
+    EXPECT_TRUE(folderIsEmpty());
 }
 
 TEST_F(RanksCommand, WhatMeasuresTimeSharesNoMachineUnlessTold) {
-    const TemporaryFolder folder;
     for (const std::string name : {"timing", "effects", "focus"}) {
-        const ProgramResult result = runAsRanks(2, name + " --json all.json", folder.path());
+        const ProgramResult result = runAsRanks(2, name + " --json all.json", folder());
         EXPECT_EQ(result.status, 2) << name;
         EXPECT_EQ(result.err, "cdr: " + name +
                                   " measures time, and 2 ranks share this machine: start one on each, or add "
                                   "--share-machine\n");
     }
     for (const std::string name : {"inspect cubes", "timing --memory", "timing --against x"}) {
-        const ProgramResult result = runAsRanks(2, "--share-machine " + name, folder.path());
+        const ProgramResult result = runAsRanks(2, "--share-machine " + name, folder());
         EXPECT_EQ(result.status, 2) << name;
         EXPECT_NE(result.err.find(" runs in one process, and not as 2 ranks: start it without mpirun\n"),
                   std::string::npos)
             << result.err;
     }
-    EXPECT_TRUE(folder.isEmpty());
+    EXPECT_TRUE(folderIsEmpty());
 }
 
 /// Of every unit one rank. The first rank's draws are counted in it too, and are those of one process.
@@ -357,37 +346,35 @@ std::string apart(int ranks) {
 }
 
 TEST_F(RanksCommand, FilesThatDifferAmongRanksAreRefusedInOneLine) {
-    const TemporaryFolder folder;
     const std::string model = readText(CDR_SOURCE_DIR "/tests/golden/shapes.gltf");
     for (const char* rank : {"0", "1", "2"}) {
-        fs::create_directory(folder.path() / rank);
-        platform::writeText(folder.path() / rank / "a.gltf", model);
+        fs::create_directory(at(rank));
+        platform::writeText(at(rank) / "a.gltf", model);
     }
     const std::string render = "timeout 1200 env " + apart(3);
     const std::string arguments = "render a.gltf --size 32x18 --frames 2 --json all.json";
-    EXPECT_EQ(runProgram(arguments, folder.path(), render).status, 0);
-    fs::remove(folder.path() / "0/all.json");
-    platform::writeText(folder.path() / "2/a.gltf", model + " ");
-    const ProgramResult differs = runProgram(arguments, folder.path(), render);
+    EXPECT_EQ(run(arguments, render).status, 0);
+    fs::remove(at("0/all.json"));
+    platform::writeText(at("2/a.gltf"), model + " ");
+    const ProgramResult differs = run(arguments, render);
     EXPECT_EQ(differs.status, 2);
     EXPECT_TRUE(std::regex_match(
         differs.err, std::regex("cdr: rank 2 on .+: a.gltf: is another file than the first rank's\n")))
         << differs.err;
-    fs::remove(folder.path() / "1/a.gltf");
-    const ProgramResult missing = runProgram(arguments, folder.path(), render);
+    fs::remove(at("1/a.gltf"));
+    const ProgramResult missing = run(arguments, render);
     EXPECT_EQ(missing.status, 2);
     EXPECT_TRUE(std::regex_match(missing.err, std::regex("cdr: rank 1 on .+: a.gltf: .+\n"))) << missing.err;
-    fs::remove(folder.path() / "0/a.gltf");
-    const ProgramResult none = runProgram(arguments, folder.path(), render);
+    fs::remove(at("0/a.gltf"));
+    const ProgramResult none = run(arguments, render);
     EXPECT_EQ(none.status, 2);
     EXPECT_TRUE(std::regex_match(none.err, std::regex("cdr: a.gltf: .+\n"))) << none.err;
-    EXPECT_FALSE(fs::exists(folder.path() / "0/all.json"));
+    EXPECT_FALSE(fs::exists(at("0/all.json")));
 }
 
 /// Whichever draw of whichever frame fails, before or after a merge.
 TEST_F(RanksCommand, ADeviceLostAmongCascadesEndsAllInOneLine) {
-    const TemporaryFolder folder;
-    const std::string script = folder.path().string() + ".sh";
+    const std::string script = folder().string() + ".sh";
     for (const int rank : {0, 1, 3}) {
         for (const long after : {0, 1, 3}) {
             if (!takesAllCases() && after != rank && rank + after != 3) {
@@ -396,16 +383,16 @@ TEST_F(RanksCommand, ADeviceLostAmongCascadesEndsAllInOneLine) {
             const test::Fault fault{.call = "vkQueueSubmit2", .after = after};
             platform::writeText(script, "[ \"$OMPI_COMM_WORLD_RANK$PMI_RANK\" != " + std::to_string(rank) +
                                             " ] || export " + fault.environment() + "\nexec \"$@\"\n");
-            const ProgramResult result = runProgram(
+            const ProgramResult result = run(
                 "render afc-near --depth standard --split count:4 --ranks cascades --frames 4 --size 64x36 "
                 "-o f%d.png --json a.json",
-                folder.path(), "timeout 1200 env " + test::launched(CDR_MPIEXEC, 4) + " sh '" + script + "'");
+                "timeout 1200 env " + test::launched(CDR_MPIEXEC, 4) + " sh '" + script + "'");
             EXPECT_EQ(result.status, 1) << rank << " " << after;
             const std::string by = rank == 0 ? "" : "rank " + std::to_string(rank) + " on .+: ";
             EXPECT_TRUE(
                 std::regex_match(result.err, std::regex("cdr: " + by + "the Vulkan device was lost.*\n")))
                 << rank << " " << after << ": " << result.err;
-            EXPECT_FALSE(fs::exists(folder.path() / "a.json"));
+            EXPECT_FALSE(fs::exists(at("a.json")));
         }
     }
     fs::remove(script);
@@ -419,15 +406,14 @@ TEST_F(RanksCommand, DealOutTheDevicesOfAMachineUnderValidation) {
 
 /// A job's scripts, as Slurm would start them.
 TEST_F(RanksCommand, JobsOfSlurmRun) {
-    const TemporaryFolder folder;
     const auto runJob = [&](const std::string& command) {
-        return std::system(("cd '" + folder.path().string() + "' && CDR='" CDR_PROGRAM "' " + command +
-                            " >'" + folder.path().string() + ".log' 2>&1")
+        return std::system(("cd '" + folder().string() + "' && CDR='" CDR_PROGRAM "' " + command + " >'" +
+                            folder().string() + ".log' 2>&1")
                                .c_str());
     };
     const std::string jobs = CDR_SOURCE_DIR "/tools/slurm/";
     EXPECT_EQ(runJob("SLURM_ARRAY_TASK_ID=3 " + jobs + "sweep.sh out --size 64x36 --techniques reversed"), 0);
-    const auto row = nlohmann::json::parse(readText(folder.path() / "out/probe_3.json")).at("results").at(0);
+    const auto row = jsonIn("out/probe_3.json").at("results").at(0);
     EXPECT_EQ(row.at("distance"), 1000.0);
     EXPECT_NE(runJob(jobs + "sweep.sh out"), 0);
 
@@ -436,15 +422,14 @@ TEST_F(RanksCommand, JobsOfSlurmRun) {
     EXPECT_EQ(runJob("MPIRUN='" CDR_MPIEXEC "' " + environment + jobs +
                      "frames.sh cubes frames/%02d.png --size 32x18 --frames 2"),
               0)
-        << readText(folder.path().string() + ".log");
-    EXPECT_TRUE(fs::exists(folder.path() / "frames/01.png"));
+        << readText(folder().string() + ".log");
+    EXPECT_TRUE(fs::exists(at("frames/01.png")));
     EXPECT_NE(runJob(jobs + "frames.sh cubes"), 0);
-    fs::remove(folder.path().string() + ".log");
+    fs::remove(folder().string() + ".log");
 }
 
-TEST(Devices, SayWhetherMpiIsIn) {
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram("devices --json", folder.path());
+TEST_F(Devices, SayWhetherMpiIsIn) {
+    const ProgramResult result = run("devices --json");
     const auto mpi = nlohmann::json::parse(result.out).at("mpi");
     EXPECT_EQ(mpi.is_null(), std::string(CDR_MPIEXEC).empty());
     EXPECT_NE(result.err.find(mpi.is_null() ? "built without MPI" : "built with " + mpi.get<std::string>()),

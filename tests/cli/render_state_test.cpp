@@ -20,28 +20,24 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A run that keeps its frames, and what it has left.
-class RenderState : public testing::Test {
+class RenderState : public FolderTest {
   protected:
     static constexpr const char* kRender =
         "render afc-near --depth standard --split fitted:1,max=2 --format d16 --size 96x54 --frame 3 --frames 5 "
         "-o f%d.png --state s ";
 
-    fs::path at(const std::string& name) const { return m_folder.path() / name; }
-    ProgramResult run(const std::string& arguments, const std::string& environment = "") const {
-        return runProgram(arguments, m_folder.path(), environment);
-    }
-    auto files() const { return filesIn(m_folder.path()); }
+    auto files() const { return filesIn(folder()); }
 
     /// The pictures that an action writes.
     template <typename Action>
     std::set<std::string> writtenBy(const Action& action) const {
         std::map<std::string, fs::file_time_type> before;
-        for (const fs::directory_entry& entry : fs::directory_iterator(m_folder.path())) {
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder())) {
             before[entry.path().filename().string()] = entry.last_write_time();
         }
         action();
         std::set<std::string> written;
-        for (const fs::directory_entry& entry : fs::directory_iterator(m_folder.path())) {
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder())) {
             const std::string name = entry.path().filename().string();
             if (entry.path().extension() == ".png" &&
                 !(before.contains(name) && before.at(name) == entry.last_write_time())) {
@@ -52,16 +48,13 @@ class RenderState : public testing::Test {
     }
 
     void expectRefused(const std::string& arguments, const std::string& line) const {
-        const std::string state = readText(at("s"));
+        const std::string state = textIn("s");
         ProgramResult result;
         EXPECT_TRUE(writtenBy([&] { result = run(arguments); }).empty());
         EXPECT_EQ(result.status, 2) << arguments;
         EXPECT_EQ(result.err, "cdr: " + line + "\n");
-        EXPECT_EQ(readText(at("s")), state);
+        EXPECT_EQ(textIn("s"), state);
     }
-
-  private:
-    TemporaryFolder m_folder;
 };
 
 constexpr const char* kElsewhere = "; remove it or name another file";
@@ -77,15 +70,15 @@ TEST_F(RenderState, MakesOnlyWhatIsMissing) {
     const std::string table = first.out;
 
     // All of it is there, times included.
-    const std::string json = readText(at("a.json"));
+    const std::string json = textIn("a.json");
     ProgramResult again;
     EXPECT_TRUE(writtenBy([&] { again = run(render); }).empty());
     EXPECT_EQ(again.out, "5 of 5 frames are kept in s\n" + table);
-    EXPECT_EQ(readText(at("a.json")), json);
+    EXPECT_EQ(textIn("a.json"), json);
 
     // A picture that is gone, one that is another, one frame that was not kept and one that was cut off.
     fs::remove(at("f3.png"));
-    std::string picture = readText(at("f5.png"));
+    std::string picture = textIn("f5.png");
     picture[picture.size() / 2] = static_cast<char>(picture[picture.size() / 2] ^ 1);
     platform::writeText(at("f5.png"), picture);
     std::vector<std::string> lines = linesIn(at("s"));
@@ -129,7 +122,7 @@ TEST_F(RenderState, IsOfTheFilesThatWereRead) {
     const std::string render = "render well.gltf --size 32x18 --frames 2 -o f%d.png --state s";
     ASSERT_EQ(run(render).status, 0);
     EXPECT_EQ(run(render).out.substr(0, 11), "2 of 2 fram");
-    std::string buffer = readText(at("well.bin"));
+    std::string buffer = textIn("well.bin");
     buffer.back() = static_cast<char>(buffer.back() ^ 1);
     platform::writeText(at("well.bin"), buffer);
     expectRefused(
@@ -277,12 +270,12 @@ TEST_F(RenderState, KeepsThatAFrameWasRefused) {
         "--quiet render afc --technique anchored --size 160x90 -o f.png --certify c.json --state s";
     const ProgramResult first = run(render, beside.environment());
     ASSERT_EQ(first.status, 3) << first.err;
-    const std::string certificate = readText(at("c.json"));
+    const std::string certificate = textIn("c.json");
     fs::remove(at("c.json"));
     const ProgramResult again = run(render, beside.environment());
     EXPECT_EQ(again.status, 3);
     EXPECT_EQ(again.err, first.err);
-    EXPECT_EQ(readText(at("c.json")), certificate);
+    EXPECT_EQ(textIn("c.json"), certificate);
     EXPECT_EQ(linesIn(at("s")).size(), 2u);
     EXPECT_FALSE(fs::exists(at("f.png")));
 }

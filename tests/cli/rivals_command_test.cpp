@@ -14,13 +14,13 @@ namespace cdr::cli_test {
 namespace {
 
 using nlohmann::json;
+using RivalsCommand = FolderTest;
 
-TEST(RivalsCommand, WritesWhatEachResolvesCostsAndNeeds) {
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        "--validate rivals mixed afc --frames 2 --size 160x90 --distances 1000 --json r.json", folder.path());
+TEST_F(RivalsCommand, WritesWhatEachResolvesCostsAndNeeds) {
+    const ProgramResult result =
+        run("--validate rivals mixed afc --frames 2 --size 160x90 --distances 1000 --json r.json");
     ASSERT_EQ(result.status, 0) << result.err;
-    const json document = json::parse(readText(folder.path() / "r.json"));
+    const json document = jsonIn("r.json");
     EXPECT_EQ(document.at("command"), "rivals");
     EXPECT_EQ(document.at("options").at("baseline"), "anchored");
     std::map<std::string, json> inMixed;
@@ -46,18 +46,16 @@ TEST(RivalsCommand, WritesWhatEachResolvesCostsAndNeeds) {
     }
 }
 
-TEST(RivalsCommand, DrawsThoseThatAreAskedForAlone) {
-    const TemporaryFolder folder;
+TEST_F(RivalsCommand, DrawsThoseThatAreAskedForAlone) {
     const ProgramResult result =
-        runProgram("rivals cubes --frames 1 --size 64x36 --distances 10 --techniques anchored,reversed "
-                   "--rivals atomic-log,object-anchors/prepass --json r.json",
-                   folder.path());
+        run("rivals cubes --frames 1 --size 64x36 --distances 10 --techniques anchored,reversed "
+            "--rivals atomic-log,object-anchors/prepass --json r.json");
     if (result.status == 2 && result.err.find("lacks") != std::string::npos) {
         GTEST_SKIP() << result.err;
     }
     ASSERT_EQ(result.status, 0) << result.err;
     std::vector<std::string> names;
-    const json document = json::parse(readText(folder.path() / "r.json"));
+    const json document = jsonIn("r.json");
     for (const json& row : document.at("results")) {
         names.push_back(row.at("technique"));
     }
@@ -71,7 +69,7 @@ TEST(RivalsCommand, DrawsThoseThatAreAskedForAlone) {
 }
 
 /// Rivals as rows of commands that measure techniques.
-class RivalsBeside : public testing::Test {
+class RivalsBeside : public FolderTest {
   protected:
     void SetUp() override {
         if (!deviceInfo().hasInt64Atomics || !deviceInfo().hasFragmentStores) {
@@ -79,9 +77,7 @@ class RivalsBeside : public testing::Test {
         }
     }
 
-    json run(const std::string& command) const {
-        return documentOf("--validate " + command, m_folder.path());
-    }
+    json run(const std::string& command) const { return documentOf("--validate " + command); }
 
     /// Rows by technique, each of which has one.
     static std::map<std::string, json> byTechnique(const json& rows) {
@@ -117,12 +113,7 @@ class RivalsBeside : public testing::Test {
         EXPECT_EQ(with.at("needs")[1].at("geometry_passes"), 2);
     }
 
-    const std::filesystem::path& folder() const { return m_folder.path(); }
-
     static constexpr const char* kRivals = " --rivals object-anchors,atomic-log/prepass";
-
-  private:
-    TemporaryFolder m_folder;
 };
 
 TEST_F(RivalsBeside, ProbeFindsWhatTheyResolve) {
@@ -155,11 +146,11 @@ TEST_F(RivalsBeside, FlickerCountsWhatTheyGetWrongAndKeepsIt) {
     EXPECT_EQ(rival.at("compared"), rows.at("log").at("compared"));
     EXPECT_LT(rival.at("wrong"), rows.at("log").at("wrong"));
     EXPECT_LT(rival.at("wrong"), rows.at("atomic-log/prepass").at("wrong"));
-    EXPECT_TRUE(std::filesystem::exists(folder() / "tga" / "reversed" / "0002.tga"));
-    EXPECT_FALSE(std::filesystem::exists(folder() / "tga" / "object-anchors"));
+    EXPECT_TRUE(std::filesystem::exists(at("tga/reversed/0002.tga")));
+    EXPECT_FALSE(std::filesystem::exists(at("tga/object-anchors")));
 
     EXPECT_EQ(run(command + kRivals + " --state s").at("results"), with.at("results"));
-    expectRefusal(command + " --rivals object-anchors --state s", folder(), "other options");
+    expectRefusal(command + " --rivals object-anchors --state s", "other options");
 }
 
 TEST_F(RivalsBeside, OrbitCountsWhatTheyGetWrong) {
@@ -173,7 +164,7 @@ TEST_F(RivalsBeside, OrbitCountsWhatTheyGetWrong) {
     EXPECT_EQ(runway.at("object-anchors").at("wrong"), runway.at("anchored").at("wrong"));
     EXPECT_GT(runway.at("atomic-log/prepass").at("wrong_fraction"), 0.02);
     EXPECT_FALSE(runway.at("object-anchors").contains("picture"));
-    EXPECT_FALSE(std::filesystem::exists(folder() / "out" / "orbit_object-anchors.png"));
+    EXPECT_FALSE(std::filesystem::exists(at("out/orbit_object-anchors.png")));
 }
 
 /// Never the times themselves, only what must hold of any.
@@ -204,9 +195,9 @@ TEST_F(RivalsBeside, AreRefusedInOneLineWhereTheyCannotBeTimed) {
           std::pair("--stages", "--rivals cannot be combined with --against, --stages or --memory"),
           std::pair("--memory", "--rivals cannot be combined with --against, --stages or --memory")}) {
         expectRefusal(std::string("timing --frames 1 --size 16x16 --rivals atomic-log --json t.json ") + with,
-                      folder(), says);
+                      says);
     }
-    EXPECT_TRUE(std::filesystem::is_empty(folder()));
+    EXPECT_TRUE(folderIsEmpty());
 }
 
 } // namespace

@@ -1,7 +1,5 @@
 #include "program.h"
 
-#include <cdr/platform/file.h>
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -15,19 +13,19 @@ namespace cdr::cli_test {
 namespace {
 
 using nlohmann::json;
+using ShadowCommand = FolderTest;
 
-TEST(ShadowCommand, ComparesBothMethodsWithTheTruth) {
-    const TemporaryFolder folder;
+TEST_F(ShadowCommand, ComparesBothMethodsWithTheTruth) {
     const json document =
-        documentOf("--validate shadows alley --size 320x180 --methods plain,anchored --out p", folder.path());
+        documentOf("--validate shadows alley --size 320x180 --methods plain,anchored --out p");
     ASSERT_EQ(document["results"].size(), 2u);
     for (const json& row : document["results"]) {
         EXPECT_GT(row["pixels"], 10000);
         EXPECT_GT(row["shadowed"], 100);
         EXPECT_GT(row["maps"], 2);
         EXPECT_GT(row["casters"], row["maps"]);
-        EXPECT_TRUE(std::filesystem::exists(folder.path() / "p" / row["picture"].get<std::string>()));
-        EXPECT_TRUE(std::filesystem::exists(folder.path() / "p" / row["wrong_picture"].get<std::string>()));
+        EXPECT_TRUE(std::filesystem::exists(at("p") / row["picture"].get<std::string>()));
+        EXPECT_TRUE(std::filesystem::exists(at("p") / row["wrong_picture"].get<std::string>()));
     }
     EXPECT_EQ(document["results"][0]["method"], "plain");
     EXPECT_EQ(document["results"][1]["method"], "anchored");
@@ -35,30 +33,26 @@ TEST(ShadowCommand, ComparesBothMethodsWithTheTruth) {
 }
 
 /// All frames' truth is kept at once, so what has no room ends before the first ray.
-TEST(ShadowCommand, SaysHowMuchMemoryTheTruthNeeds) {
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram("shadows alley --frames 1000000 --size 1920x1080", folder.path());
+TEST_F(ShadowCommand, SaysHowMuchMemoryTheTruthNeeds) {
+    const ProgramResult result = run("shadows alley --frames 1000000 --size 1920x1080");
     EXPECT_EQ(result.status, 1);
     EXPECT_NE(result.err.find("the truth of 1000000 frames under "), std::string::npos) << result.err;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
 }
 
 /// A technique's name is a part of the names of pictures.
-TEST(ShadowCommand, TechniquesWithASplitHavePictures) {
-    const TemporaryFolder folder;
+TEST_F(ShadowCommand, TechniquesWithASplitHavePictures) {
     const auto picture =
-        documentOf("shadows alley --techniques standard/count:3 --methods plain --size 64x36 --out p",
-                   folder.path())["results"][0]["picture"]
-            .get<std::string>();
+        documentOf("shadows alley --techniques standard/count:3 --methods plain --size 64x36 --out p")
+            ["results"][0]["picture"]
+                .get<std::string>();
     EXPECT_EQ(picture.find("standard-count:3"), 0u) << picture;
-    EXPECT_TRUE(std::filesystem::exists(folder.path() / "p" / picture));
+    EXPECT_TRUE(std::filesystem::exists(at("p") / picture));
 }
 
 /// Of frames after the first, where the camera moves.
-TEST(ShadowCommand, CountsFlipsSinceTheFrameBefore) {
-    const TemporaryFolder folder;
-    const json rows = documentOf("shadows afc --size 320x180 --frames 3 --methods plain,anchored",
-                                 folder.path())["results"];
+TEST_F(ShadowCommand, CountsFlipsSinceTheFrameBefore) {
+    const json rows = documentOf("shadows afc --size 320x180 --frames 3 --methods plain,anchored")["results"];
     std::map<std::string, std::uint64_t> flips;
     std::size_t first = 0;
     for (const json& row : rows) {
@@ -76,18 +70,17 @@ TEST(ShadowCommand, CountsFlipsSinceTheFrameBefore) {
     EXPECT_LT(flips["anchored"], flips["plain"]);
 }
 
-TEST(ShadowCommand, RenderCastsThem) {
-    const TemporaryFolder folder;
+TEST_F(ShadowCommand, RenderCastsThem) {
     const auto hashWith = [&](const std::string& options) {
-        const ProgramResult result = runProgram(
-            "--validate render alley --size 160x90 --hash --json r.json " + options, folder.path());
+        const ProgramResult result =
+            run("--validate render alley --size 160x90 --hash --json r.json " + options);
         EXPECT_EQ(result.status, 0) << result.err;
-        return json::parse(readText(folder.path() / "r.json"))["results"][0]["hash"].get<std::string>();
+        return jsonIn("r.json")["results"][0]["hash"].get<std::string>();
     };
     const std::string lit = hashWith("");
     EXPECT_EQ(hashWith("--shadows none"), lit);
     EXPECT_NE(hashWith("--shadows anchored"), lit);
-    const json row = json::parse(readText(folder.path() / "r.json"))["results"][0];
+    const json row = jsonIn("r.json")["results"][0];
     EXPECT_EQ(row["shadows"], "anchored");
     EXPECT_GT(row["shadow_maps"], 2);
     EXPECT_GT(row["shadow_casters"], row["shadow_maps"]);

@@ -11,24 +11,24 @@ namespace cdr::cli_test {
 
 namespace {
 
-TEST(ShellCommands, NothingAskedForShowsHelp) {
-    const TemporaryFolder folder;
-    const ProgramResult bare = runProgram("", folder.path());
+using ShellCommands = FolderTest;
+
+TEST_F(ShellCommands, NothingAskedForShowsHelp) {
+    const ProgramResult bare = run("");
     EXPECT_EQ(bare.status, 0);
-    EXPECT_EQ(bare.out, runProgram("--help", folder.path()).out);
+    EXPECT_EQ(bare.out, run("--help").out);
     EXPECT_NE(bare.out.find("\nMeasure:\n"), std::string::npos) << bare.out;
-    const ProgramResult missing = runProgram("--quiet", folder.path());
+    const ProgramResult missing = run("--quiet");
     EXPECT_EQ(missing.status, 2);
     EXPECT_EQ(missing.err, "cdr: a command is missing: cdr --help lists them\n");
 }
 
-TEST(ShellCommands, HelpFits100Columns) {
-    const TemporaryFolder folder;
+TEST_F(ShellCommands, HelpFits100Columns) {
     std::vector<std::string> names = commandNames();
     ASSERT_GE(names.size(), 18u);
     names.emplace_back("");
     for (const std::string& name : names) {
-        std::istringstream lines(runProgram(name + " --help", folder.path()).out);
+        std::istringstream lines(run(name + " --help").out);
         std::string line;
         std::string last;
         while (std::getline(lines, line)) {
@@ -39,14 +39,13 @@ TEST(ShellCommands, HelpFits100Columns) {
     }
 }
 
-TEST(ShellCommands, BashCompletesCommandsAndTheirOptions) {
-    const TemporaryFolder folder;
-    std::ofstream(folder.path() / "cdr.bash") << runProgram("completions bash", folder.path()).out;
-    const auto completed = [&](const std::string& words, int at) {
-        std::ofstream(folder.path() / "try.bash")
+TEST_F(ShellCommands, BashCompletesCommandsAndTheirOptions) {
+    std::ofstream(at("cdr.bash")) << run("completions bash").out;
+    const auto completed = [&](const std::string& words, int current) {
+        std::ofstream(at("try.bash"))
             << "source cdr.bash; cdr() { '" CDR_PROGRAM "' \"$@\"; }; COMP_WORDS=(" << words
-            << "); COMP_CWORD=" << at << "; _cdr; echo ${COMPREPLY[@]}\n";
-        return runProgram("--version > /dev/null; bash try.bash", folder.path()).out;
+            << "); COMP_CWORD=" << current << "; _cdr; echo ${COMPREPLY[@]}\n";
+        return run("--version > /dev/null; bash try.bash").out;
     };
     EXPECT_EQ(completed("cdr ren", 1), "render\n");
     EXPECT_EQ(completed("cdr --device 0 sc", 3), "scaling\n");
@@ -54,62 +53,57 @@ TEST(ShellCommands, BashCompletesCommandsAndTheirOptions) {
     EXPECT_EQ(completed("cdr render cu", 2), "\n"); // files
     EXPECT_EQ(completed("cdr render cubes --qui", 3), "--quiet\n") << "what every command takes";
     EXPECT_EQ(completed("cdr render cubes --hel", 3), "--help\n") << "once";
-    if (runProgram("view --version", folder.path(), "PATH=/nowhere").status == 0) {
+    if (run("view --version", "PATH=/nowhere").status == 0) {
         EXPECT_EQ(completed("cdr view --vsy", 2), "--vsync\n") << "the viewer's";
     }
 }
 
-TEST(ShellCommands, TheViewerGetsTheOptionsOfAllCommandsAsTheyWereGiven) {
+TEST_F(ShellCommands, TheViewerGetsTheOptionsOfAllCommandsAsTheyWereGiven) {
     namespace fs = std::filesystem;
-    const TemporaryFolder folder;
-    fs::copy_file(CDR_PROGRAM, folder.path() / "cdr");
-    std::ofstream(folder.path() / "cdr-viewer") << "#!/bin/sh\necho \"$@\"\n";
-    fs::permissions(folder.path() / "cdr-viewer", fs::perms::owner_all);
+    fs::copy_file(CDR_PROGRAM, at("cdr"));
+    std::ofstream(at("cdr-viewer")) << "#!/bin/sh\necho \"$@\"\n";
+    fs::permissions(at("cdr-viewer"), fs::perms::owner_all);
     const auto given = [&](const std::string& options) {
-        return runProgram("--version > /dev/null; ./cdr " + options + " view cubes", folder.path()).out;
+        return run("--version > /dev/null; ./cdr " + options + " view cubes").out;
     };
     EXPECT_EQ(given(""), "cubes\n");
     EXPECT_EQ(given("--unit none"), "--unit=none cubes\n") << "the viewer's own is auto";
     EXPECT_EQ(given("--unit km --points 2"), "--points=2 --unit=km cubes\n");
 }
 
-TEST(ShellCommands, ZshTakesItsScriptSourcedToo) {
-    const TemporaryFolder folder;
-    if (runProgram("--version > /dev/null && zsh -fc true", folder.path()).status != 0) {
+TEST_F(ShellCommands, ZshTakesItsScriptSourcedToo) {
+    if (run("--version > /dev/null && zsh -fc true").status != 0) {
         GTEST_SKIP() << "no zsh";
     }
-    std::ofstream(folder.path() / "cdr.zsh") << runProgram("completions zsh", folder.path()).out;
-    std::ofstream(folder.path() / "try.zsh")
+    std::ofstream(at("cdr.zsh")) << run("completions zsh").out;
+    std::ofstream(at("try.zsh"))
         << "autoload -U compinit; compinit -D -u; source ./cdr.zsh; echo $_comps[cdr]\n";
-    const ProgramResult result = runProgram("--version > /dev/null; zsh -f try.zsh", folder.path());
+    const ProgramResult result = run("--version > /dev/null; zsh -f try.zsh");
     EXPECT_EQ(result.out, "_cdr\n");
     EXPECT_EQ(result.err, "");
 }
 
-TEST(ShellCommands, EveryShellAndTheManualNameEveryCommand) {
-    const TemporaryFolder folder;
+TEST_F(ShellCommands, EveryShellAndTheManualNameEveryCommand) {
     for (const char* what : {"completions bash", "completions zsh", "completions fish", "manual"}) {
-        const ProgramResult result = runProgram(what, folder.path());
+        const ProgramResult result = run(what);
         EXPECT_EQ(result.status, 0) << result.err;
         for (const std::string& name : commandNames()) {
             EXPECT_NE(result.out.find(name), std::string::npos) << what << ": " << name;
         }
     }
-    EXPECT_EQ(runProgram("completions tcsh", folder.path()).status, 2);
-    const std::string manual = runProgram("manual", folder.path()).out;
+    EXPECT_EQ(run("completions tcsh").status, 2);
+    const std::string manual = run("manual").out;
     EXPECT_NE(manual.find(".B \\-o,\\-\\-output FILE\n"), std::string::npos);
 }
 
 /// With or without NO_COLOR. On a terminal progress replaces its line, elsewhere it is not shown.
-TEST(ShellCommands, NothingIsColoured) {
-    const TemporaryFolder folder;
+TEST_F(ShellCommands, NothingIsColoured) {
     const std::string render = "render cubes --size 64x36 --frames 2";
-    const ProgramResult plain = runProgram(render, folder.path());
+    const ProgramResult plain = run(render);
     EXPECT_EQ((plain.out + plain.err).find('\x1b'), std::string::npos) << plain.out << plain.err;
     // script(1) gives the command a terminal.
-    const ProgramResult onTerminal = runProgram("--version > /dev/null; script -qec \"'" CDR_PROGRAM "' " +
-                                                    render + "\" /dev/null < /dev/null",
-                                                folder.path());
+    const ProgramResult onTerminal =
+        run("--version > /dev/null; script -qec \"'" CDR_PROGRAM "' " + render + "\" /dev/null < /dev/null");
     if (onTerminal.status == 127) {
         GTEST_SKIP() << "no script(1): " << onTerminal.err;
     }
@@ -120,9 +114,8 @@ TEST(ShellCommands, NothingIsColoured) {
     }
 }
 
-TEST(ShellCommands, ViewHandsItsArgumentsToTheViewer) {
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram("view --version", folder.path(), "PATH=/nowhere");
+TEST_F(ShellCommands, ViewHandsItsArgumentsToTheViewer) {
+    const ProgramResult result = run("view --version", "PATH=/nowhere");
     if (result.status == 2) {
         GTEST_SKIP() << "cdr-viewer is not built: " << result.err;
     }

@@ -14,11 +14,11 @@ namespace cdr::cli_test {
 namespace {
 
 using nlohmann::json;
+using TranslucencyCommand = FolderTest;
 
-TEST(TranslucencyCommand, ComparesBothMethodsWithTheTruth) {
-    const TemporaryFolder folder;
+TEST_F(TranslucencyCommand, ComparesBothMethodsWithTheTruth) {
     const json document =
-        documentOf("--validate translucency --size 160x90 --cascades 1,3 --repeats 1 --out p", folder.path());
+        documentOf("--validate translucency --size 160x90 --cascades 1,3 --repeats 1 --out p");
     EXPECT_EQ(document["command"], "translucency");
     std::set<std::pair<std::string, int>> seen;
     for (const json& row : document["results"]) {
@@ -36,70 +36,64 @@ TEST(TranslucencyCommand, ComparesBothMethodsWithTheTruth) {
             EXPECT_GT(row["mean_error"], 0.0);
         }
         const std::string stem = method + "_" + std::to_string(row["cascades"].get<int>());
-        EXPECT_TRUE(std::filesystem::exists(folder.path() / "p" / (stem + ".png")));
-        EXPECT_TRUE(std::filesystem::exists(folder.path() / "p" / (stem + "_error.png")));
+        EXPECT_TRUE(std::filesystem::exists(at("p") / (stem + ".png")));
+        EXPECT_TRUE(std::filesystem::exists(at("p") / (stem + "_error.png")));
     }
     EXPECT_EQ(seen.size(), 4u);
-    EXPECT_TRUE(std::filesystem::exists(folder.path() / "p" / "truth.png"));
+    EXPECT_TRUE(std::filesystem::exists(at("p/truth.png")));
 }
 
-TEST(TranslucencyCommand, ComparesAMomentOfAnAnimation) {
-    const TemporaryFolder folder;
+TEST_F(TranslucencyCommand, ComparesAMomentOfAnAnimation) {
     const std::string common = "translucency " CDR_SOURCE_DIR "/tests/assets/veils.glb --size 160x90 "
                                "--cascades 1,3 --repeats 0 --out p --json t.json ";
     std::set<std::string> truths;
     for (const std::string& moment : {std::string(), std::string("--time 0.7"), std::string("--time 2"),
                                       std::string("--animation rest --time 0.7")}) {
-        const ProgramResult result = runProgram(common + moment, folder.path());
+        const ProgramResult result = run(common + moment);
         ASSERT_EQ(result.status, 0) << result.err;
-        const json document = json::parse(readText(folder.path() / "t.json"));
+        const json document = jsonIn("t.json");
         EXPECT_EQ(document["options"].contains("time"), !moment.empty());
         EXPECT_EQ(document["options"].contains("animation"), moment.find("rest") != std::string::npos);
         for (const json& row : document["results"]) {
             EXPECT_EQ(row["miscounted"], 0) << moment;
             EXPECT_TRUE(row["method"] != "sorted" || row["max_error"] <= 2) << moment << row;
         }
-        truths.insert(readText(folder.path() / "p" / "truth.png"));
+        truths.insert(textIn("p/truth.png"));
     }
     EXPECT_EQ(truths.size(), 4u);
 }
 
-TEST(TranslucencyCommand, RefusesAMomentThatThereIsNot) {
-    const TemporaryFolder folder;
+TEST_F(TranslucencyCommand, RefusesAMomentThatThereIsNot) {
     const std::string veils = CDR_SOURCE_DIR "/tests/assets/veils.glb";
     for (const std::string& arguments :
          {std::string("translucency --time 1"), std::string("translucency sheets --animation 0"),
           "translucency --animation fly " + veils, "translucency --time nan " + veils}) {
-        expectRefusal(arguments + " --size 16x16", folder.path());
+        expectRefusal(arguments + " --size 16x16");
     }
 }
 
-TEST(TranslucencyCommand, RenderTakesTheMethodAndItsMemory) {
-    const TemporaryFolder folder;
+TEST_F(TranslucencyCommand, RenderTakesTheMethodAndItsMemory) {
     const std::string common = "--validate render sheets --size 320x180 --depth anchored --split count:3 ";
-    const auto run = [&](const std::string& arguments) {
-        const ProgramResult result = runProgram(common + arguments + " --hash --json r.json", folder.path());
+    const auto drawn = [&](const std::string& arguments) {
+        const ProgramResult result = run(common + arguments + " --hash --json r.json");
         EXPECT_EQ(result.status, 0) << result.err;
-        return std::pair(result.out, json::parse(readText(folder.path() / "r.json"))["results"][0]);
+        return std::pair(result.out, jsonIn("r.json")["results"][0]);
     };
-    const json weighted = run("").second;
-    const json sorted = run("--translucency sorted").second;
+    const json weighted = drawn("").second;
+    const json sorted = drawn("--translucency sorted").second;
     EXPECT_EQ(weighted["translucency"], "weighted");
     EXPECT_EQ(sorted["translucency"], "sorted");
     EXPECT_NE(weighted["hash"], sorted["hash"]);
-    const auto [out, refused] = run("--translucency sorted --translucency-memory 1");
+    const auto [out, refused] = drawn("--translucency sorted --translucency-memory 1");
     EXPECT_EQ(refused["translucency"], "weighted");
     EXPECT_EQ(refused["hash"], weighted["hash"]);
     EXPECT_NE(out.find("drawn with --translucency weighted: "), std::string::npos) << out;
 }
 
-TEST(TranslucencyCommand, CoverageIsAnOutput) {
-    const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("--validate render sheets --size 160x90 --aov coverage -o c.png", folder.path());
+TEST_F(TranslucencyCommand, CoverageIsAnOutput) {
+    const ProgramResult result = run("--validate render sheets --size 160x90 --aov coverage -o c.png");
     ASSERT_EQ(result.status, 0) << result.err;
-    const image::ImageRgba8 picture =
-        image::decodeImage(platform::readFile(folder.path() / "c.png", 1 << 20), "c.png");
+    const image::ImageRgba8 picture = image::decodeImage(platform::readFile(at("c.png"), 1 << 20), "c.png");
     std::set<int> greys;
     for (const image::Rgba8& pixel : picture.pixels) {
         greys.insert(pixel[0]);
@@ -109,25 +103,20 @@ TEST(TranslucencyCommand, CoverageIsAnOutput) {
 }
 
 /// A scene without blended surfaces has a zero for each pixel.
-TEST(TranslucencyCommand, CoverageOfNothingIsHashedByPixels) {
-    const TemporaryFolder folder;
+TEST_F(TranslucencyCommand, CoverageOfNothingIsHashedByPixels) {
     std::set<std::string> hashes;
     for (const std::string size : {"16x16", "32x32"}) {
-        const ProgramResult result =
-            runProgram("render afc --aov coverage --hash --json r.json --size " + size, folder.path());
+        const ProgramResult result = run("render afc --aov coverage --hash --json r.json --size " + size);
         ASSERT_EQ(result.status, 0) << result.err;
-        hashes.insert(nlohmann::json::parse(readText(folder.path() / "r.json"))["results"][0]["hash"]
-                          .get<std::string>());
+        hashes.insert(jsonIn("r.json")["results"][0]["hash"].get<std::string>());
     }
     EXPECT_EQ(hashes.size(), 2u);
 }
 
-TEST(TranslucencyCommand, WhatIsNotTimedHasNoTime) {
-    const TemporaryFolder folder;
-    const ProgramResult result =
-        runProgram("translucency --size 16x16 --cascades 1 --repeats 0 --json t.json", folder.path());
+TEST_F(TranslucencyCommand, WhatIsNotTimedHasNoTime) {
+    const ProgramResult result = run("translucency --size 16x16 --cascades 1 --repeats 0 --json t.json");
     ASSERT_EQ(result.status, 0) << result.err;
-    EXPECT_TRUE(json::parse(readText(folder.path() / "t.json"))["results"][0].at("execute_ms").is_null());
+    EXPECT_TRUE(jsonIn("t.json")["results"][0].at("execute_ms").is_null());
 }
 
 } // namespace

@@ -1,6 +1,5 @@
 #include "program.h"
 
-#include <cdr/platform/file.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/camera_recording.h>
 #include <scenes/cubes.h>
@@ -35,7 +34,7 @@ using nlohmann::json;
 constexpr viewer::PictureExtent kExtent{320, 180};
 
 /// A scene on a device of this program's own, and what the viewer would show of it.
-class ViewCommand : public testing::Test {
+class ViewCommand : public FolderTest {
   protected:
     render::Frame show(const scene::Scene& scene, const viewer::ReproducedView& view) {
         const render::GpuScene onDevice(m_device, scene);
@@ -45,13 +44,13 @@ class ViewCommand : public testing::Test {
     }
 
     /// Runs the command line that the viewer copies, as a shell reads it.
-    static json run(const viewer::ReproducedView& view, const TemporaryFolder& folder) {
+    json pictureOf(const viewer::ReproducedView& view) const {
         const std::string line = viewer::renderCommand(view);
         EXPECT_EQ(line.find("cdr "), 0u);
-        const ProgramResult result = runProgram(line.substr(4) + " --json r.json", folder.path());
+        const ProgramResult result = run(line.substr(4) + " --json r.json");
         EXPECT_EQ(result.status, 0) << line << "\n" << result.err;
-        EXPECT_TRUE(std::filesystem::exists(folder.path() / "view.png"));
-        return result.status == 0 ? json::parse(readText(folder.path() / "r.json"))["results"][0] : json();
+        EXPECT_TRUE(std::filesystem::remove(at("view.png")));
+        return result.status == 0 ? jsonIn("r.json")["results"][0] : json();
     }
 
   private:
@@ -83,12 +82,11 @@ TEST_F(ViewCommand, DrawsTheViewersPictureToTheBit) {
         const auto lit = std::count_if(frame.color.pixels.begin(), frame.color.pixels.end(),
                                        [](const image::Rgba8& p) { return p[0] > 60; });
         EXPECT_GT(lit, 1000) << technique;
-        const TemporaryFolder folder;
-        EXPECT_EQ(run(view, folder)["hash"], output::hashOf(frame, output::Aov::color, nullptr)) << technique;
+        EXPECT_EQ(pictureOf(view)["hash"], output::hashOf(frame, output::Aov::color, nullptr)) << technique;
         // Moved by a ten-millionth of a degree, it is another picture: the bits do matter.
         view.camera =
             viewer::lookingAlong(view.camera, viewer::turned(viewer::headingOf(view.camera), 2e-9, 0.0));
-        EXPECT_NE(run(view, folder)["hash"], output::hashOf(frame, output::Aov::color, nullptr));
+        EXPECT_NE(pictureOf(view)["hash"], output::hashOf(frame, output::Aov::color, nullptr));
     }
 }
 
@@ -105,10 +103,9 @@ TEST_F(ViewCommand, DrawsTheFrameOfASceneThatMoves) {
                                 .frame = 5};
     const render::Frame frame = show(moving.world().scene(), view); // of a scene built from scratch
     const std::string hash = output::hashOf(frame, output::Aov::color, nullptr);
-    const TemporaryFolder folder;
-    EXPECT_EQ(run(view, folder)["hash"], hash);
+    EXPECT_EQ(pictureOf(view)["hash"], hash);
     view.frame = 6;
-    EXPECT_NE(run(view, folder)["hash"], hash);
+    EXPECT_NE(pictureOf(view)["hash"], hash);
 }
 
 TEST_F(ViewCommand, DrawsARolledViewOfTheRightSideOfASplitScreen) {
@@ -126,8 +123,7 @@ TEST_F(ViewCommand, DrawsARolledViewOfTheRightSideOfASplitScreen) {
     view.settings.threads = 2;
     view.settings.view = viewer::ViewKind::ids;
     const render::Frame frame = show(setup.scene, view);
-    const TemporaryFolder folder;
-    const json result = run(view, folder);
+    const json result = pictureOf(view);
     EXPECT_EQ(result["hash"], output::hashOf(frame, output::Aov::id, nullptr));
     EXPECT_EQ(result["targets"], "layers");
 }
@@ -138,27 +134,24 @@ TEST_F(ViewCommand, RendersARecordedPath) {
     for (std::uint32_t i = 0; i < 3; ++i) {
         scene::record(recording, 0.5 * i, setup.path.at(20 * i));
     }
-    const TemporaryFolder folder;
-    scene::writeRecording(folder.path() / "p.json", recording);
+    scene::writeRecording(at("p.json"), recording);
     const std::string render = "render afc --technique reversed --size 320x180 ";
     // As recorded, each camera is a frame of the scene's own path.
-    ASSERT_EQ(runProgram(render + "--path p.json --json a.json", folder.path()).status, 0);
-    const json frames = json::parse(readText(folder.path() / "a.json"))["results"];
+    ASSERT_EQ(run(render + "--path p.json --json a.json").status, 0);
+    const json frames = jsonIn("a.json")["results"];
     ASSERT_EQ(frames.size(), 3u);
     for (std::uint32_t i = 0; i < 3; ++i) {
-        ASSERT_EQ(
-            runProgram(render + "--json b.json --frame " + std::to_string(20 * i), folder.path()).status, 0);
-        EXPECT_EQ(frames[i]["hash"], json::parse(readText(folder.path() / "b.json"))["results"][0]["hash"]);
+        ASSERT_EQ(run(render + "--json b.json --frame " + std::to_string(20 * i)).status, 0);
+        EXPECT_EQ(frames[i]["hash"], jsonIn("b.json")["results"][0]["hash"]);
     }
     // And spread over more frames, the ends stay.
-    ASSERT_EQ(
-        runProgram(render + "--path p.json --frames 5 -o f%02d.png --json c.json", folder.path()).status, 0);
-    const json spread = json::parse(readText(folder.path() / "c.json"))["results"];
+    ASSERT_EQ(run(render + "--path p.json --frames 5 -o f%02d.png --json c.json").status, 0);
+    const json spread = jsonIn("c.json")["results"];
     ASSERT_EQ(spread.size(), 5u);
     EXPECT_EQ(spread[0]["hash"], frames[0]["hash"]);
     EXPECT_EQ(spread[4]["hash"], frames[2]["hash"]);
     EXPECT_NE(spread[1]["hash"], frames[0]["hash"]);
-    EXPECT_TRUE(std::filesystem::exists(folder.path() / "f04.png"));
+    EXPECT_TRUE(std::filesystem::exists(at("f04.png")));
 }
 
 constexpr const char* kMachine = CDR_SOURCE_DIR "/tests/assets/machine.glb";
@@ -186,24 +179,23 @@ TEST_F(ViewCommand, AnAnimationPlaysAlongARecordedPath) {
     for (const viewer::ReproducedView& view : views) {
         scene::record(recording, *view.settings.choice.seconds, view.camera);
     }
-    const TemporaryFolder folder;
-    scene::writeRecording(folder.path() / "p.json", recording);
+    scene::writeRecording(at("p.json"), recording);
     for (const auto& [name, technique] : depth::presets()) {
-        const json frames = documentOf(
-            std::string("render ") + kMachine +
-                " --animation work --path p.json --time 0.125 --fps 4 --size 96x54 --technique " + name,
-            folder.path())["results"];
+        const json frames =
+            documentOf(std::string("render ") + kMachine +
+                       " --animation work --path p.json --time 0.125 --fps 4 --size 96x54 --technique " +
+                       name)["results"];
         ASSERT_EQ(frames.size(), views.size()) << name;
         std::set<json> hashes;
         for (std::size_t i = 0; i < views.size(); ++i) {
             views[i].settings.technique = technique;
-            EXPECT_EQ(frames[i]["hash"], run(views[i], folder)["hash"]) << name << ", frame " << i;
+            EXPECT_EQ(frames[i]["hash"], pictureOf(views[i])["hash"]) << name << ", frame " << i;
             EXPECT_EQ(frames[i]["seconds"], views[i].settings.choice.seconds) << name;
             hashes.insert(frames[i]["hash"]);
         }
         // Camera and moment both count: another moment is another picture.
         views[2].settings.choice.seconds = 0.375;
-        hashes.insert(run(views[2], folder)["hash"]);
+        hashes.insert(pictureOf(views[2])["hash"]);
         views[2].settings.choice.seconds = 0.625;
         EXPECT_EQ(hashes.size(), views.size() + 1) << name;
     }

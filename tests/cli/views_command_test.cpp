@@ -13,18 +13,17 @@ using nlohmann::json;
 
 constexpr const char* kRig = " --eye-distance 0.4 --converge 12";
 
-class ViewsCommand : public testing::Test {
+class ViewsCommand : public FolderTest {
   protected:
     json row(const std::string& options, const std::string& size = "160x90") {
-        const ProgramResult result = runProgram(
-            "--validate render alley --size " + size + " --json r.json " + options, m_folder.path());
+        const ProgramResult result =
+            run("--validate render alley --size " + size + " --json r.json " + options);
         EXPECT_EQ(result.status, 0) << result.err;
-        m_document = json::parse(readText(m_folder.path() / "r.json"));
+        m_document = jsonIn("r.json");
         return m_document["results"][0];
     }
-    image::ImageRgba8 picture(const std::string& name) { return readPicture(m_folder.path() / name); }
+    image::ImageRgba8 picture(const std::string& name) { return readPicture(at(name)); }
 
-    TemporaryFolder m_folder;
     json m_document;
 };
 
