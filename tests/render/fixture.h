@@ -22,6 +22,22 @@ inline measure::TruthImage truthOf(const scene::Scene& scene, const scene::Camer
     return measure::castTruth(scene, camera, width, height, workers);
 }
 
+/// What one renderer alone draws, on the device.
+struct SoleScene {
+    render::GpuScene onDevice;
+};
+
+/// A renderer of a scene or a world that has no other.
+class SoleRenderer : SoleScene, public render::Renderer {
+  public:
+    SoleRenderer(const gpu::Device& device, const scene::Scene& scene, const render::RenderOptions& options)
+        : SoleScene{render::GpuScene(device, scene)},
+          Renderer(device, scene, onDevice, options) {}
+    SoleRenderer(const gpu::Device& device, const scene::World& world, const render::RenderOptions& options)
+        : SoleScene{render::GpuScene(device, world)},
+          Renderer(device, onDevice, options) {}
+};
+
 class RenderTest : public test::DeviceTest {
   protected:
     /// The submissions that the device serves.

@@ -63,8 +63,7 @@ double measureReach(const gpu::Device& device, std::uint32_t snapBits, render::S
     auto options = smallOptions(depth::parseTechnique("anchored"));
     options.snapBits = snapBits;
     options.snapping = snapping;
-    const render::GpuScene gpuScene(device, scene);
-    render::Renderer renderer(device, scene, gpuScene, options);
+    SoleRenderer renderer(device, scene, options);
     const render::Frame frame = renderer.render(camera);
     const TruthImage truth = truthOf(scene, camera, options.width, options.height);
     const auto inner = measure::innerMask(truth);
@@ -92,8 +91,7 @@ bool drawsToTheHorizon(const gpu::Device& device) {
     addBox(scene, {0.0, -2.5, 0.0}, glm::mat3(2e4f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 2e4f));
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.01, .farView = 1e6};
     const auto options = smallOptions(depth::parseTechnique("reversed"));
-    const render::GpuScene gpuScene(device, scene);
-    render::Renderer renderer(device, scene, gpuScene, options);
+    SoleRenderer renderer(device, scene, options);
     const render::Frame frame = renderer.render(camera);
     const TruthImage truth = truthOf(scene, camera, options.width, options.height);
     const auto inner = measure::innerMask(truth);

@@ -28,8 +28,7 @@ class LayersTest : public RenderTest {
     }
 
     measure::WrongPixels wrongOver(const scene::Scene& scene, const render::RenderOptions& options) {
-        const render::GpuScene gpuScene(device(), scene);
-        render::Renderer renderer(device(), scene, gpuScene, options);
+        SoleRenderer renderer(device(), scene, options);
         measure::WrongPixels all;
         for (std::uint32_t view = 0; view < kViews; ++view) {
             const scene::Camera camera = scenes::coplanarView(7, view);

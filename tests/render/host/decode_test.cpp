@@ -66,9 +66,7 @@ class DecodeTest : public RenderTest {
 TEST_F(DecodeTest, AHostsShadersReadWhatAFrameHolds) {
     const scene::SceneSetup setup = scenes::makeAfc(1);
     const scene::Camera camera = setup.path.at(7);
-    const render::GpuScene gpuScene(device(), setup.scene);
-    render::Renderer renderer(device(), setup.scene, gpuScene,
-                              smallOptions(depth::parseTechnique("anchored/count:4")));
+    SoleRenderer renderer(device(), setup.scene, smallOptions(depth::parseTechnique("anchored/count:4")));
     const render::Frame frame = renderer.render(camera);
     renderer.submit(camera); // leaves the G-buffer for shaders to read
     renderer.finish();
@@ -119,9 +117,8 @@ TEST_F(DecodeTest, AFrameWaitsForWhatAHostReadsInAnyStage) {
     const scene::SceneSetup setup = scenes::makeAfc(1);
     render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     options.framesInFlight = 2;
-    const render::GpuScene gpuScene(device(), setup.scene);
     HostSide host(device(), {options.width, options.height});
-    render::Renderer renderer(device(), setup.scene, gpuScene, options);
+    SoleRenderer renderer(device(), setup.scene, options);
     const render::Frame wanted = renderer.render(setup.path.at(7));
     const render::HostFrame frame = host.begin();
     renderer.record(setup.path.at(7), frame);

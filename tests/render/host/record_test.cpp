@@ -60,9 +60,8 @@ TEST_F(RecordTest, AnotherFormatHoldsTheSamePicture) {
     const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     const scene::Camera camera;
     const image::ImageRgba8 wanted = draw(scene, camera, options).color;
-    const render::GpuScene gpuScene(device(), scene);
     HostSide host(device(), extentOf(options), vk::Format::eB8G8R8A8Srgb);
-    render::Renderer renderer(device(), scene, gpuScene, options);
+    SoleRenderer renderer(device(), scene, options);
     renderer.record(camera, host.begin());
     host.submit();
     const auto bgra = host.color<image::Rgba8>();
@@ -226,11 +225,10 @@ TEST_F(RecordTest, AHostsObjectsFollowAShiftedLens) {
     const scene::Scene scene = boxScene();
     scene::Camera camera{.fovY = 1.0, .nearView = 1.0, .farView = 100.0};
     camera.lensShift = {0.4, -0.3};
-    const render::GpuScene gpuScene(device(), scene);
     const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     const HostRectangles squares(device(), vk::Format(device().depthFormat(depth::DepthFormat::d32f)));
     HostSide host(device(), extentOf(options));
-    render::Renderer renderer(device(), scene, gpuScene, options);
+    SoleRenderer renderer(device(), scene, options);
     render::HostFrame frame = host.begin();
     constexpr double kView = 10.0;
     frame.occupied = {{kView, kView}};
@@ -343,9 +341,8 @@ TEST_F(RecordTest, AWorldChangesBetweenRecordedFrames) {
         world.addInstance({.mesh = world.mesh(0), .material = world.material(0)});
     render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     options.framesInFlight = 2;
-    render::GpuScene gpuScene(device(), world);
     HostSide host(device(), extentOf(options));
-    render::Renderer renderer(device(), gpuScene, options);
+    SoleRenderer renderer(device(), world, options);
     for (int turn = 0; turn < 6; ++turn) {
         world.setTransform(box, {.position = {0.3 * turn, 0.0, -5.0}});
         if (turn == 3) {
@@ -367,9 +364,8 @@ TEST_F(RecordTest, ADroppedFrameLosesNoEdit) {
         options.submission = submission;
         options.framesInFlight = 2;
         options.occlusionCulling = submission == render::Submission::gpuDriven;
-        render::GpuScene gpuScene(device(), world);
         HostSide host(device(), extentOf(options));
-        render::Renderer renderer(device(), gpuScene, options);
+        SoleRenderer renderer(device(), world, options);
         renderer.dropRecorded(); // there is none
         for (int turn = 0; turn < 3; ++turn) {
             world.setTransform(box, {.position = {0.5 * turn, 0.0, -5.0}});
@@ -394,9 +390,8 @@ TEST_F(RecordTest, InstancesThatAWorldGainedAreInTheNextFrame) {
         render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
         options.submission = submission;
         options.framesInFlight = 2;
-        render::GpuScene gpuScene(device(), world);
         HostSide host(device(), extentOf(options));
-        render::Renderer renderer(device(), gpuScene, options);
+        SoleRenderer renderer(device(), world, options);
         for (std::uint32_t turn = 0; turn < 4; ++turn) {
             for (std::uint32_t i = 0; i < 1u + 40u * (turn / 2); ++i) {
                 world.addInstance(
@@ -417,9 +412,8 @@ TEST_F(RecordTest, InstancesThatAWorldGainedAreInTheNextFrame) {
 TEST_F(RecordTest, AHostCannotDrawBesideLightThatAWorldGained) {
     scene::World world(boxScene());
     const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
-    render::GpuScene gpuScene(device(), world);
     HostSide host(device(), extentOf(options));
-    render::Renderer renderer(device(), gpuScene, options);
+    SoleRenderer renderer(device(), world, options);
     const auto record = [&] {
         render::HostFrame frame = host.begin();
         frame.draw = [](const render::HostCascade&) {};

@@ -189,8 +189,7 @@ TEST_F(ModelTest, AWorldMayGetDetailLater) {
         material.detail = {};
     }
     scene::World world(plain);
-    render::GpuScene onDevice(device(), world);
-    render::Renderer renderer(device(), onDevice, options());
+    SoleRenderer renderer(device(), world, options());
     EXPECT_NE(hashOf(renderer.render(setup.path.at(0))), wanted);
     for (std::size_t i = 0; i < setup.scene.materials.size(); ++i) {
         world.setMaterial(world.material(i), setup.scene.materials[i]);

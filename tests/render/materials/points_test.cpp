@@ -147,8 +147,7 @@ TEST_F(PointsTest, UnlitOnesMayGlowLater) {
         material.detail = {};
     }
     scene::World world(dark);
-    render::GpuScene onDevice(device(), world);
-    render::Renderer renderer(device(), onDevice, options);
+    SoleRenderer renderer(device(), world, options);
     const std::string before = hashOf(renderer.render(setup.path.at(0)));
     for (std::size_t i = 0; i < setup.scene.materials.size(); ++i) {
         world.setMaterial(world.material(i), setup.scene.materials[i]);

@@ -108,9 +108,8 @@ TEST_F(LinearTest, GoesIntoTheImageOfAHostThatWantsNoPicture) {
     const scene::Scene scene = brightScene();
     render::RenderOptions options = linearOptions();
     options.framesInFlight = 2;
-    const render::GpuScene gpuScene(device(), scene);
     HostSide host(device(), {options.width, options.height}, vk::Format::eR16G16B16A16Sfloat);
-    render::Renderer renderer(device(), scene, gpuScene, options);
+    SoleRenderer renderer(device(), scene, options);
     for (const double fov : {0.5, 1.0, 1.4}) {
         const scene::Camera camera{.fovY = fov};
         render::HostFrame frame = host.begin();
@@ -129,9 +128,8 @@ TEST_F(LinearTest, GoesIntoTheImageOfAHostThatWantsNoPicture) {
 TEST_F(LinearTest, FormatsOfFloatsHoldIt) {
     const scene::Scene scene = brightScene();
     const render::RenderOptions options = linearOptions();
-    const render::GpuScene gpuScene(device(), scene);
     HostSide host(device(), {options.width, options.height}, vk::Format::eR32G32B32A32Sfloat);
-    render::Renderer renderer(device(), scene, gpuScene, options);
+    SoleRenderer renderer(device(), scene, options);
     render::HostFrame frame = host.begin();
     frame.linear = frame.color;
     frame.color = {};

@@ -237,8 +237,7 @@ TEST_F(ShadowsTest, AMovedCasterMovesItsShadow) {
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 1e3};
     const RenderOptions options = shadowOptions("anchored");
     scene::World world(scene);
-    render::GpuScene live(device(), world);
-    render::Renderer renderer(device(), live, options);
+    SoleRenderer renderer(device(), world, options);
     const render::Frame before = renderer.render(camera);
     world.setTransform(world.instance(1), {.position = {3.0, 0.5, -10.0}});
     const render::Frame after = renderer.render(camera);
@@ -331,8 +330,7 @@ TEST_F(ShadowsTest, AClosedMeshThatBendsOpenCastsItsShadow) {
         scene::lookAlong({.fovY = 1.0, .farView = 1e3}, {-2.0, 4.0, 0.0}, {0.0, -0.5, -1.0});
     const RenderOptions options = shadowOptions("anchored");
     scene::World world(scene);
-    render::GpuScene live(device(), world);
-    render::Renderer renderer(device(), live, options);
+    SoleRenderer renderer(device(), world, options);
     const render::Frame closed = renderer.render(camera);
     std::vector<scene::Vertex> vertices = scene.meshes.back().vertices;
     for (scene::Vertex& vertex : vertices) {

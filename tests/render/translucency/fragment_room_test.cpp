@@ -96,8 +96,7 @@ TEST_F(FragmentRoomTest, ListsGrowWhereBothWouldNotFit) {
     handles.hasGpuDrivenFeatures = true;
     handles.hasFragmentStores = true;
     const gpu::Device small(handles);
-    const render::GpuScene onDevice(small, scene);
-    render::Renderer renderer(small, scene, onDevice, options);
+    SoleRenderer renderer(small, scene, options);
     renderer.draw(behind());
     const std::uint64_t pixels = std::uint64_t{192} * 108;
     const std::uint64_t listBytes = pixels * 32;

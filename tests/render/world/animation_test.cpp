@@ -54,8 +54,7 @@ TEST_F(AnimationTest, FramesAreThoseOfAFileOpenedAtTheirMoment) {
                 continue; // how many threads deform does not depend on the technique
             }
             scenes::MovingScene moving(opened.setup.scene, opened.setup.motion);
-            render::GpuScene onDevice(device(), moving.world());
-            render::Renderer renderer(device(), onDevice, options(technique, threads));
+            SoleRenderer renderer(device(), moving.world(), options(technique, threads));
             for (const std::uint32_t frame : {1u, 2u, 5u, 3u, 8u, 40u}) {
                 EXPECT_TRUE(moving.show(frame, workers));
                 renderer.forgetFrames();
@@ -150,8 +149,7 @@ TEST_F(AnimationTest, LightsFollowNodes) {
             render::RenderOptions chosen = options(technique, threads);
             chosen.translucency.method = render::Translucency::sorted;
             scenes::MovingScene moving(opened.scene, opened.motion);
-            render::GpuScene onDevice(device(), moving.world());
-            render::Renderer renderer(device(), onDevice, chosen);
+            SoleRenderer renderer(device(), moving.world(), chosen);
             std::string last;
             for (const std::uint32_t frame : {1u, 2u, 5u, 3u, 8u}) {
                 moving.show(frame, workers);
@@ -178,10 +176,9 @@ TEST_F(AnimationTest, MotionFollowsNodes) {
     const scene::OpenedScene opened = open(0.1, 24.0);
     platform::WorkerPool workers(2);
     scenes::MovingScene moving(opened.setup.scene, opened.setup.motion);
-    render::GpuScene onDevice(device(), moving.world());
     render::RenderOptions chosen = options("anchored");
     chosen.motion = true;
-    render::Renderer renderer(device(), onDevice, chosen);
+    SoleRenderer renderer(device(), moving.world(), chosen);
     renderer.render(opened.setup.path.at(0));
     for (std::uint32_t number = 1; number < 5; ++number) {
         const scene::Scene sceneBefore = moving.world().scene();
