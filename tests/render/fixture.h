@@ -87,9 +87,10 @@ class OwnPipelinesTest : public RenderTest {
     }
 };
 
-inline render::RenderOptions smallOptions(const depth::Technique& technique) {
-    return {.width = 480,
-            .height = 270,
+inline render::RenderOptions smallOptions(const depth::Technique& technique, std::uint32_t width = 480,
+                                          std::uint32_t height = 270) {
+    return {.width = width,
+            .height = height,
             .technique = technique,
             .targets = render::TargetsKind::single,
             .threads = 1};
@@ -104,10 +105,7 @@ inline render::RenderOptions quarterOf(render::RenderOptions options) {
 
 /// For what no size of the picture changes.
 inline render::RenderOptions thumbnailOptions(const depth::Technique& technique) {
-    render::RenderOptions options = smallOptions(technique);
-    options.width = 96;
-    options.height = 54;
-    return options;
+    return smallOptions(technique, 96, 54);
 }
 
 /// Of all presets.

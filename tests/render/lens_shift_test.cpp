@@ -173,9 +173,8 @@ TEST_F(LensShiftTest, CornersAreAsDarkInAQuarter) {
 
 TEST_F(LensShiftTest, PicksPointsOnTheRayOfThePixel) {
     const scene::Camera camera = quarter(wideCamera(), 1, 1);
-    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
-    options.width = kTileWidth;
-    options.height = kTileHeight;
+    const render::RenderOptions options =
+        smallOptions(depth::parseTechnique("anchored"), kTileWidth, kTileHeight);
     const Frame frame = draw(variedScene(), camera, options);
     const scene::Frustum frustum = scene::frustumOf(camera, kTileWidth, kTileHeight);
     const auto pick = frame.pick(kTileWidth - 1, kTileHeight - 1);

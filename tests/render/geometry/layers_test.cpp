@@ -21,10 +21,7 @@ class LayersTest : public RenderTest {
     static constexpr std::uint32_t kViews = 8;
 
     render::RenderOptions optionsFor(const depth::Technique& technique) {
-        render::RenderOptions options = smallOptions(technique);
-        options.width = 320;
-        options.height = 180;
-        return options;
+        return smallOptions(technique, 320, 180);
     }
 
     measure::WrongPixels wrongOver(const scene::Scene& scene, const render::RenderOptions& options) {

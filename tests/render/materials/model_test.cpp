@@ -24,9 +24,7 @@ class ModelTest : public RenderTest {
     }
 
     static render::RenderOptions options() {
-        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
-        options.width = 320;
-        options.height = 180;
+        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"), 320, 180);
         options.translucency.method = render::Translucency::sorted;
         return options;
     }

@@ -66,9 +66,7 @@ void addShapedLights(scene::Scene& scene, const glm::dvec3& centre) {
 class ShapedLightsTest : public RenderTest {
   protected:
     static render::RenderOptions options(const char* technique) {
-        render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
-        options.width = 320;
-        options.height = 180;
+        render::RenderOptions options = smallOptions(depth::parseTechnique(technique), 320, 180);
         options.translucency.method = render::Translucency::sorted;
         return options;
     }

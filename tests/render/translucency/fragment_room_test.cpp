@@ -13,9 +13,7 @@ using render::Translucency;
 class FragmentRoomTest : public RenderTest {
   protected:
     static render::RenderOptions sorted() {
-        render::RenderOptions options = thumbnailOptions(depth::parseTechnique("reversed"));
-        options.width = 192;
-        options.height = 108;
+        render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"), 192, 108);
         options.translucency.method = Translucency::sorted;
         return options;
     }

@@ -84,10 +84,7 @@ class ViewsTest : public RenderTest {
     }
 
     render::RenderOptions viewOptions(const depth::Technique& technique) {
-        render::RenderOptions options = smallOptions(technique);
-        options.width = kViewsWidth;
-        options.height = kViewsHeight;
-        return options;
+        return smallOptions(technique, kViewsWidth, kViewsHeight);
     }
 
     scene::Scene m_scene;

@@ -35,9 +35,7 @@ class AnimationTest : public RenderTest {
         return options(depth::parseTechnique(technique), threads);
     }
     static render::RenderOptions options(const depth::Technique& technique, std::size_t threads = 2) {
-        render::RenderOptions options = smallOptions(technique);
-        options.width = 240;
-        options.height = 180;
+        render::RenderOptions options = smallOptions(technique, 240, 180);
         options.threads = threads;
         return options;
     }
