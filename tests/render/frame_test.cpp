@@ -184,8 +184,7 @@ TEST_F(FrameTest, ABorrowedDeviceRendersTheSameAndStaysAlive) {
     const Frame own = draw(setup.scene, camera, options);
     {
         const gpu::Device borrowed(lentDevice());
-        SoleRenderer renderer(borrowed, setup.scene, options);
-        EXPECT_EQ(renderer.render(camera).color, own.color);
+        EXPECT_EQ(SoleRenderer(borrowed, setup.scene, options).render(camera).color, own.color);
     }
     EXPECT_EQ(draw(setup.scene, camera, options).color, own.color);
 }
@@ -278,8 +277,7 @@ TEST_F(FrameTest, PickIsEmptyWhereThereIsNoSurfaceToRead) {
     EXPECT_FALSE(frame.pick(options.width + 5, options.height / 2));
     EXPECT_FALSE(frame.pick(0, options.height));
     EXPECT_FALSE(frame.pick(0xffffffff, 0xffffffff));
-    SoleRenderer renderer(device(), scene, options);
-    EXPECT_FALSE(renderer.render({}, render::FrameCopy::color).pick(3, 3));
+    EXPECT_FALSE(SoleRenderer(device(), scene, options).render({}, render::FrameCopy::color).pick(3, 3));
 }
 
 TEST_F(FrameTest, ARendererRefusesTheGpuSceneOfAnotherScene) {

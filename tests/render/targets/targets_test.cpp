@@ -43,9 +43,8 @@ class TargetsTest : public RenderTest {
             for (const char* targets : {"single", "accumulate", "pool:2", "pool:3", "pool:4", "layers"}) {
                 const TargetsChoice choice = render::parseTargets(targets);
                 for (const std::size_t threads : threadCounts) {
-                    render::Renderer renderer(device(), scene, gpuScene,
-                                              tinyOptions(technique, choice, threads));
-                    const std::string hash = hashOf(renderer.render(camera));
+                    const std::string hash =
+                        hashOf(draw(scene, gpuScene, camera, tinyOptions(technique, choice, threads)));
                     first = first.empty() ? hash : first;
                     EXPECT_EQ(hash, first) << nameOf(technique) << " " << targets << " " << threads;
                 }

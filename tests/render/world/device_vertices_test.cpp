@@ -179,8 +179,8 @@ TEST_F(DeviceVerticesTest, OutlastEditsOfOtherMeshes) {
         }
         expectAlike(byDevice.render(camera), byCpu.render(camera), fmt::format("step {}", step));
     }
-    SoleRenderer later(device(), posed, options);
-    expectAlike(later.render(camera), byCpu.render(camera), "uploaded again");
+    expectAlike(SoleRenderer(device(), posed, options).render(camera), byCpu.render(camera),
+                "uploaded again");
 }
 
 /// A pose of one joint, which scales and turns.
@@ -208,11 +208,9 @@ TEST_F(DeviceVerticesTest, OfAPosedWorldAreThereInAnotherGpuScene) {
     SoleRenderer live(device(), world, options);
     world.setPose(world.mesh(0), pose);
     const std::string wanted = hashOf(live.render({}));
-    render::GpuScene second(device(), world);
-    EXPECT_EQ(hashOf(render::Renderer(device(), second, options).render({})), wanted);
+    EXPECT_EQ(hashOf(SoleRenderer(device(), world, options).render({})), wanted);
     const scene::World copy = world;
-    render::GpuScene third(device(), copy);
-    EXPECT_EQ(hashOf(render::Renderer(device(), third, options).render({})), wanted);
+    EXPECT_EQ(hashOf(SoleRenderer(device(), copy, options).render({})), wanted);
 }
 
 /// Whether a mesh has facets is asked of its own triangles, not of those at its place before.
@@ -244,8 +242,7 @@ TEST_F(DeviceVerticesTest, OfAMeshInThePlaceOfAnotherAreShadedByItsOwnTriangles)
     world.setPose(after, pose);
     scene::World anew(boxScene());
     anew.setPose(add(anew, joined).first, pose);
-    render::GpuScene anewScene(device(), anew);
-    EXPECT_EQ(hashOf(live.render({})), hashOf(render::Renderer(device(), anewScene, options).render({})));
+    EXPECT_EQ(hashOf(live.render({})), hashOf(SoleRenderer(device(), anew, options).render({})));
 }
 
 /// Facets are made by the CPU, which needs the vertices for them.
