@@ -130,8 +130,7 @@ TEST_F(DecodeTest, AFrameWaitsForWhatAHostReadsInAnyStage) {
                                .dstStageMask = vk::PipelineStageFlagBits2::eComputeShader,
                                .dstAccessMask = vk::AccessFlagBits2::eShaderSampledRead}});
         read(frame.commands);
-        renderer.record(setup.path.at(200), frame);
-        host.submit();
+        host.submit(renderer, setup.path.at(200), frame);
         renderer.finish();
     };
     const auto decoded = decode(CDR_DECODE_GBUFFER, surfaces.gbuffer, surfaces.anchorsView, readAndDrawOn);

@@ -52,8 +52,7 @@ class HostShadowsTest : public RenderTest {
         frame.draw = [&](const render::HostCascade& cascade) {
             wall.draw(cascade, HostRectangles::Square{0.0, wallView, kHalfSide, kWall});
         };
-        renderer.record(m_camera, frame);
-        host.submit();
+        host.submit(renderer, m_camera, frame);
         const auto pixels = readGBuffer(device(), renderer.surfaces().gbuffer);
         const auto colors = host.color<image::Rgba8>();
         image::Raster<char> dark(extent.width, extent.height);

@@ -114,8 +114,7 @@ TEST_F(LinearTest, GoesIntoTheImageOfAHostThatWantsNoPicture) {
         const scene::Camera camera{.fovY = fov};
         render::HostFrame frame = host.begin();
         frame.linear = std::exchange(frame.color, {});
-        renderer.record(camera, frame);
-        host.submit();
+        host.submit(renderer, camera, frame);
         const auto halves = host.color<std::uint64_t>();
         const render::Frame wanted = draw(scene, camera, options);
         for (std::size_t i = 0; i < halves.pixels.size(); ++i) {
@@ -133,8 +132,7 @@ TEST_F(LinearTest, FormatsOfFloatsHoldIt) {
     render::HostFrame frame = host.begin();
     frame.linear = frame.color;
     frame.color = {};
-    renderer.record({}, frame);
-    host.submit();
+    host.submit(renderer, {}, frame);
     const auto floats = host.color<glm::vec4>();
     const render::Frame wanted = draw(scene, {}, options);
     for (std::size_t i = 0; i < floats.pixels.size(); ++i) {

@@ -419,8 +419,7 @@ TEST_F(MotionTest, GoesIntoAHostsImage) {
         const scene::Camera camera = orbiting(far, 1e-5, 0.01 * turn);
         render::HostFrame frame = host.begin();
         frame.motion = image;
-        renderer.record(camera, frame);
-        host.submit();
+        host.submit(renderer, camera, frame);
         renderer.finish();
         const render::Frame expected = reference.render(camera);
         EXPECT_EQ(

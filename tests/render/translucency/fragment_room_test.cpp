@@ -51,8 +51,7 @@ TEST_F(FragmentRoomTest, FramesThatOverlapAreDrawnWeightedWhereListsMayNotGrow) 
         HostSide host(device(), {192, 108});
         render::Renderer renderer(device(), scene, onDevice, options);
         for (int frame = 0; frame < 5; ++frame) {
-            renderer.record({}, host.begin());
-            host.submit();
+            host.submit(renderer, {}, host.begin());
             const bool isKnown = frame >= static_cast<int>(inFlight);
             EXPECT_EQ(host.color<image::Rgba8>() == weighted, isKnown) << frame << " of " << inFlight;
         }
