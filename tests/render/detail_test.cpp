@@ -3,7 +3,6 @@
 #include "fixture.h"
 #include "snapping.h"
 
-#include <cdr/base/error.h>
 #include <cdr/measure/compare/cracks.h>
 #include <cdr/scene/lod/clusters.h>
 #include <cdr/scene/lod/levels.h>

@@ -11,8 +11,6 @@
 #include <cdr/render/views/views_renderer.h>
 #include <scenes/cubes.h>
 
-#include <program/sha256.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>

@@ -1,6 +1,5 @@
 #include "../fixture.h"
 #include "host_side.h"
-#include "read_image.h"
 #include "read_spirv.h"
 
 #include <cdr/gpu/pipeline.h>

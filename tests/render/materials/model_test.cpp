@@ -1,7 +1,6 @@
 #include "../fixture.h"
 #include "../steps.h"
 
-#include <cdr/base/error.h>
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/measure/truth/layered_truth.h>
 #include <cdr/scene/gltf/open_gltf.h>

@@ -11,7 +11,6 @@
 #include <cstdlib>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace cdr::render_test {
 

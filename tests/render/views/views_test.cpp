@@ -7,7 +7,6 @@
 #include <cdr/scene/cube_sides.h>
 #include <cdr/scene/stereo_rig.h>
 #include <cdr/scene/world/world.h>
-#include <scenes/alley.h>
 #include <scenes/cubes.h>
 
 #include <string>

@@ -1,7 +1,5 @@
 #include "../fixture.h"
 
-#include <cdr/base/error.h>
-
 #include <vector>
 
 namespace cdr::render_test {
