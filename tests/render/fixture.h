@@ -103,6 +103,12 @@ inline render::RenderOptions quarterOf(render::RenderOptions options) {
     return options;
 }
 
+/// The same with sorted translucent surfaces.
+inline render::RenderOptions withSorting(render::RenderOptions options) {
+    options.translucency.method = render::Translucency::sorted;
+    return options;
+}
+
 /// For what no size of the picture changes.
 inline render::RenderOptions thumbnailOptions(const depth::Technique& technique) {
     return smallOptions(technique, 96, 54);

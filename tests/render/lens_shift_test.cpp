@@ -156,9 +156,7 @@ TEST_F(LensShiftTest, QuartersMakeThePictureOfBlendedSurfaces) {
     if (!device().info().hasFragmentStores) {
         GTEST_SKIP() << "the device lacks fragmentStoresAndAtomics";
     }
-    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
-    options.translucency.method = render::Translucency::sorted;
-    expectSame("sorted", variedScene(), options);
+    expectSame("sorted", variedScene(), withSorting(smallOptions(depth::parseTechnique("anchored"))));
 }
 
 /// A quarter lacks what lies beyond its edges, which darkens little.

@@ -239,8 +239,7 @@ TEST_F(LayersTest, OrderBlendedSurfacesToo) {
     addSheet({1.0f, 0.0f, 0.0f, 0.5f}, 0.2f, 5.1);  // within the box by less than its layer
     addSheet({0.0f, 0.0f, 1.0f, 0.5f}, 0.1f, 5.05); // nearer, and lower
     addSheet({0.0f, 1.0f, 0.0f, 0.5f}, 0.2f, 5.3);  // within the box by more
-    render::RenderOptions options = optionsFor(depth::parseTechnique("anchored"));
-    options.translucency.method = render::Translucency::sorted;
+    const render::RenderOptions options = withSorting(optionsFor(depth::parseTechnique("anchored")));
     const scene::Camera camera;
     const render::Frame frame = draw(scene, camera, options);
     const measure::LayeredTruth truth =

@@ -23,9 +23,7 @@ class ModelTest : public RenderTest {
     }
 
     static render::RenderOptions options() {
-        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"), 320, 180);
-        options.translucency.method = render::Translucency::sorted;
-        return options;
+        return withSorting(smallOptions(depth::parseTechnique("anchored"), 320, 180));
     }
 
     static double difference(const image::ImageRgba8& a, const image::ImageRgba8& b) {

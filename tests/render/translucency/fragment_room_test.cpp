@@ -13,9 +13,7 @@ using render::Translucency;
 class FragmentRoomTest : public RenderTest {
   protected:
     static render::RenderOptions sorted() {
-        render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"), 192, 108);
-        options.translucency.method = Translucency::sorted;
-        return options;
+        return withSorting(smallOptions(depth::parseTechnique("reversed"), 192, 108));
     }
 
     /// So many panes, each of which covers the picture.

@@ -144,8 +144,7 @@ TEST_F(AnimationTest, LightsFollowNodes) {
     for (const std::size_t threads : {std::size_t{1}, std::size_t{3}, std::size_t{16}}) {
         platform::WorkerPool workers(threads);
         for (const char* technique : {"anchored", "cdr"}) {
-            render::RenderOptions chosen = options(technique, threads);
-            chosen.translucency.method = render::Translucency::sorted;
+            render::RenderOptions chosen = withSorting(options(technique, threads));
             scenes::MovingScene moving(opened.scene, opened.motion);
             SoleRenderer renderer(device(), moving.world(), chosen);
             std::string last;
