@@ -1,10 +1,7 @@
-#include "../support/shared_device.h"
-#include "wrong_after_repair.h"
+#include "certified_test.h"
 
 #include <cdr/base/error.h>
 #include <cdr/gpu/vulkan_hpp.h>
-#include <cdr/render/gpu_scene.h>
-#include <cdr/render/renderer.h>
 #include <scenes/boulders.h>
 #include <scenes/cubes.h>
 #include <scenes/ladder.h>
@@ -24,11 +21,7 @@ using namespace cdr;
 using namespace cdr::output;
 
 render::RenderOptions smallPicture(const char* technique) {
-    render::RenderOptions options;
-    options.width = 320;
-    options.height = 180;
-    options.technique = depth::parseTechnique(technique);
-    return options;
+    return {.width = 320, .height = 180, .technique = depth::parseTechnique(technique)};
 }
 
 /// A scene that is ready for any number of pictures. The true picture of a frame is cast once.
@@ -66,19 +59,12 @@ class ReadyScene {
     std::map<std::uint32_t, measure::TruthImage> m_truths;
 };
 
-class CertifiedFrameTest : public test::DeviceTest {
+class CertifiedFrameTest : public test::CertifiedTest {
   protected:
-    render::Frame render(const scene::Scene& scene, const scene::Camera& camera,
-                         const render::RenderOptions& options) {
-        const render::GpuScene onDevice(device(), scene);
-        return render::Renderer(device(), scene, onDevice, options).render(camera);
-    }
-
     measure::Certificate certify(const scene::Scene& scene, const render::Frame& frame,
                                  const render::RenderOptions& options) {
         platform::WorkerPool workers(options.threads);
-        const measure::DrawnFrame drawn = drawnFrame(frame, options, device().info().subPixelBits);
-        return measure::Certifier(scene, workers).certify(drawn, workers);
+        return certificateOf(frame, options, measure::Certifier(scene, workers), workers);
     }
 
     /// Certifies, repairs, and expects the truth in every pixel. @return what was wrong before.
@@ -156,7 +142,7 @@ TEST_F(CertifiedFrameTest, HasTheSameBitsForAnyNumberOfThreads) {
     for (const std::size_t threads : {1u, 3u}) {
         render::RenderOptions options = smallPicture("reversed");
         options.threads = threads;
-        frames.push_back(render(setup.scene, setup.path.at(40), options));
+        frames.push_back(draw(setup.scene, setup.path.at(40), options));
         putRight(frames.back(), certify(setup.scene, frames.back(), options));
     }
     EXPECT_EQ(frames[0].color, frames[1].color);
@@ -173,7 +159,7 @@ TEST_F(CertifiedFrameTest, IsRefusedWhereTheDeviceDrawsOtherGeometry) {
     const scene::Camera camera = setup.path.at(90);
     render::RenderOptions options = smallPicture("anchored");
     const auto refusedOf = [&](const scene::Scene& drawn) {
-        return certify(setup.scene, render(drawn, camera, options), options).refused;
+        return certify(setup.scene, draw(drawn, camera, options), options).refused;
     };
     EXPECT_EQ(refusedOf(setup.scene), 0u);
     scene::Scene perturbed = setup.scene;
@@ -226,10 +212,10 @@ TEST_F(CertifiedFrameTest, RepairsColoursWithinTwoSteps) {
             SCOPED_TRACE(std::string(hasSky ? "sky, shadows " : "shadows ") + std::string(nameOf(method)));
             render::RenderOptions options = smallPicture("anchored");
             options.shadows.method = method;
-            const render::Frame right = render(setup.scene, camera, options);
+            const render::Frame right = draw(setup.scene, camera, options);
             options.technique = depth::namedTechnique("standard").technique;
             const measure::Certificate certificate =
-                certify(setup.scene, render(setup.scene, camera, options), options);
+                certify(setup.scene, draw(setup.scene, camera, options), options);
             std::uint64_t compared = 0;
             std::uint64_t others = 0;
             for (const measure::PixelRepair& repair : certificate.repairs) {

@@ -1,12 +1,8 @@
-#include "../support/shared_device.h"
-#include "wrong_after_repair.h"
+#include "certified_test.h"
 
-#include <cdr/render/gpu_scene.h>
-#include <cdr/render/renderer.h>
 #include <scenes/coplanar.h>
 
 #include <gtest/gtest.h>
-#include <output/certified_frame.h>
 
 #include <cstdint>
 #include <string>
@@ -14,36 +10,27 @@
 namespace {
 
 using namespace cdr;
-using namespace cdr::output;
 
 constexpr std::uint32_t kViews = 6;
 
-class CertifiedLayerTest : public test::DeviceTest {
+class CertifiedLayerTest : public test::CertifiedTest {
   protected:
     /// Draws one scene, says that it is the scene of layers, and repairs it. Tests that nothing wrong is left.
     measure::Certificate repaired(const scene::Scene& drawn, const render::RenderOptions& options,
                                   const scene::Camera& camera) {
-        const render::GpuScene onDevice(device(), drawn);
-        render::Frame frame = render::Renderer(device(), drawn, onDevice, options).render(camera);
-        const measure::Certificate certificate =
-            m_certifier.certify(drawnFrame(frame, options, device().info().subPixelBits), m_workers);
-        if (certificate.isRefused()) {
-            return certificate;
+        render::Frame frame = draw(drawn, camera, options);
+        const measure::Certificate certificate = certificateOf(frame, options, m_certifier, m_workers);
+        if (!certificate.isRefused()) {
+            EXPECT_EQ(wrongAfterRepair(frame, certificate, m_setup.scene, camera), 0u);
         }
-        EXPECT_EQ(test::wrongAfterRepair(frame, certificate, m_setup.scene, camera, m_workers), 0u);
         return certificate;
     }
 
     static render::RenderOptions optionsOf(const depth::Technique& technique) {
-        render::RenderOptions options;
-        options.width = 240;
-        options.height = 135;
-        options.technique = technique;
-        return options;
+        return {.width = 240, .height = 135, .technique = technique};
     }
 
     scene::SceneSetup m_setup = scenes::makeCoplanar();
-    platform::WorkerPool m_workers{2};
     measure::Certifier m_certifier{m_setup.scene, m_workers};
 };
 

@@ -1,19 +1,14 @@
-#include "../support/shared_device.h"
-#include "wrong_after_repair.h"
+#include "certified_test.h"
 
-#include <cdr/render/gpu_scene.h>
-#include <cdr/render/renderer.h>
 #include <cdr/scene/gltf/open_gltf.h>
 
 #include <gtest/gtest.h>
-#include <output/certified_frame.h>
 
 #include <string>
 
 namespace {
 
 using namespace cdr;
-using namespace cdr::output;
 
 /// The garden, whose leaves are masked. What it blends is opaque here.
 scene::SceneSetup gardenOfMasks() {
@@ -26,26 +21,20 @@ scene::SceneSetup gardenOfMasks() {
     return setup;
 }
 
-class CertifiedMaskTest : public test::DeviceTest {
+class CertifiedMaskTest : public test::CertifiedTest {
   protected:
     /// Draws one scene, says that it is the garden, and repairs it. Tests that nothing wrong is left.
     measure::Certificate repaired(const scene::Scene& drawn, const depth::Technique& technique) {
-        render::RenderOptions options;
-        options.width = 320;
-        options.height = 180;
-        options.technique = technique;
-        const render::GpuScene onDevice(device(), drawn);
+        const render::RenderOptions options{.width = 320, .height = 180, .technique = technique};
         const scene::Camera camera = m_garden.path.at(0);
-        render::Frame frame = render::Renderer(device(), drawn, onDevice, options).render(camera);
-        const measure::Certificate certificate =
-            m_certifier.certify(drawnFrame(frame, options, device().info().subPixelBits), m_workers);
+        render::Frame frame = draw(drawn, camera, options);
+        const measure::Certificate certificate = certificateOf(frame, options, m_certifier, m_workers);
         EXPECT_EQ(certificate.refused, 0u);
-        EXPECT_EQ(test::wrongAfterRepair(frame, certificate, m_garden.scene, camera, m_workers), 0u);
+        EXPECT_EQ(wrongAfterRepair(frame, certificate, m_garden.scene, camera), 0u);
         return certificate;
     }
 
     scene::SceneSetup m_garden = gardenOfMasks();
-    platform::WorkerPool m_workers{2};
     measure::Certifier m_certifier{m_garden.scene, m_workers};
 };
 

@@ -234,11 +234,8 @@ TEST_F(AdversarialTest, NoSkyShowsThroughTheSeamsOfAPlanet) {
     const std::vector<glm::dvec3> seams =
         seamPoints(test::globeMesh(options.radius, options.cells), options.pieceRadius);
     ASSERT_GT(seams.size(), 10'000u);
-    const render::GpuScene gpuScene(device(), scene);
-    auto renderOptions = smallOptions(depth::parseTechnique("anchored"));
-    renderOptions.width = 192;
-    renderOptions.height = 108;
-    render::Renderer renderer(device(), scene, gpuScene, renderOptions);
+    const auto renderOptions = smallOptions(depth::parseTechnique("anchored"), 192, 108);
+    SoleRenderer renderer(device(), scene, renderOptions);
     std::mt19937_64 random(14);
     std::size_t sky = 0;
     for (int i = 0; i < 150; ++i) {

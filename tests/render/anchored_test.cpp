@@ -24,9 +24,8 @@ class AnchoredTest : public RenderTest {
     std::uint64_t seams(render::RenderOptions options) {
         scene::Scene scene = boxScene();
         addBox(scene, {0.0, -2.5, 0.0}, glm::mat3(2e5f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 2e5f));
-        const render::GpuScene gpuScene(device(), scene);
         options.technique.split = depth::parseSplit("count:64");
-        render::Renderer renderer(device(), scene, gpuScene, options);
+        SoleRenderer renderer(device(), scene, options);
         std::uint64_t wrong = 0;
         for (int i = 0; i < 4; ++i) {
             const glm::dvec3 ahead(0.3, -0.05 - 0.02 * i, -1.0);

@@ -3,7 +3,6 @@
 #include "fixture.h"
 #include "snapping.h"
 
-#include <cdr/base/error.h>
 #include <cdr/measure/compare/cracks.h>
 #include <cdr/scene/lod/clusters.h>
 #include <cdr/scene/lod/levels.h>
@@ -242,11 +241,9 @@ TEST_F(DetailRenderTest, NeighbouringPiecesOfOtherLevelsMeet) {
 
 TEST_F(DetailRenderTest, AnUnusableErrorIsRefused) {
     const scene::Scene scene = boxScene();
-    const render::GpuScene gpuScene(device(), scene);
     for (const double pixels : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
-        EXPECT_THROW(render::Renderer(device(), scene, gpuScene,
-                                      optionsOf("none", {.mode = DetailMode::perObject, .pixels = pixels})),
-                     base::InputError);
+        EXPECT_NE(refusalOf(scene, optionsOf("none", {.mode = DetailMode::perObject, .pixels = pixels})),
+                  "none");
     }
 }
 
@@ -352,10 +349,9 @@ TEST_F(DetailRenderTest, ClustersOpenNoCracks) {
 
 TEST_F(DetailRenderTest, ClustersAreRefusedGpuDriven) {
     const scene::SceneSetup& setup = clusteredHills();
-    const render::GpuScene gpuScene(device(), setup.scene);
     render::RenderOptions options = optionsOf("none", {.mode = DetailMode::perCluster});
     options.submission = render::Submission::gpuDriven;
-    EXPECT_THROW(render::Renderer(device(), setup.scene, gpuScene, options), base::InputError);
+    EXPECT_NE(refusalOf(setup.scene, options), "none");
 }
 
 } // namespace

@@ -12,9 +12,7 @@ class Earth : public RenderTest {};
 
 TEST_F(Earth, AnchoredIsRightOnTheWholeWayDown) {
     const scene::SceneSetup setup = scenes::makeEarth(test::syntheticEarth(), nullptr, {.blockTexels = 64});
-    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
-    options.width = 320;
-    options.height = 180;
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"), 320, 180);
     options.shadows.method = render::ShadowMethod::anchored;
     platform::WorkerPool workers(2);
     for (const std::uint32_t frame : {0u, 60u, 120u, 180u, 239u}) {

@@ -255,8 +255,7 @@ TEST_F(FailedFrameTest, LightsThatFindNoRoomLeaveWhatSlotsRead) {
     std::size_t failures = 0;
     for (bool hasFailed = true; hasFailed; failures += hasFailed ? 1 : 0) {
         scene::World world(m_scene);
-        render::GpuScene onDevice(device(), world);
-        render::Renderer renderer(device(), onDevice, chosen);
+        SoleRenderer renderer(device(), world, chosen);
         renderer.draw(camera);
         std::vector<scene::LightHandle> added;
         for (int i = 0; i < 3; ++i) {

@@ -22,6 +22,22 @@ inline measure::TruthImage truthOf(const scene::Scene& scene, const scene::Camer
     return measure::castTruth(scene, camera, width, height, workers);
 }
 
+/// What one renderer alone draws, on the device.
+struct SoleScene {
+    render::GpuScene onDevice;
+};
+
+/// A renderer of a scene or a world that has no other.
+class SoleRenderer : SoleScene, public render::Renderer {
+  public:
+    SoleRenderer(const gpu::Device& device, const scene::Scene& scene, const render::RenderOptions& options)
+        : SoleScene{render::GpuScene(device, scene)},
+          Renderer(device, scene, onDevice, options) {}
+    SoleRenderer(const gpu::Device& device, const scene::World& world, const render::RenderOptions& options)
+        : SoleScene{render::GpuScene(device, world)},
+          Renderer(device, onDevice, options) {}
+};
+
 class RenderTest : public test::DeviceTest {
   protected:
     /// The submissions that the device serves.
@@ -71,9 +87,10 @@ class OwnPipelinesTest : public RenderTest {
     }
 };
 
-inline render::RenderOptions smallOptions(const depth::Technique& technique) {
-    return {.width = 480,
-            .height = 270,
+inline render::RenderOptions smallOptions(const depth::Technique& technique, std::uint32_t width = 480,
+                                          std::uint32_t height = 270) {
+    return {.width = width,
+            .height = height,
             .technique = technique,
             .targets = render::TargetsKind::single,
             .threads = 1};
@@ -86,12 +103,15 @@ inline render::RenderOptions quarterOf(render::RenderOptions options) {
     return options;
 }
 
+/// The same with sorted translucent surfaces.
+inline render::RenderOptions withSorting(render::RenderOptions options) {
+    options.translucency.method = render::Translucency::sorted;
+    return options;
+}
+
 /// For what no size of the picture changes.
 inline render::RenderOptions thumbnailOptions(const depth::Technique& technique) {
-    render::RenderOptions options = smallOptions(technique);
-    options.width = 96;
-    options.height = 54;
-    return options;
+    return smallOptions(technique, 96, 54);
 }
 
 /// Of all presets.

@@ -224,10 +224,9 @@ TEST_F(FocusTest, IsOneImageHoweverSubmitted) {
 
 TEST_F(FocusTest, LayersMayChangeTheirSizeWhileFramesAreInFlight) {
     const scene::Scene scene = alleyScene();
-    const render::GpuScene gpuScene(device(), scene);
     RenderOptions options = focused(kBlended, "count:4");
     options.framesInFlight = 3;
-    render::Renderer renderer(device(), scene, gpuScene, options);
+    SoleRenderer renderer(device(), scene, options);
     scene::Camera camera = kFocusCamera;
     for (const double nearView : {0.5, 2.0, 4.0, 9.0, 0.2, 0.5}) {
         camera.nearView = nearView;

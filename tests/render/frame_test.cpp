@@ -11,8 +11,6 @@
 #include <cdr/render/views/views_renderer.h>
 #include <scenes/cubes.h>
 
-#include <program/sha256.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -208,9 +206,7 @@ TEST_F(FrameTest, ABorrowedDeviceRendersTheSameAndStaysAlive) {
     const Frame own = draw(setup.scene, camera, options);
     {
         const gpu::Device borrowed(lentDevice());
-        const render::GpuScene gpuScene(borrowed, setup.scene);
-        render::Renderer renderer(borrowed, setup.scene, gpuScene, options);
-        EXPECT_EQ(renderer.render(camera).color, own.color);
+        EXPECT_EQ(SoleRenderer(borrowed, setup.scene, options).render(camera).color, own.color);
     }
     EXPECT_EQ(draw(setup.scene, camera, options).color, own.color);
 }
@@ -225,8 +221,7 @@ TEST_F(FrameTest, ABorrowedAllocatorIsUsedAndStays) {
         handles.allocator = device().allocator();
         const gpu::Device borrowed(handles);
         EXPECT_EQ(borrowed.allocator(), device().allocator());
-        const render::GpuScene gpuScene(borrowed, scene);
-        render::Renderer renderer(borrowed, scene, gpuScene, smallOptions(depth::parseTechnique("anchored")));
+        SoleRenderer renderer(borrowed, scene, smallOptions(depth::parseTechnique("anchored")));
         EXPECT_EQ(renderer.render({}).id(240, 135), 1u);
         EXPECT_LT(gpu::freeDeviceBytes(device()), before);
     }
@@ -283,8 +278,7 @@ TEST_F(FrameTest, ResizedPicturesAreThoseOfARendererOfTheirSize) {
     render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     options.framesInFlight = 2;
     const scene::Camera camera = setup.path.at(7);
-    const render::GpuScene gpuScene(device(), setup.scene);
-    render::Renderer renderer(device(), setup.scene, gpuScene, options);
+    SoleRenderer renderer(device(), setup.scene, options);
     renderer.submit(camera);
     EXPECT_THROW(renderer.resize(0, 10), base::InputError);
     EXPECT_EQ(hashOf(renderer.render(camera)), hashOf(draw(setup.scene, camera, options)));
@@ -305,9 +299,7 @@ TEST_F(FrameTest, PickIsEmptyWhereThereIsNoSurfaceToRead) {
     EXPECT_FALSE(frame.pick(options.width + 5, options.height / 2));
     EXPECT_FALSE(frame.pick(0, options.height));
     EXPECT_FALSE(frame.pick(0xffffffff, 0xffffffff));
-    const render::GpuScene gpuScene(device(), scene);
-    render::Renderer renderer(device(), scene, gpuScene, options);
-    EXPECT_FALSE(renderer.render({}, render::FrameCopy::color).pick(3, 3));
+    EXPECT_FALSE(SoleRenderer(device(), scene, options).render({}, render::FrameCopy::color).pick(3, 3));
 }
 
 TEST_F(FrameTest, ARendererRefusesTheGpuSceneOfAnotherScene) {
@@ -355,8 +347,7 @@ TEST_F(FrameTest, EditsOutliveASubmissionThatFails) {
     for (const render::Submission submission : submissions()) {
         render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
         options.submission = submission;
-        render::GpuScene gpuScene(borrowed, world);
-        render::Renderer renderer(borrowed, gpuScene, options);
+        SoleRenderer renderer(borrowed, world, options);
         for (const double x : {0.5, -0.5}) { // the first frame, and one after an edit
             world.setTransform(box, {.position = {x, 0.0, -3.0}});
             fails = true;
@@ -384,8 +375,7 @@ TEST_F(FrameTest, ASubmittedFrameIsReachableOnTheDevice) {
         return gpu::functions().vkQueueSubmit2(queue, 1, &submission, done);
     };
     const gpu::Device borrowed(handles);
-    const render::GpuScene gpuScene(borrowed, setup.scene);
-    render::Renderer renderer(borrowed, setup.scene, gpuScene, options);
+    SoleRenderer renderer(borrowed, setup.scene, options);
     const vk::UniqueSemaphore drawn = vulkan.createSemaphoreUnique({});
     const VkSemaphoreSubmitInfo signal =
         vk::SemaphoreSubmitInfo{.semaphore = *drawn, .stageMask = vk::PipelineStageFlagBits2::eAllCommands};
@@ -435,8 +425,7 @@ TEST_F(FrameTest, ASubmittedFrameWaitsForTheHostsSemaphore) {
     const auto options = smallOptions(depth::parseTechnique("anchored"));
     const test::Timeline ready(device());
     const test::Timeline drawn(device());
-    const render::GpuScene gpuScene(device(), setup.scene);
-    render::Renderer renderer(device(), setup.scene, gpuScene, options);
+    SoleRenderer renderer(device(), setup.scene, options);
     const std::string wanted = hashOf(renderer.render(setup.path.at(7)));
     const VkSemaphoreSubmitInfo wait = ready.info();
     const VkSemaphoreSubmitInfo signal = drawn.info();

@@ -156,9 +156,7 @@ TEST_F(LensShiftTest, QuartersMakeThePictureOfBlendedSurfaces) {
     if (!device().info().hasFragmentStores) {
         GTEST_SKIP() << "the device lacks fragmentStoresAndAtomics";
     }
-    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
-    options.translucency.method = render::Translucency::sorted;
-    expectSame("sorted", variedScene(), options);
+    expectSame("sorted", variedScene(), withSorting(smallOptions(depth::parseTechnique("anchored"))));
 }
 
 /// A quarter lacks what lies beyond its edges, which darkens little.
@@ -173,9 +171,8 @@ TEST_F(LensShiftTest, CornersAreAsDarkInAQuarter) {
 
 TEST_F(LensShiftTest, PicksPointsOnTheRayOfThePixel) {
     const scene::Camera camera = quarter(wideCamera(), 1, 1);
-    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
-    options.width = kTileWidth;
-    options.height = kTileHeight;
+    const render::RenderOptions options =
+        smallOptions(depth::parseTechnique("anchored"), kTileWidth, kTileHeight);
     const Frame frame = draw(variedScene(), camera, options);
     const scene::Frustum frustum = scene::frustumOf(camera, kTileWidth, kTileHeight);
     const auto pick = frame.pick(kTileWidth - 1, kTileHeight - 1);

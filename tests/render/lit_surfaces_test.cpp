@@ -171,8 +171,7 @@ TEST_F(LitSurfacesTest, FollowTheLightsOfAWorld) {
     const scene::Camera camera = setup.path.at(0);
     const scene::PointLight light = setup.scene.lights.front();
     scene::World world(setup.scene);
-    render::GpuScene live(device(), world);
-    render::Renderer renderer(device(), live, optionsOf("anchored", SurfacePath::lit));
+    SoleRenderer renderer(device(), world, optionsOf("anchored", SurfacePath::lit));
     const std::string one = hashOf(renderer.render(camera));
     const scene::LightHandle second = world.addLight(light);
     const std::string two = hashOf(renderer.render(camera));

@@ -13,10 +13,8 @@ class Orbit : public RenderTest {
     measure::WrongPixels wrongAt(std::uint32_t frame, const char* technique) {
         static const scene::SceneSetup setup = scenes::makeOrbit(test::syntheticEarth());
         const scene::Camera camera = setup.path.at(frame);
-        render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
-        options.width = 320;
-        options.height = 180;
-        const image::ImageU32 ids = draw(setup.scene, camera, options).ids();
+        const image::ImageU32 ids =
+            draw(setup.scene, camera, smallOptions(depth::parseTechnique(technique), 320, 180)).ids();
         const measure::TruthImage truth = truthOf(setup.scene, camera, 320, 180);
         measure::WrongPixels wrong = measure::countWrong(ids, truth);
         wrong.wrong = wrongBeyond(ids, truth, snapReach(device()));

@@ -98,10 +98,9 @@ TEST_F(SharedPipelinesTest, AddingToAWorldWhatItHasTheKindOfMakesNone) {
     }
     for (const render::Submission submission : submissions()) {
         scene::World world(scene);
-        render::GpuScene onDevice(device(), world);
         render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
         options.submission = submission;
-        render::Renderer renderer(device(), onDevice, options);
+        SoleRenderer renderer(device(), world, options);
         renderer.draw({});
         const std::uint64_t before = pipelinesMade(device());
         scene::Material textured = scene.materials.back();
@@ -130,12 +129,11 @@ TEST_F(SharedPipelinesTest, APreparedRendererKeepsItsPasses) {
     for (const render::Submission submission : submissions()) {
         scene::World world(boxScene());
         const scene::MeshHandle mesh = world.mesh(0);
-        render::GpuScene onDevice(device(), world);
         render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
         options.submission = submission;
         options.prepareFor = {
             .metallicRoughness = true, .blended = true, .emission = true, .lights = 7, .shapedLights = true};
-        render::Renderer renderer(device(), onDevice, options);
+        SoleRenderer renderer(device(), world, options);
         renderer.draw({});
         const auto color = renderer.surfaces().color.image;
         std::uint32_t object = 0;
@@ -209,12 +207,11 @@ TEST_F(SharedPipelinesTest, ARendererThatIsPreparedForMaterialsMakesNone) {
     for (const render::Submission submission : submissions()) {
         for (const render::Translucency method : test::sampleOf(methods, turn++)) {
             scene::World world(scene);
-            render::GpuScene onDevice(device(), world);
             render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
             options.submission = submission;
             options.translucency.method = method;
             options.prepareFor.materials = materials;
-            render::Renderer renderer(device(), onDevice, options);
+            SoleRenderer renderer(device(), world, options);
             renderer.draw({});
             const auto color = renderer.surfaces().color.image;
             const std::uint64_t before = pipelinesMade(device());

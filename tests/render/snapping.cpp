@@ -63,9 +63,7 @@ double measureReach(const gpu::Device& device, std::uint32_t snapBits, render::S
     auto options = smallOptions(depth::parseTechnique("anchored"));
     options.snapBits = snapBits;
     options.snapping = snapping;
-    const render::GpuScene gpuScene(device, scene);
-    render::Renderer renderer(device, scene, gpuScene, options);
-    const render::Frame frame = renderer.render(camera);
+    const render::Frame frame = SoleRenderer(device, scene, options).render(camera);
     const TruthImage truth = truthOf(scene, camera, options.width, options.height);
     const auto inner = measure::innerMask(truth);
     double farthest = 0.0;
@@ -92,9 +90,7 @@ bool drawsToTheHorizon(const gpu::Device& device) {
     addBox(scene, {0.0, -2.5, 0.0}, glm::mat3(2e4f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 2e4f));
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.01, .farView = 1e6};
     const auto options = smallOptions(depth::parseTechnique("reversed"));
-    const render::GpuScene gpuScene(device, scene);
-    render::Renderer renderer(device, scene, gpuScene, options);
-    const render::Frame frame = renderer.render(camera);
+    const render::Frame frame = SoleRenderer(device, scene, options).render(camera);
     const TruthImage truth = truthOf(scene, camera, options.width, options.height);
     const auto inner = measure::innerMask(truth);
     for (std::uint32_t y = 0; y < truth.height; ++y) {

@@ -1,7 +1,6 @@
 #include "fixture.h"
 #include "snapping.h"
 
-#include <cdr/base/error.h>
 #include <scenes/cubes.h>
 
 #include <cmath>

@@ -76,9 +76,7 @@ TEST_F(RenderTest, WholeRangeOfCamerasEndsInAFrameOrIsRefused) {
     for (const char* technique :
          {"standard", "log", "logcdr", "reversed", "anchored", "anchored-reversed/fitted:1px",
           "log-fragment/minimax:3", "standard/ratio:1e3"}) {
-        render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
-        options.width = 16;
-        options.height = 9;
+        const render::RenderOptions options = smallOptions(depth::parseTechnique(technique), 16, 9);
         render::Renderer renderer(device(), scene, gpuScene, options);
         for (int i = 0; i < cases; ++i) {
             const std::clock_t start = std::clock();
@@ -118,9 +116,7 @@ TEST_F(RenderTest, WholeRangeOfEffectsEndsInAFrameOrIsRefused) {
     AnyCamera random(8);
     int drawn = 0;
     for (int i = 0; i < cases; ++i) {
-        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
-        options.width = 16;
-        options.height = 9;
+        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"), 16, 9);
         const bool hasLens = random.below(2) == 0;
         if (hasLens) {
             options.targets = render::TargetsKind::layers;

@@ -154,9 +154,8 @@ TEST_F(InPlaneTest, EachWayToDrawShowsOnePicture) {
 TEST_F(InPlaneTest, SubPixelsFollowThePicturesSize) {
     const scene::SceneSetup setup = scenes::makeAfc(1);
     const scene::Camera camera = setup.path.at(7);
-    const render::GpuScene gpuScene(device(), setup.scene);
     render::RenderOptions options = optionsFor(0, Snapping::inPlane);
-    render::Renderer renderer(device(), setup.scene, gpuScene, options);
+    SoleRenderer renderer(device(), setup.scene, options);
     renderer.submit(camera);
     options.width = 333;
     options.height = 111;

@@ -143,8 +143,7 @@ TEST_F(LargeMeshesTest, AreSeenWhereTheirVerticesAreNow) {
     const std::string flat = hashOf(draw(sheetScene(sheet->vertices), camera, options));
 
     scene::World world(sheetScene(sheet->vertices));
-    render::GpuScene onDevice(device(), world);
-    render::Renderer renderer(device(), onDevice, options);
+    SoleRenderer renderer(device(), world, options);
     EXPECT_EQ(hashOf(renderer.render(camera)), flat);
     world.setVertices(world.mesh(1), vertices);
     EXPECT_EQ(hashOf(renderer.render(camera)), wanted);

@@ -21,15 +21,11 @@ class LayersTest : public RenderTest {
     static constexpr std::uint32_t kViews = 8;
 
     render::RenderOptions optionsFor(const depth::Technique& technique) {
-        render::RenderOptions options = smallOptions(technique);
-        options.width = 320;
-        options.height = 180;
-        return options;
+        return smallOptions(technique, 320, 180);
     }
 
     measure::WrongPixels wrongOver(const scene::Scene& scene, const render::RenderOptions& options) {
-        const render::GpuScene gpuScene(device(), scene);
-        render::Renderer renderer(device(), scene, gpuScene, options);
+        SoleRenderer renderer(device(), scene, options);
         measure::WrongPixels all;
         for (std::uint32_t view = 0; view < kViews; ++view) {
             const scene::Camera camera = scenes::coplanarView(7, view);
@@ -243,8 +239,7 @@ TEST_F(LayersTest, OrderBlendedSurfacesToo) {
     addSheet({1.0f, 0.0f, 0.0f, 0.5f}, 0.2f, 5.1);  // within the box by less than its layer
     addSheet({0.0f, 0.0f, 1.0f, 0.5f}, 0.1f, 5.05); // nearer, and lower
     addSheet({0.0f, 1.0f, 0.0f, 0.5f}, 0.2f, 5.3);  // within the box by more
-    render::RenderOptions options = optionsFor(depth::parseTechnique("anchored"));
-    options.translucency.method = render::Translucency::sorted;
+    const render::RenderOptions options = withSorting(optionsFor(depth::parseTechnique("anchored")));
     const scene::Camera camera;
     const render::Frame frame = draw(scene, camera, options);
     const measure::LayeredTruth truth =

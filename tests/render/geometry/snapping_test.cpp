@@ -19,9 +19,7 @@ class SnappingTest : public RenderTest {
   protected:
     render::Frame drawSnapped(const scene::SceneSetup& setup, const char* technique, std::uint32_t bits,
                               std::uint32_t width, std::uint32_t height) {
-        render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
-        options.width = width;
-        options.height = height;
+        render::RenderOptions options = smallOptions(depth::parseTechnique(technique), width, height);
         options.snapBits = bits;
         return draw(setup.scene, setup.path.at(0), options);
     }

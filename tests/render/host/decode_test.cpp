@@ -1,6 +1,5 @@
 #include "../fixture.h"
 #include "host_side.h"
-#include "read_image.h"
 #include "read_spirv.h"
 
 #include <cdr/gpu/pipeline.h>
@@ -66,9 +65,7 @@ class DecodeTest : public RenderTest {
 TEST_F(DecodeTest, AHostsShadersReadWhatAFrameHolds) {
     const scene::SceneSetup setup = scenes::makeAfc(1);
     const scene::Camera camera = setup.path.at(7);
-    const render::GpuScene gpuScene(device(), setup.scene);
-    render::Renderer renderer(device(), setup.scene, gpuScene,
-                              smallOptions(depth::parseTechnique("anchored/count:4")));
+    SoleRenderer renderer(device(), setup.scene, smallOptions(depth::parseTechnique("anchored/count:4")));
     const render::Frame frame = renderer.render(camera);
     renderer.submit(camera); // leaves the G-buffer for shaders to read
     renderer.finish();
@@ -119,9 +116,8 @@ TEST_F(DecodeTest, AFrameWaitsForWhatAHostReadsInAnyStage) {
     const scene::SceneSetup setup = scenes::makeAfc(1);
     render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     options.framesInFlight = 2;
-    const render::GpuScene gpuScene(device(), setup.scene);
     HostSide host(device(), {options.width, options.height});
-    render::Renderer renderer(device(), setup.scene, gpuScene, options);
+    SoleRenderer renderer(device(), setup.scene, options);
     const render::Frame wanted = renderer.render(setup.path.at(7));
     const render::HostFrame frame = host.begin();
     renderer.record(setup.path.at(7), frame);
@@ -133,8 +129,7 @@ TEST_F(DecodeTest, AFrameWaitsForWhatAHostReadsInAnyStage) {
                                .dstStageMask = vk::PipelineStageFlagBits2::eComputeShader,
                                .dstAccessMask = vk::AccessFlagBits2::eShaderSampledRead}});
         read(frame.commands);
-        renderer.record(setup.path.at(200), frame);
-        host.submit();
+        host.submit(renderer, setup.path.at(200), frame);
         renderer.finish();
     };
     const auto decoded = decode(CDR_DECODE_GBUFFER, surfaces.gbuffer, surfaces.anchorsView, readAndDrawOn);

@@ -44,17 +44,15 @@ class HostShadowsTest : public RenderTest {
         const render::RenderOptions options = shadowed();
         const vk::Extent2D extent{options.width, options.height};
         const scene::Scene scene = boxBeforeAWall();
-        const render::GpuScene gpuScene(device(), scene);
         const HostRectangles wall(device(), vk::Format(device().depthFormat(options.technique.format)));
         HostSide host(device(), extent);
-        render::Renderer renderer(device(), scene, gpuScene, options);
+        SoleRenderer renderer(device(), scene, options);
         render::HostFrame frame = host.begin();
         frame.occupied = {{wallView, wallView}};
         frame.draw = [&](const render::HostCascade& cascade) {
             wall.draw(cascade, HostRectangles::Square{0.0, wallView, kHalfSide, kWall});
         };
-        renderer.record(m_camera, frame);
-        host.submit();
+        host.submit(renderer, m_camera, frame);
         const auto pixels = readGBuffer(device(), renderer.surfaces().gbuffer);
         const auto colors = host.color<image::Rgba8>();
         image::Raster<char> dark(extent.width, extent.height);

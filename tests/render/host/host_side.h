@@ -23,6 +23,11 @@ class HostSide {
     render::HostDepth depth(double nearView) const;
     /// Ends the commands of begin() and submits them.
     void submit();
+    /// The same once a renderer has recorded into them.
+    void submit(render::Renderer& renderer, const scene::Camera& camera, const render::HostFrame& frame) {
+        renderer.record(camera, frame);
+        submit();
+    }
 
     /// What the last submitted frame left, once it ran.
     template <typename Pixel>

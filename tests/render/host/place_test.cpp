@@ -2,7 +2,6 @@
 #include "compute.h"
 
 #include <cdr/depth/cascade_constants.h>
-#include <cdr/depth/make_cascades.h>
 #include <cdr/depth/view_constants.h>
 
 #include <glm/gtc/quaternion.hpp>

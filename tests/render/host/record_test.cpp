@@ -42,8 +42,7 @@ TEST_F(RecordTest, ARecordedPictureIsTheRenderedOne) {
         render::Renderer renderer(device(), setup.scene, gpuScene, options);
         for (const int at : {7, 100, 200}) { // frames share the host's images too
             const scene::Camera camera = setup.path.at(static_cast<std::size_t>(at));
-            renderer.record(camera, host.begin());
-            host.submit();
+            host.submit(renderer, camera, host.begin());
             EXPECT_EQ(host.color<image::Rgba8>().pixels, draw(setup.scene, camera, options).color.pixels)
                 << nameOf(submission) << " " << at;
         }
@@ -60,11 +59,9 @@ TEST_F(RecordTest, AnotherFormatHoldsTheSamePicture) {
     const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     const scene::Camera camera;
     const image::ImageRgba8 wanted = draw(scene, camera, options).color;
-    const render::GpuScene gpuScene(device(), scene);
     HostSide host(device(), extentOf(options), vk::Format::eB8G8R8A8Srgb);
-    render::Renderer renderer(device(), scene, gpuScene, options);
-    renderer.record(camera, host.begin());
-    host.submit();
+    SoleRenderer renderer(device(), scene, options);
+    host.submit(renderer, camera, host.begin());
     const auto bgra = host.color<image::Rgba8>();
     int most = 0;
     for (std::size_t i = 0; i < bgra.pixels.size(); ++i) {
@@ -102,8 +99,7 @@ TEST_F(RecordTest, HostDepthIsThatOfItsOwnCamera) {
             frame.depth = host.depth(convention.nearView);
             frame.depth->mapping = convention.mapping;
             frame.depth->farView = convention.farView;
-            renderer.record(camera, frame);
-            host.submit();
+            host.submit(renderer, camera, frame);
             const image::Raster<float> depths = host.depthValues();
             const double f = convention.farView.value_or(HUGE_VAL);
             const double n = convention.nearView;
@@ -153,8 +149,7 @@ TEST_F(RecordTest, HlslDrawsWhatGlslDraws) {
             squares.draw(cascade, {-1.0, kFaceView - 1e-5, 0.25, 10});
             squares.draw(cascade, {1.0, kFaceView + 1e-5, 0.25, 11});
         };
-        renderer.record(camera, frame);
-        host.submit();
+        host.submit(renderer, camera, frame);
         pictures.push_back(host.color<image::Rgba8>().pixels);
         surfaces.push_back(readGBuffer(device(), renderer.surfaces().gbuffer).pixels);
     }
@@ -192,8 +187,7 @@ TEST_F(RecordTest, GroundOfAHostsIsCutWhereCascadesMeet) {
             ground.draw(cascade,
                         {1e6, -kHeight, -10.0 - cascade.anchorView, kFarEndView - cascade.anchorView}, 10);
         };
-        renderer.record(camera, frame);
-        host.submit();
+        host.submit(renderer, camera, frame);
         const auto pixels = readGBuffer(device(), renderer.surfaces().gbuffer);
         std::set<std::uint32_t> cascades;
         for (std::uint32_t y = options.height / 2; y < options.height; ++y) {
@@ -226,11 +220,10 @@ TEST_F(RecordTest, AHostsObjectsFollowAShiftedLens) {
     const scene::Scene scene = boxScene();
     scene::Camera camera{.fovY = 1.0, .nearView = 1.0, .farView = 100.0};
     camera.lensShift = {0.4, -0.3};
-    const render::GpuScene gpuScene(device(), scene);
     const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     const HostRectangles squares(device(), vk::Format(device().depthFormat(depth::DepthFormat::d32f)));
     HostSide host(device(), extentOf(options));
-    render::Renderer renderer(device(), scene, gpuScene, options);
+    SoleRenderer renderer(device(), scene, options);
     render::HostFrame frame = host.begin();
     constexpr double kView = 10.0;
     frame.occupied = {{kView, kView}};
@@ -240,8 +233,7 @@ TEST_F(RecordTest, AHostsObjectsFollowAShiftedLens) {
         const double y = -3.0 - kView * double{cascade.lensY} / double{cascade.constants.projectionY};
         squares.draw(cascade, std::array{x, y, kView - cascade.anchorView, 0.5}, 10);
     };
-    renderer.record(camera, frame);
-    host.submit();
+    host.submit(renderer, camera, frame);
     const auto pixels = readGBuffer(device(), renderer.surfaces().gbuffer);
     EXPECT_EQ(pixels.at(options.width / 2, options.height / 2).id(), 11u); // what the lens is shifted to
     EXPECT_EQ(pixels.at(0, 0).id(), 0u);
@@ -280,8 +272,7 @@ TEST_F(RecordTest, AHostsObjectsShareTheDepthOfEachCascade) {
                     host.draw(cascade, square);
                 }
             };
-            renderer.record(camera, frame);
-            side.submit();
+            side.submit(renderer, camera, frame);
             const auto pixels = readGBuffer(device(), renderer.surfaces().gbuffer);
             const auto idAt = [&](double x) { // on the plane of the faces
                 const double perUnit = options.height / (2.0 * kFaceView * std::tan(0.5 * camera.fovY));
@@ -319,8 +310,7 @@ TEST_F(RecordTest, AHostIsToldWhichPartOfTheDepthBufferACascadeHas) {
             parts[cascade.minDepth] = cascade.maxDepth;
             ++cascades;
         };
-        renderer.record({.nearView = 1.0, .farView = 1e4}, frame);
-        side.submit();
+        side.submit(renderer, {.nearView = 1.0, .farView = 1e4}, frame);
         EXPECT_EQ(cascades, 4u) << nameOf(targets);
         if (targets != render::TargetsKind::onePass) {
             EXPECT_EQ(parts, (std::map<float, float>{{0.0f, 1.0f}})) << nameOf(targets);
@@ -343,16 +333,14 @@ TEST_F(RecordTest, AWorldChangesBetweenRecordedFrames) {
         world.addInstance({.mesh = world.mesh(0), .material = world.material(0)});
     render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     options.framesInFlight = 2;
-    render::GpuScene gpuScene(device(), world);
     HostSide host(device(), extentOf(options));
-    render::Renderer renderer(device(), gpuScene, options);
+    SoleRenderer renderer(device(), world, options);
     for (int turn = 0; turn < 6; ++turn) {
         world.setTransform(box, {.position = {0.3 * turn, 0.0, -5.0}});
         if (turn == 3) {
             world.addMesh(scene::makeBox(glm::vec3(2.0f))); // what frames in flight read is replaced
         }
-        renderer.record({}, host.begin());
-        host.submit();
+        host.submit(renderer, {}, host.begin());
     }
     EXPECT_EQ(host.color<image::Rgba8>().pixels, draw(world.scene(), {}, options).color.pixels);
 }
@@ -367,9 +355,8 @@ TEST_F(RecordTest, ADroppedFrameLosesNoEdit) {
         options.submission = submission;
         options.framesInFlight = 2;
         options.occlusionCulling = submission == render::Submission::gpuDriven;
-        render::GpuScene gpuScene(device(), world);
         HostSide host(device(), extentOf(options));
-        render::Renderer renderer(device(), gpuScene, options);
+        SoleRenderer renderer(device(), world, options);
         renderer.dropRecorded(); // there is none
         for (int turn = 0; turn < 3; ++turn) {
             world.setTransform(box, {.position = {0.5 * turn, 0.0, -5.0}});
@@ -377,8 +364,7 @@ TEST_F(RecordTest, ADroppedFrameLosesNoEdit) {
                 renderer.record({}, host.begin());
                 renderer.dropRecorded();
             }
-            renderer.record({}, host.begin());
-            host.submit();
+            host.submit(renderer, {}, host.begin());
             EXPECT_EQ(host.color<image::Rgba8>().pixels, draw(world.scene(), {}, options).color.pixels)
                 << nameOf(submission) << " " << turn;
         }
@@ -394,9 +380,8 @@ TEST_F(RecordTest, InstancesThatAWorldGainedAreInTheNextFrame) {
         render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
         options.submission = submission;
         options.framesInFlight = 2;
-        render::GpuScene gpuScene(device(), world);
         HostSide host(device(), extentOf(options));
-        render::Renderer renderer(device(), gpuScene, options);
+        SoleRenderer renderer(device(), world, options);
         for (std::uint32_t turn = 0; turn < 4; ++turn) {
             for (std::uint32_t i = 0; i < 1u + 40u * (turn / 2); ++i) {
                 world.addInstance(
@@ -405,8 +390,7 @@ TEST_F(RecordTest, InstancesThatAWorldGainedAreInTheNextFrame) {
                      .object = 100 * turn + i,
                      .transform = {.position = {0.5 * (i % 9) - 2.0, 0.5 * (i / 9) - 1.0, -8.0}}});
             }
-            renderer.record({}, host.begin());
-            host.submit();
+            host.submit(renderer, {}, host.begin());
             EXPECT_EQ(host.color<image::Rgba8>().pixels, draw(world.scene(), {}, options).color.pixels)
                 << nameOf(submission) << " " << turn;
         }
@@ -417,14 +401,12 @@ TEST_F(RecordTest, InstancesThatAWorldGainedAreInTheNextFrame) {
 TEST_F(RecordTest, AHostCannotDrawBesideLightThatAWorldGained) {
     scene::World world(boxScene());
     const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
-    render::GpuScene gpuScene(device(), world);
     HostSide host(device(), extentOf(options));
-    render::Renderer renderer(device(), gpuScene, options);
+    SoleRenderer renderer(device(), world, options);
     const auto record = [&] {
         render::HostFrame frame = host.begin();
         frame.draw = [](const render::HostCascade&) {};
-        renderer.record({}, frame);
-        host.submit();
+        host.submit(renderer, {}, frame);
     };
     record();
     scene::Material lamp{.name = "lamp"};
@@ -480,8 +462,7 @@ TEST_F(RecordTest, WhatCannotBeRecordedIntoIsRefused) {
     }
     render::Renderer renderer(device(), scene, gpuScene, options);
     frame.occupied = {{-5.0, -1.0}, {-1.0, 2.0}}; // behind and around the camera
-    renderer.record({}, frame);                   // and as it was it is fine
-    host.submit();
+    host.submit(renderer, {}, frame);             // and as it was it is fine
 }
 
 } // namespace

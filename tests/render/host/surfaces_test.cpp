@@ -46,9 +46,8 @@ TEST_F(SurfacesTest, ARendererTakesNoMoreThanPredicted) {
     options.height = 720;
     options.motion = true;
     options.linear = true;
-    const render::GpuScene gpuScene(device(), scene);
     const std::uint64_t before = gpu::freeDeviceBytes(device());
-    const render::Renderer renderer(device(), scene, gpuScene, options);
+    const SoleRenderer renderer(device(), scene, options);
     constexpr std::uint64_t kBlocks = std::uint64_t{4} << 20u;
     EXPECT_LE(before - gpu::freeDeviceBytes(device()), predictPictureBytes(device(), options, {}) + kBlocks);
 }
@@ -70,8 +69,7 @@ TEST_F(SurfacesTest, AFrameThatLackedRoomDoesNotComeOverALaterOne) {
     scene::Camera lacks{.fovY = 0.4};
     lacks.back = {0.0, 0.0, -1.0};
     lacks.right = {-1.0, 0.0, 0.0};
-    const render::GpuScene gpuScene(device(), scene);
-    render::Renderer renderer(device(), scene, gpuScene, options);
+    SoleRenderer renderer(device(), scene, options);
     renderer.submit(fits);
     renderer.submit(lacks);
     renderer.submit(fits);

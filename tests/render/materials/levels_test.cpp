@@ -50,11 +50,7 @@ class LevelsTest : public RenderTest {
     }
 
     static render::RenderOptions options() {
-        render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
-        options.width = 240;
-        options.height = 135;
-        options.translucency.method = render::Translucency::sorted;
-        return options;
+        return withSorting(smallOptions(depth::parseTechnique("reversed"), 240, 135));
     }
 
     /// The values of red that the square shows.

@@ -6,7 +6,6 @@
 
 #include <bit>
 #include <cmath>
-#include <set>
 
 namespace cdr::render {
 

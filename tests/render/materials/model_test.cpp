@@ -1,7 +1,6 @@
 #include "../fixture.h"
 #include "../steps.h"
 
-#include <cdr/base/error.h>
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/measure/truth/layered_truth.h>
 #include <cdr/scene/gltf/open_gltf.h>
@@ -24,11 +23,7 @@ class ModelTest : public RenderTest {
     }
 
     static render::RenderOptions options() {
-        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
-        options.width = 320;
-        options.height = 180;
-        options.translucency.method = render::Translucency::sorted;
-        return options;
+        return withSorting(smallOptions(depth::parseTechnique("anchored"), 320, 180));
     }
 
     static double difference(const image::ImageRgba8& a, const image::ImageRgba8& b) {
@@ -189,8 +184,7 @@ TEST_F(ModelTest, AWorldMayGetDetailLater) {
         material.detail = {};
     }
     scene::World world(plain);
-    render::GpuScene onDevice(device(), world);
-    render::Renderer renderer(device(), onDevice, options());
+    SoleRenderer renderer(device(), world, options());
     EXPECT_NE(hashOf(renderer.render(setup.path.at(0))), wanted);
     for (std::size_t i = 0; i < setup.scene.materials.size(); ++i) {
         world.setMaterial(world.material(i), setup.scene.materials[i]);

@@ -82,8 +82,7 @@ class PackingTest : public RenderTest {
     }
 
     static render::RenderOptions options() {
-        render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
-        options.translucency.method = render::Translucency::sorted;
+        render::RenderOptions options = withSorting(thumbnailOptions(depth::parseTechnique("anchored")));
         options.framesInFlight = 3;
         return options;
     }

@@ -64,11 +64,7 @@ class PlacesTest : public RenderTest {
     }
 
     static render::RenderOptions options() {
-        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
-        options.width = 160;
-        options.height = 90;
-        options.translucency.method = render::Translucency::sorted;
-        return options;
+        return withSorting(smallOptions(depth::parseTechnique("anchored"), 160, 90));
     }
 
     static double meanSteps(const image::ImageRgba8& a, const image::ImageRgba8& b) {

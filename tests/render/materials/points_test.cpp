@@ -104,8 +104,7 @@ TEST_F(PointsTest, UnlitOnesShowWhatTheyEmit) {
     const scene::Camera camera = setup.path.at(0);
     const scene::SceneSetup dark = survey(0.06);
     platform::WorkerPool workers(2);
-    render::RenderOptions options = quarterOf(smallOptions(depth::parseTechnique("anchored")));
-    options.translucency.method = render::Translucency::sorted;
+    render::RenderOptions options = withSorting(quarterOf(smallOptions(depth::parseTechnique("anchored"))));
     for (const scene::AlphaMode alpha : {scene::AlphaMode::opaque, scene::AlphaMode::blend}) {
         for (scene::Material& material : setup.scene.materials) {
             material.alphaMode = material.unlit ? alpha : material.alphaMode;
@@ -147,8 +146,7 @@ TEST_F(PointsTest, UnlitOnesMayGlowLater) {
         material.detail = {};
     }
     scene::World world(dark);
-    render::GpuScene onDevice(device(), world);
-    render::Renderer renderer(device(), onDevice, options);
+    SoleRenderer renderer(device(), world, options);
     const std::string before = hashOf(renderer.render(setup.path.at(0)));
     for (std::size_t i = 0; i < setup.scene.materials.size(); ++i) {
         world.setMaterial(world.material(i), setup.scene.materials[i]);

@@ -112,8 +112,7 @@ Off compare(const render::Frame& frame, std::uint32_t subPixelBits, const SeenSc
 TEST_F(DeformedMotionTest, IsThatOfEachVertex) {
     for (const char* technique : {"standard", "cdr", "anchored"}) {
         Sheets sheets(20.0);
-        render::GpuScene onDevice(device(), sheets.world);
-        render::Renderer renderer(device(), onDevice, motionOptions(technique));
+        SoleRenderer renderer(device(), sheets.world, motionOptions(technique));
         double last = 0.0;
         renderer.render(sheets.cameraAt(last));
         for (const double time : {0.4, 0.4, 1.0}) { // once nothing moves
@@ -135,8 +134,7 @@ TEST_F(DeformedMotionTest, IsThatOfEachVertex) {
 TEST_F(DeformedMotionTest, IsExactAMillionUnitsAway) {
     Sheets sheets(1e6);
     sheets.shift = 0.6;
-    render::GpuScene onDevice(device(), sheets.world);
-    render::Renderer renderer(device(), onDevice, motionOptions("anchored"));
+    SoleRenderer renderer(device(), sheets.world, motionOptions("anchored"));
     renderer.render(sheets.cameraAt(0.0));
     const scene::Scene before = sheets.world.scene();
     sheets.show(0.5);
@@ -153,13 +151,12 @@ TEST_F(DeformedMotionTest, AllWaysToDrawAFrameGiveTheSame) {
     for (const render::Submission submission : submissions()) {
         for (const render::TargetsKind targets : {render::TargetsKind::single, render::TargetsKind::layers}) {
             Sheets sheets(20.0);
-            render::GpuScene onDevice(device(), sheets.world);
             render::RenderOptions options = motionOptions("anchored");
             options.submission = submission;
             options.targets = targets;
             options.framesInFlight = 3;
             options.threads = targets == render::TargetsKind::layers ? 3 : 1;
-            render::Renderer renderer(device(), onDevice, options);
+            SoleRenderer renderer(device(), sheets.world, options);
             for (int frame = 0; frame < 4; ++frame) {
                 sheets.show(0.2 * frame);
                 renderer.submit(sheets.cameraAt(0.1 * frame));
@@ -222,8 +219,7 @@ TEST_F(DeformedMotionTest, AFoldCloseBehindDoesNotGiveItsMotion) {
     scene::World world(boxScene());
     const scene::MeshHandle fold = world.addMesh(foldOf(gap, 0.0));
     world.addInstance({.mesh = fold, .material = world.material(0)});
-    render::GpuScene onDevice(device(), world);
-    render::Renderer renderer(device(), onDevice, motionOptions("anchored"));
+    SoleRenderer renderer(device(), world, motionOptions("anchored"));
     const scene::Camera camera{.fovY = 0.2, .nearView = 0.1, .farView = 100.0};
     renderer.render(camera);
     world.setVertices(fold, foldOf(gap, 0.3).vertices);
@@ -239,8 +235,7 @@ TEST_F(DeformedMotionTest, AFoldCloseBehindDoesNotGiveItsMotion) {
 /// A new instance takes the place of one that went.
 TEST_F(DeformedMotionTest, WhatIsNewDidNotMove) {
     Sheets sheets(20.0);
-    render::GpuScene onDevice(device(), sheets.world);
-    render::Renderer renderer(device(), onDevice, motionOptions("anchored"));
+    SoleRenderer renderer(device(), sheets.world, motionOptions("anchored"));
     const scene::Camera camera = sheets.cameraAt(0.0);
     renderer.render(camera);
     sheets.world.removeInstance(sheets.sheets[0]);
@@ -261,8 +256,7 @@ TEST_F(DeformedMotionTest, AnUpdateThatIsRepeatedMovesTheSameVertices) {
     std::vector<image::Raster<glm::vec2>> motions;
     for (const bool isRepeated : {false, true}) {
         Sheets sheets(20.0);
-        render::GpuScene onDevice(device(), sheets.world);
-        render::Renderer renderer(device(), onDevice, motionOptions("anchored"));
+        SoleRenderer renderer(device(), sheets.world, motionOptions("anchored"));
         renderer.render(sheets.cameraAt(0.0));
         sheets.show(0.5);
         if (isRepeated) {
@@ -282,8 +276,7 @@ TEST_F(DeformedMotionTest, AnUpdateThatIsRepeatedMovesTheSameVertices) {
 /// For the first one there is no room, so all are uploaded again, with their vertices of this frame.
 TEST_F(DeformedMotionTest, MeshesMayComeAtTheSameTime) {
     Sheets sheets(20.0);
-    render::GpuScene onDevice(device(), sheets.world);
-    render::Renderer renderer(device(), onDevice, motionOptions("anchored"));
+    SoleRenderer renderer(device(), sheets.world, motionOptions("anchored"));
     const scene::Camera camera = sheets.cameraAt(0.0);
     std::vector<bool> moved;
     for (int frame = 0; frame < 4; ++frame) {

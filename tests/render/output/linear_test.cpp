@@ -11,7 +11,6 @@
 #include <cstdlib>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace cdr::render_test {
 
@@ -108,15 +107,13 @@ TEST_F(LinearTest, GoesIntoTheImageOfAHostThatWantsNoPicture) {
     const scene::Scene scene = brightScene();
     render::RenderOptions options = linearOptions();
     options.framesInFlight = 2;
-    const render::GpuScene gpuScene(device(), scene);
     HostSide host(device(), {options.width, options.height}, vk::Format::eR16G16B16A16Sfloat);
-    render::Renderer renderer(device(), scene, gpuScene, options);
+    SoleRenderer renderer(device(), scene, options);
     for (const double fov : {0.5, 1.0, 1.4}) {
         const scene::Camera camera{.fovY = fov};
         render::HostFrame frame = host.begin();
         frame.linear = std::exchange(frame.color, {});
-        renderer.record(camera, frame);
-        host.submit();
+        host.submit(renderer, camera, frame);
         const auto halves = host.color<std::uint64_t>();
         const render::Frame wanted = draw(scene, camera, options);
         for (std::size_t i = 0; i < halves.pixels.size(); ++i) {
@@ -129,14 +126,12 @@ TEST_F(LinearTest, GoesIntoTheImageOfAHostThatWantsNoPicture) {
 TEST_F(LinearTest, FormatsOfFloatsHoldIt) {
     const scene::Scene scene = brightScene();
     const render::RenderOptions options = linearOptions();
-    const render::GpuScene gpuScene(device(), scene);
     HostSide host(device(), {options.width, options.height}, vk::Format::eR32G32B32A32Sfloat);
-    render::Renderer renderer(device(), scene, gpuScene, options);
+    SoleRenderer renderer(device(), scene, options);
     render::HostFrame frame = host.begin();
     frame.linear = frame.color;
     frame.color = {};
-    renderer.record({}, frame);
-    host.submit();
+    host.submit(renderer, {}, frame);
     const auto floats = host.color<glm::vec4>();
     const render::Frame wanted = draw(scene, {}, options);
     for (std::size_t i = 0; i < floats.pixels.size(); ++i) {

@@ -154,8 +154,7 @@ TEST_F(MotionTest, IsExactToAHundredthOfAPixelAMillionUnitsAway) {
     std::mt19937 random(5);
     for (const double fovY : {1e-5, 1e-4}) {
         FarWorld far(1e6, 0.25 * fovY * 1e6);
-        render::GpuScene onDevice(device(), far.world);
-        render::Renderer renderer(device(), onDevice, options());
+        SoleRenderer renderer(device(), far.world, options());
         scene::Camera before = orbiting(far, fovY, 0.0);
         renderer.render(before);
         for (int turn = 1; turn < 5; ++turn) {
@@ -182,8 +181,7 @@ TEST_F(MotionTest, IsExactToAMillionthWhereItIsLong) {
         far.places[i].position.x += 4e4;
     }
     far.world.setTransforms(far.boxes, far.places);
-    render::GpuScene onDevice(device(), far.world);
-    render::Renderer renderer(device(), onDevice, options());
+    SoleRenderer renderer(device(), far.world, options());
     const scene::Camera camera = orbiting(far, fovY, 0.1);
     renderer.render(camera);
     const scene::Scene sceneBefore = far.world.scene();
@@ -203,8 +201,7 @@ TEST_F(MotionTest, IsExactForEveryTechniqueNearBy) {
     std::mt19937 random(6);
     for (const char* technique : {"standard", "reversed", "log", "cdr", "anchored"}) {
         FarWorld far(50.0, 12.0);
-        render::GpuScene onDevice(device(), far.world);
-        render::Renderer renderer(device(), onDevice, options(technique));
+        SoleRenderer renderer(device(), far.world, options(technique));
         const scene::Camera before = orbiting(far, 0.8, 0.0);
         renderer.render(before);
         const scene::Scene sceneBefore = far.world.scene();
@@ -223,8 +220,7 @@ TEST_F(MotionTest, IsExactThroughLensesThatAreShifted) {
     for (const double distance : {50.0, 1e6}) {
         const double fovY = 40.0 / distance;
         FarWorld far(distance, 12.0);
-        render::GpuScene onDevice(device(), far.world);
-        render::Renderer renderer(device(), onDevice, options());
+        SoleRenderer renderer(device(), far.world, options());
         scene::Camera before = orbiting(far, fovY, 0.0);
         before.lensShift = glm::dvec2(0.2, -0.1) * fovY;
         renderer.render(before);
@@ -243,8 +239,7 @@ TEST_F(MotionTest, IsExactThroughLensesThatAreShifted) {
 
 TEST_F(MotionTest, WhatStandsStillDoesNotMoveToTheBit) {
     FarWorld far(1e6, 2.0);
-    render::GpuScene onDevice(device(), far.world);
-    render::Renderer renderer(device(), onDevice, options());
+    SoleRenderer renderer(device(), far.world, options());
     const scene::Camera camera = orbiting(far, 1e-5, 0.3);
     for (int turn = 0; turn < 2; ++turn) {
         const render::Frame frame = renderer.render(camera);
@@ -259,8 +254,7 @@ TEST_F(MotionTest, WhatStandsStillDoesNotMoveToTheBit) {
 TEST_F(MotionTest, BackgroundMovesAsWhatIsInfinitelyFar) {
     scene::Scene scene = boxScene();
     addBox(scene, {0.0, 0.0, 100.0}); // behind the camera
-    const render::GpuScene onDevice(device(), scene);
-    render::Renderer renderer(device(), scene, onDevice, options());
+    SoleRenderer renderer(device(), scene, options());
     scene::Camera camera{.fovY = 0.5};
     renderer.render(camera);
     camera.position = {3.0, 4.0, 5.0}; // of no matter
@@ -278,13 +272,12 @@ TEST_F(MotionTest, AllWaysToDrawAFrameGiveTheSameMotion) {
         for (const render::TargetsKind targets : {render::TargetsKind::single, render::TargetsKind::layers}) {
             std::mt19937 random(7);
             FarWorld far(1e6, 2.0);
-            render::GpuScene onDevice(device(), far.world);
             render::RenderOptions chosen = options();
             chosen.submission = submission;
             chosen.targets = targets;
             chosen.threads = targets == render::TargetsKind::layers ? 3 : 1;
             chosen.framesInFlight = 3;
-            render::Renderer renderer(device(), onDevice, chosen);
+            SoleRenderer renderer(device(), far.world, chosen);
             for (int turn = 0; turn < 5; ++turn) {
                 far.move(random);
                 renderer.submit(orbiting(far, 1e-5, 0.01 * turn));
@@ -300,10 +293,9 @@ TEST_F(MotionTest, AllWaysToDrawAFrameGiveTheSameMotion) {
 
 TEST_F(MotionTest, AVisibilityBufferHasMotionToo) {
     const scene::SceneSetup setup = scenes::makeAfc(1);
-    const render::GpuScene onDevice(device(), setup.scene);
     render::RenderOptions chosen = options();
     chosen.surface = render::SurfacePath::visibility;
-    render::Renderer renderer(device(), setup.scene, onDevice, chosen);
+    SoleRenderer renderer(device(), setup.scene, chosen);
     renderer.render(setup.path.at(0));
     const render::Frame frame = renderer.render(setup.path.at(1));
     const scene::Camera before = setup.path.at(0);
@@ -319,8 +311,7 @@ TEST_F(MotionTest, WhatWasBehindTheCameraHasNone) {
     scene::World world(boxScene());
     const auto box = world.addInstance(
         {.mesh = world.mesh(0), .material = world.material(0), .transform = {{0.0, 0.0, 4.0}}});
-    render::GpuScene onDevice(device(), world);
-    render::Renderer renderer(device(), onDevice, options());
+    SoleRenderer renderer(device(), world, options());
     renderer.render({.fovY = 0.5});
     world.setTransform(box, {{0.0, 0.0, -4.0}});
     EXPECT_EQ(renderer.render({.fovY = 0.5}).motion.at(240, 135), glm::vec2(kNoMotion));
@@ -328,8 +319,7 @@ TEST_F(MotionTest, WhatWasBehindTheCameraHasNone) {
 
 TEST_F(MotionTest, WhatIsNewDidNotMove) {
     FarWorld far(1e6, 2.0);
-    render::GpuScene onDevice(device(), far.world);
-    render::Renderer renderer(device(), onDevice, options());
+    SoleRenderer renderer(device(), far.world, options());
     const scene::Camera camera = orbiting(far, 1e-5, 0.0);
     renderer.render(camera);
     const scene::Transform elsewhere{.position = {0.1, 0.1, -1e6 + 5.0}, .basis = glm::mat3(2.0f)};
@@ -351,8 +341,7 @@ TEST_F(MotionTest, PartsOfAnObjectMoveAsOneOrAreRefused) {
                                            .object = 7,
                                            .transform = {{x, 0.0, -6.0}}}));
     }
-    render::GpuScene onDevice(device(), world);
-    render::Renderer renderer(device(), onDevice, options());
+    SoleRenderer renderer(device(), world, options());
     const scene::Camera camera{.fovY = 0.5};
     renderer.render(camera);
     const glm::mat3 turn = turned(0.2, {0.0, 0.0, 1.0}, 1.0);
@@ -396,8 +385,7 @@ TEST_F(MotionTest, FlatHiddenAndStretchedPartsMoveAsOneToo) {
                                                .object = 7,
                                                .transform = place(before, part, 0.0)}));
         }
-        render::GpuScene onDevice(device(), world);
-        render::Renderer renderer(device(), onDevice, options());
+        SoleRenderer renderer(device(), world, options());
         const scene::Camera camera{.fovY = 0.5};
         renderer.render(camera);
         for (const double right : {0.2, 0.3}) {
@@ -431,8 +419,7 @@ TEST_F(MotionTest, GoesIntoAHostsImage) {
         const scene::Camera camera = orbiting(far, 1e-5, 0.01 * turn);
         render::HostFrame frame = host.begin();
         frame.motion = image;
-        renderer.record(camera, frame);
-        host.submit();
+        host.submit(renderer, camera, frame);
         renderer.finish();
         const render::Frame expected = reference.render(camera);
         EXPECT_EQ(
@@ -461,10 +448,9 @@ TEST_F(MotionTest, RoomStaysWithinTheDevicesBuffers) {
         addBox(scene, {0.0, 500.0, 50.0}); // behind the camera
     }
     scene::World world(std::move(scene));
-    render::GpuScene onDevice(device(), world);
     render::RenderOptions chosen = thumbnailOptions(depth::parseTechnique("reversed"));
     chosen.motion = true;
-    render::Renderer renderer(device(), onDevice, chosen);
+    SoleRenderer renderer(device(), world, chosen);
     renderer.draw({});
     std::vector<scene::InstanceHandle> all;
     for (std::uint32_t i = 0; i < count; ++i) {

@@ -15,9 +15,7 @@ class AirTest : public RenderTest {
     /// The largest difference to the truth, inside of surfaces and of background, 8-bit steps.
     int largestStep(const scene::Scene& scene, const scene::Camera& camera,
                     render::SurfacePath surface = render::SurfacePath::gbuffer) {
-        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
-        options.width = 64;
-        options.height = 36;
+        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"), 64, 36);
         options.surface = surface;
         options.effects.finish.toneMap = render::ToneMap::none;
         platform::WorkerPool workers(2);

@@ -14,7 +14,6 @@ namespace cdr::render_test {
 
 namespace {
 
-using render::Effects;
 using render::Frame;
 using render::RenderOptions;
 

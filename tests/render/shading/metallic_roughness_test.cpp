@@ -116,9 +116,7 @@ TEST_F(MetallicRoughnessTest, EverySurfaceHoldsItsCode) {
                 continue;
             }
             for (const char* technique : {"standard", "log-fragment/none"}) {
-                render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
-                options.width = 240;
-                options.height = 135;
+                render::RenderOptions options = smallOptions(depth::parseTechnique(technique), 240, 135);
                 options.submission = submission;
                 options.batching = batching;
                 const Frame frame = draw(scene, gpuScene, kMetallicRoughnessCamera, options);
@@ -186,9 +184,7 @@ TEST_F(MetallicRoughnessTest, SheetsLookAsInTheTruth) {
         }
     }
     const scene::Camera camera = setup.path.at(0);
-    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored/count:5"));
-    options.width = 192;
-    options.height = 108;
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored/count:5"), 192, 108);
     options.translucency = {.method = render::Translucency::sorted, .countsFragments = true};
     const Frame frame = draw(scene, camera, options);
     platform::WorkerPool workers(2);

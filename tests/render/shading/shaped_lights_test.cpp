@@ -66,11 +66,7 @@ void addShapedLights(scene::Scene& scene, const glm::dvec3& centre) {
 class ShapedLightsTest : public RenderTest {
   protected:
     static render::RenderOptions options(const char* technique) {
-        render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
-        options.width = 320;
-        options.height = 180;
-        options.translucency.method = render::Translucency::sorted;
-        return options;
+        return withSorting(smallOptions(depth::parseTechnique(technique), 320, 180));
     }
 
     /// How many inner pixels a picture has more than two steps off the truth, and how many there are.

@@ -106,8 +106,7 @@ TEST_F(MaskedShadowsTest, FollowAMaterialThatChanges) {
     const scene::Camera camera = cameraOverFloor();
     const RenderOptions options = optionsOf("anchored");
     scene::World world(screenOverFloor(0.5f, 255, 0.25f));
-    render::GpuScene live(device(), world);
-    render::Renderer renderer(device(), live, options);
+    SoleRenderer renderer(device(), world, options);
     const auto expectAsAnew = [&](const char* what) {
         const render::Frame frame = renderer.render(camera);
         EXPECT_EQ(frame.litMask, draw(world.scene(), camera, options).litMask) << what;

@@ -21,8 +21,9 @@ namespace {
 using render::RenderOptions;
 using render::ShadowMethod;
 
-RenderOptions shadowOptions(const std::string& technique) {
-    RenderOptions options = smallOptions(depth::namedTechnique(technique).technique);
+RenderOptions shadowOptions(const std::string& technique, std::uint32_t width = 480,
+                            std::uint32_t height = 270) {
+    RenderOptions options = smallOptions(depth::namedTechnique(technique).technique, width, height);
     options.shadows.method = ShadowMethod::anchored;
     return options;
 }
@@ -88,9 +89,7 @@ TEST_F(ShadowsTest, OffEdgesNextToNonePixelIsWrongAndPlainMapsAreWorse) {
         const render::GpuScene gpuScene(device(), setup.scene);
         for (const std::uint32_t frame : test::sampleOf(each.frames, 0)) {
             const scene::Camera camera = setup.path.at(frame);
-            RenderOptions options = shadowOptions("anchored");
-            options.width = each.width;
-            options.height = each.width * 9 / 16;
+            RenderOptions options = shadowOptions("anchored", each.width, each.width * 9 / 16);
             const std::vector<measure::ShadowImage> rays = truth.cast(camera, options);
             for (const render::SurfacePath surface :
                  {render::SurfacePath::gbuffer, render::SurfacePath::visibility}) {
@@ -118,9 +117,7 @@ TEST_F(ShadowsTest, OffEdgesNextToNonePixelIsWrongAndPlainMapsAreWorse) {
 
 /// Where four maps suffice: each pixel reads the map of its slice.
 TEST_F(ShadowsTest, PlainMapsAreMostlyRightInNarrowScenes) {
-    RenderOptions options = shadowOptions("anchored");
-    options.width = 320;
-    options.height = 180;
+    RenderOptions options = shadowOptions("anchored", 320, 180);
     options.shadows.method = ShadowMethod::plain;
     for (const char* scene : {"alley", "afc"}) {
         const measure::WrongShadows wrong = wrongShadowsOf(scene, 0, options);
@@ -131,9 +128,7 @@ TEST_F(ShadowsTest, PlainMapsAreMostlyRightInNarrowScenes) {
 
 /// Hangars from 430 km: a map covers kilometres, and its texels would be five pixels wide.
 TEST_F(ShadowsTest, WideTexelsAreHalved) {
-    RenderOptions options = shadowOptions("anchored");
-    options.width = 640;
-    options.height = 360;
+    RenderOptions options = shadowOptions("anchored", 640, 360);
     options.shadows.maxTexels = 1024;
     const measure::WrongShadows wrong = wrongShadowsOf("eclipse", 40, options);
     EXPECT_GT(wrong.shadowed, 1000u);
@@ -143,9 +138,7 @@ TEST_F(ShadowsTest, WideTexelsAreHalved) {
 /// The runway's number through a long lens: paint 5 mm over the asphalt, under texels of a metre. At inner corners all texels
 /// near by may be of the paint.
 TEST_F(ShadowsTest, ThinPaintCastsNoShadowBesideItself) {
-    RenderOptions options = shadowOptions("anchored");
-    options.width = 320;
-    options.height = 180;
+    const RenderOptions options = shadowOptions("anchored", 320, 180);
     const measure::WrongShadows wrong = wrongShadowsOf("orbit", 239, options);
     EXPECT_GT(wrong.pixels, 50'000u);
     EXPECT_LE(wrong.wrong, 1u);
@@ -153,9 +146,7 @@ TEST_F(ShadowsTest, ThinPaintCastsNoShadowBesideItself) {
 
 /// Facets smaller than a texel: the nearest texel alone would shadow pixels that its neighbours show to be lit.
 TEST_F(ShadowsTest, BodiesOfSmallFacetsCastNoShadowOnThemselves) {
-    RenderOptions options = shadowOptions("anchored");
-    options.width = 640;
-    options.height = 360;
+    const RenderOptions options = shadowOptions("anchored", 640, 360);
     const measure::WrongShadows wrong =
         wrongShadowsOf(CDR_SOURCE_DIR "/tests/assets/machine.glb", 0, options);
     EXPECT_GT(wrong.pixels, 20'000u);
@@ -185,9 +176,7 @@ TEST_F(ShadowsTest, PicturesAreRightAndTheSameForThreadsTargetsAndSubmissions) {
     std::vector<measure::ShadowImage> rays;
     std::size_t turn = 0;
     for (const depth::NamedTechnique& named : depth::presets()) {
-        RenderOptions first = shadowOptions(named.name);
-        first.width = 192;
-        first.height = 108;
+        RenderOptions first = shadowOptions(named.name, 192, 108);
         first.shadows.maxTexels = 512;
         if (rays.empty()) {
             rays = ShadowTruth(setup.scene).cast(camera, first);
@@ -237,8 +226,7 @@ TEST_F(ShadowsTest, AMovedCasterMovesItsShadow) {
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 1e3};
     const RenderOptions options = shadowOptions("anchored");
     scene::World world(scene);
-    render::GpuScene live(device(), world);
-    render::Renderer renderer(device(), live, options);
+    SoleRenderer renderer(device(), world, options);
     const render::Frame before = renderer.render(camera);
     world.setTransform(world.instance(1), {.position = {3.0, 0.5, -10.0}});
     const render::Frame after = renderer.render(camera);
@@ -256,9 +244,7 @@ TEST_F(ShadowsTest, WhatIsOpenOrAroundTheLightCastsAShadowToo) {
     open.indices.erase(open.indices.begin() + 18, open.indices.begin() + 24); // the side up
     const scene::Camera camera =
         scene::lookAlong({.fovY = 1.0, .farView = 1e3}, {0.0, 4.0, 0.0}, {0.0, -0.5, -1.0});
-    RenderOptions options = shadowOptions("anchored");
-    options.width = 320;
-    options.height = 180;
+    const RenderOptions options = shadowOptions("anchored", 320, 180);
     addBox(scene, {0.0, -2.0, -10.0}, glm::mat3(20, 0, 0, 0, 0.1f, 0, 0, 0, 20));
     addBox(scene, {-3.0, 0.5, -10.0});
     addBox(scene, {3.0, 0.5, -10.0}, glm::mat3(-1, 0, 0, 0, 1, 0, 0, 0, 1));
@@ -283,9 +269,7 @@ TEST_F(ShadowsTest, AMeshThatIsMuchWiderThanItsDistanceDoesNotShadeItself) {
     constexpr float kWide = 4e5f;
     const scene::Camera camera =
         scene::lookAlong({.fovY = 1.0, .farView = 1e3}, {0.0, 4.0, 0.0}, {0.0, -0.5, -1.0});
-    RenderOptions options = shadowOptions("anchored");
-    options.width = 320;
-    options.height = 180;
+    const RenderOptions options = shadowOptions("anchored", 320, 180);
     for (const double turn : {0.1, 0.7, 1.9}) {
         scene::Scene scene = boxScene();
         const double top = static_cast<double>(kWide * scene.meshes.front().boxHalfSides->y);
@@ -331,8 +315,7 @@ TEST_F(ShadowsTest, AClosedMeshThatBendsOpenCastsItsShadow) {
         scene::lookAlong({.fovY = 1.0, .farView = 1e3}, {-2.0, 4.0, 0.0}, {0.0, -0.5, -1.0});
     const RenderOptions options = shadowOptions("anchored");
     scene::World world(scene);
-    render::GpuScene live(device(), world);
-    render::Renderer renderer(device(), live, options);
+    SoleRenderer renderer(device(), world, options);
     const render::Frame closed = renderer.render(camera);
     std::vector<scene::Vertex> vertices = scene.meshes.back().vertices;
     for (scene::Vertex& vertex : vertices) {

@@ -20,9 +20,7 @@ constexpr std::uint32_t kHeight = 135;
 class TranslucentShadowsTest : public RenderTest {
   protected:
     RenderOptions optionsFor(const char* technique, Translucency method) const {
-        RenderOptions options = smallOptions(depth::namedTechnique(technique).technique);
-        options.width = kWidth;
-        options.height = kHeight;
+        RenderOptions options = smallOptions(depth::namedTechnique(technique).technique, kWidth, kHeight);
         options.shadows.method = ShadowMethod::anchored;
         options.translucency = {.method = method, .countsFragments = true};
         return options;

@@ -98,12 +98,11 @@ TEST_F(BinningChangesTest, WhatIsAddedOrPaintedIsDrawn) {
     scene.materials.push_back({.name = "both sides", .doubleSided = true});
     addBox(scene, {0.0, 0.0, -5.0});
     scene::World world(scene);
-    render::GpuScene onDevice(device(), world);
     render::RenderOptions options = smallOptions(depth::parseTechnique("cdr"));
     options.submission = render::Submission::gpuDriven;
     options.detail = {.mode = visibility::DetailMode::perObject, .pixels = 2.0};
     options.framesInFlight = 2;
-    render::Renderer renderer(device(), onDevice, options);
+    SoleRenderer renderer(device(), world, options);
     const auto expectShown = [&](const char* what, std::uint32_t step) {
         renderer.submit({});
         renderer.forgetFrames();
@@ -135,11 +134,10 @@ TEST_F(BinningChangesTest, EditsBeforeAnotherSizeAreDrawn) {
     scene::Scene scene = boxScene();
     addBox(scene, {-3.0, 0.0, -8.0});
     scene::World world(scene);
-    render::GpuScene onDevice(device(), world);
     render::RenderOptions options = thumbnailOptions(depth::parseTechnique("reversed"));
     options.submission = render::Submission::gpuDriven;
     options.snapping = render::Snapping::inPlane;
-    render::Renderer renderer(device(), onDevice, options);
+    SoleRenderer renderer(device(), world, options);
     const scene::Camera camera{.farView = 1000.0};
     renderer.draw(camera);
     world.setTransform(world.instance(0), {.position = {3.0, 0.0, -8.0}});

@@ -13,9 +13,7 @@ class ScheduleTest : public RenderTest {
   protected:
     render::RenderOptions options(const char* technique, render::TargetsKind targets,
                                   render::Submission submission) {
-        render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
-        options.width = 48;
-        options.height = 27;
+        render::RenderOptions options = smallOptions(depth::parseTechnique(technique), 48, 27);
         options.targets = targets;
         options.submission = submission;
         options.batching = render::Batching::perObject;

@@ -43,9 +43,8 @@ class TargetsTest : public RenderTest {
             for (const char* targets : {"single", "accumulate", "pool:2", "pool:3", "pool:4", "layers"}) {
                 const TargetsChoice choice = render::parseTargets(targets);
                 for (const std::size_t threads : threadCounts) {
-                    render::Renderer renderer(device(), scene, gpuScene,
-                                              tinyOptions(technique, choice, threads));
-                    const std::string hash = hashOf(renderer.render(camera));
+                    const std::string hash =
+                        hashOf(draw(scene, gpuScene, camera, tinyOptions(technique, choice, threads)));
                     first = first.empty() ? hash : first;
                     EXPECT_EQ(hash, first) << nameOf(technique) << " " << targets << " " << threads;
                 }
@@ -73,12 +72,10 @@ TEST_F(TargetsTest, GltfIsOneImageWhateverTheTargetsAndThreads) {
 /// Races show now and then, not always.
 TEST_F(TargetsTest, FiftyFramesByEightThreadsAreOneImage) {
     const scene::SceneSetup setup = scenes::makeRotation(7, 20'000);
-    const render::GpuScene gpuScene(device(), setup.scene);
     const auto technique =
         depth::Technique{depth::Mapping::standard, depth::parseSplit("count:5"), depth::DepthFormat::d32f};
     const scene::Camera camera = setup.path.at(90);
-    render::Renderer renderer(device(), setup.scene, gpuScene,
-                              tinyOptions(technique, TargetsChoice::pool(3), 8));
+    SoleRenderer renderer(device(), setup.scene, tinyOptions(technique, TargetsChoice::pool(3), 8));
     const Frame first = renderer.render(camera);
     EXPECT_EQ(first.cascades.size(), 5u);
     for (int repeat = 1; repeat < 50; ++repeat) {
@@ -159,12 +156,11 @@ TEST_F(TargetsTest, APoolThatDoesNotFitIsRefusedWithBothFigures) {
 /// Layers are made when a frame needs them, so it is the frame that is refused; the next may be drawn.
 TEST_F(TargetsTest, AFrameOfTooManyLayersIsRefusedAndTheNextIsDrawn) {
     const scene::SceneSetup setup = scenes::makeRotation(5, 100);
-    const render::GpuScene gpuScene(device(), setup.scene);
     const auto technique =
         depth::Technique{depth::Mapping::standard, depth::parseSplit("ratio:1.2"), depth::DepthFormat::d32f};
     auto options = tinyOptions(technique, TargetsKind::layers, 1);
     options.width = options.height = sideTooLargeFor(device(), 60);
-    render::Renderer renderer(device(), setup.scene, gpuScene, options);
+    SoleRenderer renderer(device(), setup.scene, options);
     scene::Camera camera = setup.path.at(0);
     camera.nearView = 1.0;
     camera.farView = std::pow(1.2, 63.5);

@@ -13,11 +13,7 @@ using render::Translucency;
 class FragmentRoomTest : public RenderTest {
   protected:
     static render::RenderOptions sorted() {
-        render::RenderOptions options = thumbnailOptions(depth::parseTechnique("reversed"));
-        options.width = 192;
-        options.height = 108;
-        options.translucency.method = Translucency::sorted;
-        return options;
+        return withSorting(smallOptions(depth::parseTechnique("reversed"), 192, 108));
     }
 
     /// So many panes, each of which covers the picture.
@@ -53,8 +49,7 @@ TEST_F(FragmentRoomTest, FramesThatOverlapAreDrawnWeightedWhereListsMayNotGrow) 
         HostSide host(device(), {192, 108});
         render::Renderer renderer(device(), scene, onDevice, options);
         for (int frame = 0; frame < 5; ++frame) {
-            renderer.record({}, host.begin());
-            host.submit();
+            host.submit(renderer, {}, host.begin());
             const bool isKnown = frame >= static_cast<int>(inFlight);
             EXPECT_EQ(host.color<image::Rgba8>() == weighted, isKnown) << frame << " of " << inFlight;
         }
@@ -96,8 +91,7 @@ TEST_F(FragmentRoomTest, ListsGrowWhereBothWouldNotFit) {
     handles.hasGpuDrivenFeatures = true;
     handles.hasFragmentStores = true;
     const gpu::Device small(handles);
-    const render::GpuScene onDevice(small, scene);
-    render::Renderer renderer(small, scene, onDevice, options);
+    SoleRenderer renderer(small, scene, options);
     renderer.draw(behind());
     const std::uint64_t pixels = std::uint64_t{192} * 108;
     const std::uint64_t listBytes = pixels * 32;

@@ -70,10 +70,7 @@ class RecordViewsTest : public RenderTest {
     }
 
     static render::RenderOptions eyeOptions(const depth::Technique& technique) {
-        render::RenderOptions options = smallOptions(technique);
-        options.width = kViewsWidth;
-        options.height = kViewsHeight;
-        return options;
+        return smallOptions(technique, kViewsWidth, kViewsHeight);
     }
 
     static void expectDepths(const image::Raster<float>& depths, const render::Frame& frame) {

@@ -32,10 +32,7 @@ class ViewsOrderTest : public RenderTest {
     }
 
     static render::RenderOptions orderOptions(const char* technique) {
-        render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
-        options.width = kViewsWidth;
-        options.height = kViewsHeight;
-        return options;
+        return smallOptions(depth::parseTechnique(technique), kViewsWidth, kViewsHeight);
     }
 };
 

@@ -34,8 +34,7 @@ TEST_F(ViewsRoomTest, AFrameThatIsDrawnAgainLeavesTheNextOneAsItIs) {
     const scene::Camera ahead{.farView = 1000.0};
     const scene::Camera behind = scene::lookAlong(ahead, ahead.position, {0.0, 0.0, 1.0});
     for (const bool deviceClock : {false, true}) { // views are drawn together, and in turn
-        render::RenderOptions options = thumbnailOptions(depth::parseTechnique("reversed"));
-        options.translucency.method = render::Translucency::sorted;
+        render::RenderOptions options = withSorting(thumbnailOptions(depth::parseTechnique("reversed")));
         options.deviceClock = deviceClock;
         const std::string wanted = hashOf(draw(scene, behind, options));
         render::ViewsRenderer renderer(device(), scene, onDevice, options, 1);

@@ -7,7 +7,6 @@
 #include <cdr/scene/cube_sides.h>
 #include <cdr/scene/stereo_rig.h>
 #include <cdr/scene/world/world.h>
-#include <scenes/alley.h>
 #include <scenes/cubes.h>
 
 #include <string>
@@ -84,10 +83,7 @@ class ViewsTest : public RenderTest {
     }
 
     render::RenderOptions viewOptions(const depth::Technique& technique) {
-        render::RenderOptions options = smallOptions(technique);
-        options.width = kViewsWidth;
-        options.height = kViewsHeight;
-        return options;
+        return smallOptions(technique, kViewsWidth, kViewsHeight);
     }
 
     scene::Scene m_scene;

@@ -35,9 +35,7 @@ class AnimationTest : public RenderTest {
         return options(depth::parseTechnique(technique), threads);
     }
     static render::RenderOptions options(const depth::Technique& technique, std::size_t threads = 2) {
-        render::RenderOptions options = smallOptions(technique);
-        options.width = 240;
-        options.height = 180;
+        render::RenderOptions options = smallOptions(technique, 240, 180);
         options.threads = threads;
         return options;
     }
@@ -54,8 +52,7 @@ TEST_F(AnimationTest, FramesAreThoseOfAFileOpenedAtTheirMoment) {
                 continue; // how many threads deform does not depend on the technique
             }
             scenes::MovingScene moving(opened.setup.scene, opened.setup.motion);
-            render::GpuScene onDevice(device(), moving.world());
-            render::Renderer renderer(device(), onDevice, options(technique, threads));
+            SoleRenderer renderer(device(), moving.world(), options(technique, threads));
             for (const std::uint32_t frame : {1u, 2u, 5u, 3u, 8u, 40u}) {
                 EXPECT_TRUE(moving.show(frame, workers));
                 renderer.forgetFrames();
@@ -147,11 +144,9 @@ TEST_F(AnimationTest, LightsFollowNodes) {
     for (const std::size_t threads : {std::size_t{1}, std::size_t{3}, std::size_t{16}}) {
         platform::WorkerPool workers(threads);
         for (const char* technique : {"anchored", "cdr"}) {
-            render::RenderOptions chosen = options(technique, threads);
-            chosen.translucency.method = render::Translucency::sorted;
+            render::RenderOptions chosen = withSorting(options(technique, threads));
             scenes::MovingScene moving(opened.scene, opened.motion);
-            render::GpuScene onDevice(device(), moving.world());
-            render::Renderer renderer(device(), onDevice, chosen);
+            SoleRenderer renderer(device(), moving.world(), chosen);
             std::string last;
             for (const std::uint32_t frame : {1u, 2u, 5u, 3u, 8u}) {
                 moving.show(frame, workers);
@@ -178,10 +173,9 @@ TEST_F(AnimationTest, MotionFollowsNodes) {
     const scene::OpenedScene opened = open(0.1, 24.0);
     platform::WorkerPool workers(2);
     scenes::MovingScene moving(opened.setup.scene, opened.setup.motion);
-    render::GpuScene onDevice(device(), moving.world());
     render::RenderOptions chosen = options("anchored");
     chosen.motion = true;
-    render::Renderer renderer(device(), onDevice, chosen);
+    SoleRenderer renderer(device(), moving.world(), chosen);
     renderer.render(opened.setup.path.at(0));
     for (std::uint32_t number = 1; number < 5; ++number) {
         const scene::Scene sceneBefore = moving.world().scene();

@@ -38,10 +38,8 @@ class DeviceDeformTest : public RenderTest {
         platform::WorkerPool workers(options.threads);
         scenes::MovingScene byCpu(setup.scene, setup.motion, scenes::Deform::cpu);
         scenes::MovingScene byDevice(setup.scene, setup.motion, scenes::Deform::device);
-        render::GpuScene cpuScene(device(), byCpu.world());
-        render::GpuScene deviceScene(device(), byDevice.world());
-        render::Renderer cpu(device(), cpuScene, options);
-        render::Renderer other(device(), deviceScene, options);
+        SoleRenderer cpu(device(), byCpu.world(), options);
+        SoleRenderer other(device(), byDevice.world(), options);
         for (const std::uint32_t frame : frames) {
             byCpu.show(frame, workers);
             byDevice.show(frame, workers);
@@ -98,9 +96,8 @@ TEST_F(DeviceDeformTest, TruthSeesWhatTheDeviceDraws) {
     platform::WorkerPool workers(2);
     scenes::MovingScene moving(setup.scene, setup.motion, scenes::Deform::both);
     measure::TruthCaster caster(moving.world().scene(), workers);
-    render::GpuScene onDevice(device(), moving.world());
     const render::RenderOptions size = options(depth::parseTechnique("anchored"));
-    render::Renderer renderer(device(), onDevice, size);
+    SoleRenderer renderer(device(), moving.world(), size);
     for (const std::uint32_t frame : {1u, 3u, 6u}) {
         moving.show(frame, workers);
         caster.follow(moving.deformedMeshes(), workers);

@@ -126,13 +126,11 @@ TEST_F(DeviceVerticesTest, GiveThePicturesOfTheCpu) {
         for (const render::Submission submission : submissions()) {
             scene::World posed(sceneOf(*deformer));
             scene::World uploaded(sceneOf(*deformer));
-            render::GpuScene onDevice(device(), posed);
-            render::GpuScene fromCpu(device(), uploaded);
             render::RenderOptions options = quarterOf(smallOptions(depth::parseTechnique("anchored")));
             options.submission = submission;
             options.framesInFlight = 3;
-            render::Renderer byDevice(device(), onDevice, options);
-            render::Renderer byCpu(device(), fromCpu, options);
+            SoleRenderer byDevice(device(), posed, options);
+            SoleRenderer byCpu(device(), uploaded, options);
             std::set<std::string> pictures;
             for (std::uint32_t seed = 0; seed < 4; ++seed) {
                 for (std::uint32_t hurried = 10; hurried < 14; ++hurried) {
@@ -164,11 +162,9 @@ TEST_F(DeviceVerticesTest, OutlastEditsOfOtherMeshes) {
     const scene::MeshPose pose = test::poseOf(kind, deformer, 5);
     scene::World posed(sceneOf(*deformer));
     scene::World uploaded(sceneOf(*deformer));
-    render::GpuScene onDevice(device(), posed);
-    render::GpuScene fromCpu(device(), uploaded);
     const render::RenderOptions options = quarterOf(smallOptions(depth::parseTechnique("anchored")));
-    render::Renderer byDevice(device(), onDevice, options);
-    render::Renderer byCpu(device(), fromCpu, options);
+    SoleRenderer byDevice(device(), posed, options);
+    SoleRenderer byCpu(device(), uploaded, options);
     posed.setPose(posed.mesh(1), pose);
     uploaded.setVertices(uploaded.mesh(1), test::deformedByCpu(pose), scene::boundingRadiusOf(pose));
     expectAlike(byDevice.render(camera), byCpu.render(camera), "at first");
@@ -183,9 +179,8 @@ TEST_F(DeviceVerticesTest, OutlastEditsOfOtherMeshes) {
         }
         expectAlike(byDevice.render(camera), byCpu.render(camera), fmt::format("step {}", step));
     }
-    render::GpuScene another(device(), posed);
-    render::Renderer later(device(), another, options);
-    expectAlike(later.render(camera), byCpu.render(camera), "uploaded again");
+    expectAlike(SoleRenderer(device(), posed, options).render(camera), byCpu.render(camera),
+                "uploaded again");
 }
 
 /// A pose of one joint, which scales and turns.
@@ -210,15 +205,12 @@ TEST_F(DeviceVerticesTest, OfAPosedWorldAreThereInAnotherGpuScene) {
     const scene::MeshPose pose = jointPose(scene.meshes[0], glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)));
     scene::World world(std::move(scene));
     const render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
-    render::GpuScene first(device(), world);
-    render::Renderer live(device(), first, options);
+    SoleRenderer live(device(), world, options);
     world.setPose(world.mesh(0), pose);
     const std::string wanted = hashOf(live.render({}));
-    render::GpuScene second(device(), world);
-    EXPECT_EQ(hashOf(render::Renderer(device(), second, options).render({})), wanted);
+    EXPECT_EQ(hashOf(SoleRenderer(device(), world, options).render({})), wanted);
     const scene::World copy = world;
-    render::GpuScene third(device(), copy);
-    EXPECT_EQ(hashOf(render::Renderer(device(), third, options).render({})), wanted);
+    EXPECT_EQ(hashOf(SoleRenderer(device(), copy, options).render({})), wanted);
 }
 
 /// Whether a mesh has facets is asked of its own triangles, not of those at its place before.
@@ -239,8 +231,7 @@ TEST_F(DeviceVerticesTest, OfAMeshInThePlaceOfAnotherAreShadedByItsOwnTriangles)
         return std::pair(handle, instance);
     };
     scene::World world(boxScene());
-    render::GpuScene onDevice(device(), world);
-    render::Renderer live(device(), onDevice, options);
+    SoleRenderer live(device(), world, options);
     const auto [before, instance] = add(world, box);
     world.setPose(before, pose);
     live.render({});
@@ -251,8 +242,7 @@ TEST_F(DeviceVerticesTest, OfAMeshInThePlaceOfAnotherAreShadedByItsOwnTriangles)
     world.setPose(after, pose);
     scene::World anew(boxScene());
     anew.setPose(add(anew, joined).first, pose);
-    render::GpuScene anewScene(device(), anew);
-    EXPECT_EQ(hashOf(live.render({})), hashOf(render::Renderer(device(), anewScene, options).render({})));
+    EXPECT_EQ(hashOf(live.render({})), hashOf(SoleRenderer(device(), anew, options).render({})));
 }
 
 /// Facets are made by the CPU, which needs the vertices for them.

@@ -1,7 +1,5 @@
 #include "../fixture.h"
 
-#include <cdr/base/error.h>
-
 #include <vector>
 
 namespace cdr::render_test {
@@ -43,8 +41,7 @@ TEST_F(EnvironmentTest, EachFrameShowsTheSurroundingsOfItsWorld) {
     for (render::RenderOptions& options : variants) {
         options.framesInFlight = 2;
         scene::World world(scene);
-        render::GpuScene gpuScene(device(), world);
-        render::Renderer renderer(device(), gpuScene, options);
+        SoleRenderer renderer(device(), world, options);
         for (const scene::Environment& environment : environments(options)) {
             renderer.submit({}); // is in flight while the surroundings change
             world.setEnvironment(environment);

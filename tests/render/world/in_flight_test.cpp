@@ -65,11 +65,10 @@ scene::Scene glowingScene() {
 TEST_F(InFlightTest, ChangesAndRemovalsDoNotWaitForFramesInFlight) {
     for (const render::Submission submission : submissions()) {
         scene::World world(glowingScene());
-        render::GpuScene onDevice(device(), world);
         render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
         options.submission = submission;
         options.framesInFlight = 3;
-        render::Renderer renderer(device(), onDevice, options);
+        SoleRenderer renderer(device(), world, options);
         const std::string before = hashOf(renderer.render({}));
 
         const test::Timeline ready(device());

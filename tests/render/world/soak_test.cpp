@@ -117,9 +117,7 @@ class Cycle {
 };
 
 render::RenderOptions soaked(render::Submission submission) {
-    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored/count:3"));
-    options.width = 32;
-    options.height = 18;
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored/count:3"), 32, 18);
     options.submission = submission;
     options.threads = 2;
     options.framesInFlight = 3;

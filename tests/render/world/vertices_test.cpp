@@ -41,12 +41,11 @@ TEST_F(VerticesTest, GiveThePictureOfASceneBuiltAnew) {
     for (const render::Submission submission : submissions()) {
         for (const std::size_t inFlight : {std::size_t{1}, std::size_t{3}}) {
             scene::World world(deformedScene(shapeAt(0)));
-            render::GpuScene onDevice(device(), world);
             render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
             options.submission = submission;
             options.framesInFlight = inFlight;
             options.threads = inFlight;
-            render::Renderer renderer(device(), onDevice, options);
+            SoleRenderer renderer(device(), world, options);
             for (int step = 1; step < 8; ++step) {
                 world.setVertices(world.mesh(1), shapeAt(step + 100));
                 renderer.submit(camera);
@@ -81,8 +80,7 @@ TEST_F(VerticesTest, BringTheirTangents) {
     const scene::Camera camera{.fovY = 1.0, .nearView = 1.0, .farView = 1000.0};
     const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     scene::World world(bumpyScene(0));
-    render::GpuScene onDevice(device(), world);
-    render::Renderer renderer(device(), onDevice, options);
+    SoleRenderer renderer(device(), world, options);
     const scene::Scene still = bumpyScene(1);
     std::set<std::string> pictures;
     for (int step = 0; step < 4; ++step) {
@@ -102,11 +100,10 @@ TEST_F(VerticesTest, BringTheirTangents) {
 TEST_F(VerticesTest, ASizeMayChangeAfterTheWorldDid) {
     for (const render::Submission submission : submissions()) {
         scene::World world(deformedScene(shapeAt(0)));
-        render::GpuScene onDevice(device(), world);
         render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
         options.submission = submission;
         options.snapBits = 8;
-        render::Renderer renderer(device(), onDevice, options);
+        SoleRenderer renderer(device(), world, options);
         renderer.render({});
         world = scene::World(boxScene());
         world.addInstance({.mesh = world.mesh(0),

@@ -326,11 +326,10 @@ TEST_F(WorldTest, AVisibilityBufferRefusesWhatItCannotShow) {
     scene::Scene scene = boxScene();
     addBox(scene, {0.0, 0.0, -5.0});
     World world(scene);
-    render::GpuScene onDevice(device(), world);
     render::RenderOptions options =
         optionsFor("anchored", Submission::secondaries, TargetsKind::single, 1, 2);
     options.surface = render::SurfacePath::visibility;
-    render::Renderer renderer(device(), onDevice, options);
+    SoleRenderer renderer(device(), world, options);
     const std::string before = hashOf(renderer.render(ahead()));
     scene::Mesh bent = scene::makeBox(glm::vec3(0.5f));
     for (scene::Vertex& vertex : bent.vertices) {
@@ -361,11 +360,10 @@ TEST_F(WorldTest, AVisibilityBufferMakesRoomForLargerMeshes) {
         addBox(scene, {0.1 * (i % 30) - 1.5, 0.1 * (i / 30) - 1.0, -3.0});
     }
     World world(scene);
-    render::GpuScene onDevice(device(), world);
     render::RenderOptions options =
         optionsFor("anchored", Submission::secondaries, TargetsKind::single, 1, 1);
     options.surface = render::SurfacePath::visibility;
-    render::Renderer renderer(device(), onDevice, options);
+    SoleRenderer renderer(device(), world, options);
     renderer.draw(ahead());
     const scene::MeshHandle box = world.addMesh(scene::makeBox(glm::vec3(0.04f)));
     for (std::size_t i = 0; i < kBoxes; ++i) {
@@ -393,10 +391,9 @@ TEST_F(WorldTest, AnAddedMeshHasItsDetails) {
                                           .emission = glm::vec3(1.0f)}});
     scene::addInstance(scene, 0, 1, 0, {0.0, -1.0, -6.0}, glm::mat3(1.0f));
     World world(scene);
-    render::GpuScene onDevice(device(), world);
     const render::RenderOptions options =
         optionsFor("anchored", Submission::secondaries, TargetsKind::single, 1, 1);
-    render::Renderer renderer(device(), onDevice, options);
+    SoleRenderer renderer(device(), world, options);
     for (std::uint32_t i = 1; i < 8; ++i) {
         scene::Mesh mesh = scene::makeBox(glm::vec3(0.3f));
         mesh.details.assign(mesh.vertices.size(), {.uv = glm::vec2(static_cast<float>(i) / 8.0f, 0.5f)});
@@ -432,13 +429,12 @@ TEST_F(WorldTest, TruthSeesWhatIsDrawn) {
     World world;
     Editor editor(7, world);
     editor.populate(60);
-    render::GpuScene onDevice(device(), world);
     render::RenderOptions options =
         optionsFor("anchored", Submission::secondaries, TargetsKind::single, 2, 2);
     options.width = 640;
     options.height = 360;
     options.detail = {};
-    render::Renderer renderer(device(), onDevice, options);
+    SoleRenderer renderer(device(), world, options);
     platform::WorkerPool workers(2);
     for (int round = 0; round < 4; ++round) {
         for (int i = 0; i < 50; ++i) {
