@@ -70,20 +70,20 @@ TEST_F(InPlaneTest, AnchoredDepthOrdersWhatRoundingSwaps) {
     const scene::Camera camera = setup.path.at(0);
     const render::GpuScene gpuScene(device(), setup.scene);
     measure::WrongPixels byDevice; // at some sizes none
-    for (const auto& [width, height] : {std::pair{480u, 270u}, {800u, 450u}, {1440u, 810u}}) {
-        const measure::TruthImage truth = truthOf(setup.scene, camera, width, height);
+    for (const glm::uvec2 size : {glm::uvec2(480, 270), glm::uvec2(800, 450), glm::uvec2(1440, 810)}) {
+        const measure::TruthImage truth = truthOf(setup.scene, camera, size.x, size.y);
         for (const std::uint32_t bits : roundings()) {
             const auto wrongWith = [&](Snapping snapping) {
                 render::RenderOptions options = optionsFor(bits, snapping);
-                options.width = width;
-                options.height = height;
+                options.width = size.x;
+                options.height = size.y;
                 return measure::countWrong(draw(setup.scene, gpuScene, camera, options).ids(), truth);
             };
             byDevice += wrongWith(Snapping::byDevice);
             const measure::WrongPixels inPlane = wrongWith(Snapping::inPlane);
             EXPECT_GT(inPlane.pixels, 10'000u);
             // A facet may show beyond its crease, within half a sub-pixel.
-            EXPECT_LE(inPlane.wrong, 2u) << width << " " << bits;
+            EXPECT_LE(inPlane.wrong, 2u) << size.x << " " << bits;
         }
     }
     EXPECT_GT(byDevice.wrong, 100u);
