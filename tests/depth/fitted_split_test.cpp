@@ -1,4 +1,3 @@
-#include <cdr/base/error.h>
 #include <cdr/depth/cascade_plan.h>
 #include <cdr/depth/fitted_split.h>
 #include <cdr/depth/make_cascades.h>

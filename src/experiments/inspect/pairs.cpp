@@ -6,7 +6,6 @@
 #include <cdr/measure/truth/object_ray.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <tuple>
 
