@@ -2,8 +2,6 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared.h"
 #include "public/cdr_gbuffer.glsl"
-#define LIGHTING_SET 0
-#define LIGHTING_BINDING 1
 #include "shading/lighting_buffer.glsl"
 
 // Writes the depth that a host's own camera has of what the G-buffer shows: a linear mapping of its view distance.

@@ -6,8 +6,6 @@
 #include "shared.h"
 #include "output/motion_shared.h"
 #include "public/cdr_gbuffer.glsl"
-#define LIGHTING_SET 0
-#define LIGHTING_BINDING 1
 #include "shading/lighting.glsl"
 
 layout(set = 0, binding = 0) uniform usampler2D gbuffer;

@@ -1,6 +1,6 @@
-// Ambient and point lights on a surface, for the deferred pass and for what is drawn after it. Define LIGHTING_SET and
-// LIGHTING_BINDING first. Define SKY_CONSTANT where the scene may have a sky, AIR_CONSTANT where it may have air, and
-// SHADOWED where points know which lights reach them. Knows view distances, not how they were mapped to depth.
+// Ambient and point lights on a surface, for the deferred pass and for what is drawn after it. Define SKY_CONSTANT where
+// the scene may have a sky, AIR_CONSTANT where it may have air, and SHADOWED where points know which lights reach them.
+// Knows view distances, not how they were mapped to depth. Where the lights are bound says lighting_buffer.glsl.
 // FLAT_LIGHTING: what all pixels share comes as flat varyings from shading.vert (flat_lighting.glsl), not from the buffer.
 #ifndef CDR_SHADERS_LIGHTING_GLSL
 #define CDR_SHADERS_LIGHTING_GLSL

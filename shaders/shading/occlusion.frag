@@ -2,8 +2,6 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared.h"
 #include "targets/gbuffer.glsl"
-#define LIGHTING_SET 0
-#define LIGHTING_BINDING 1
 #include "shading/lighting.glsl"
 #include "shading/flat_anchors.glsl"
 

@@ -2,8 +2,6 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared.h"
 #include "shading/fullscreen.glsl"
-#define LIGHTING_SET 0
-#define LIGHTING_BINDING 1
 #include "shading/lighting_buffer.glsl"
 #define HANDS_OVER_LIGHTING
 #include "shading/flat_lighting.glsl"

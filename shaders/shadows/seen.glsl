@@ -3,8 +3,6 @@
 #ifndef CDR_SHADERS_SEEN_GLSL
 #define CDR_SHADERS_SEEN_GLSL
 
-#define LIGHTING_SET 0
-#define LIGHTING_BINDING 1
 #include "shading/lighting_buffer.glsl"
 #include "shading/flat_anchors.glsl"
 #include "shadows/receiver.glsl"

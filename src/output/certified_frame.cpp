@@ -18,9 +18,8 @@ std::uint32_t cascadeAt(const depth::Cascades& cascades, double distanceView) {
     const auto beyond = [&](const depth::Cascade& cascade) {
         return std::max({cascade.nearView - distanceView, distanceView - cascade.farView, 0.0});
     };
-    const auto nearest = std::min_element(
-        cascades.begin(), cascades.end(),
-        [&](const depth::Cascade& a, const depth::Cascade& b) { return beyond(a) < beyond(b); });
+    const auto nearest = std::ranges::min_element(
+        cascades, [&](const depth::Cascade& a, const depth::Cascade& b) { return beyond(a) < beyond(b); });
     return static_cast<std::uint32_t>(nearest - cascades.begin());
 }
 

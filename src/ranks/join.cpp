@@ -16,8 +16,7 @@ namespace {
 /// By the variables that Open MPI's, MPICH's and Slurm's launchers set. Asking MPI itself takes half a second.
 bool isLaunched() {
     constexpr std::array kVariables{"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"};
-    return std::any_of(kVariables.begin(), kVariables.end(),
-                       [](const char* name) { return std::getenv(name) != nullptr; });
+    return std::ranges::any_of(kVariables, [](const char* name) { return std::getenv(name) != nullptr; });
 }
 
 } // namespace

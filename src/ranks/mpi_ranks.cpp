@@ -196,8 +196,7 @@ class MpiRanks final : public Ranks {
 
     /// One of status 0 where all are well.
     static Word firstFailure(const std::vector<Word>& words) {
-        const auto failed =
-            std::find_if(words.begin(), words.end(), [](const Word& word) { return word.status != 0; });
+        const auto failed = std::ranges::find_if(words, [](const Word& word) { return word.status != 0; });
         return failed != words.end() ? *failed : Word{};
     }
 

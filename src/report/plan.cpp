@@ -66,11 +66,9 @@ bool isNamedBy(const std::string& section, const std::string& name) {
 void requireSections(const std::vector<std::string>& names) {
     const auto& rows = planTable();
     for (const std::string& name : names) {
-        if (std::none_of(rows.begin(), rows.end(),
-                         [&](const PlanRow& row) { return isNamedBy(row.name, name); })) {
+        if (std::ranges::none_of(rows, [&](const PlanRow& row) { return isNamedBy(row.name, name); })) {
             std::vector<std::string> known;
-            std::transform(rows.begin(), rows.end(), std::back_inserter(known),
-                           [](const PlanRow& row) { return row.name; });
+            std::ranges::transform(rows, std::back_inserter(known), &PlanRow::name);
             throw base::InputError(
                 fmt::format("--sections: '{}' is not one of {}", name, fmt::join(known, ", ")));
         }

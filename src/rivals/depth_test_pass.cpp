@@ -5,7 +5,6 @@
 
 #include <rivals/depth_test_pass.h>
 
-#include <bit>
 #include <limits>
 
 namespace cdr::rivals {

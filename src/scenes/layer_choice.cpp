@@ -55,8 +55,7 @@ std::string materialName(const scene::Scene& scene, std::uint32_t material) {
 
 std::vector<float> layersOf(const scene::Scene& scene, std::span<const LayerChoice> choices) {
     std::vector<float> layers;
-    std::transform(scene.materials.begin(), scene.materials.end(), std::back_inserter(layers),
-                   [](const scene::Material& material) { return material.layer; });
+    std::ranges::transform(scene.materials, std::back_inserter(layers), &scene::Material::layer);
     for (const LayerChoice& choice : choices) {
         if (choice.material.starts_with(kIndexSign)) {
             layers[indexOf(scene, choice.material)] = choice.layer;

@@ -57,8 +57,7 @@ constexpr std::array kGenerators{
 
 constexpr auto kNames = [] {
     std::array<std::string_view, kGenerators.size()> names;
-    std::transform(kGenerators.begin(), kGenerators.end(), names.begin(),
-                   [](const Generator& generator) { return generator.name; });
+    std::ranges::transform(kGenerators, names.begin(), &Generator::name);
     return names;
 }();
 

@@ -1,4 +1,3 @@
-#include <cdr/base/error.h>
 #include <cdr/depth/cascade_plan.h>
 #include <cdr/depth/fitted_split.h>
 #include <cdr/depth/make_cascades.h>
@@ -428,8 +427,7 @@ std::vector<Interval> mergedPlainly(std::vector<Interval> intervals, double near
     for (Interval& interval : intervals) {
         interval = {std::max(interval.nearView, nearView), std::min(interval.farView, farView)};
     }
-    std::sort(intervals.begin(), intervals.end(),
-              [](const Interval& a, const Interval& b) { return a.nearView < b.nearView; });
+    std::ranges::sort(intervals, {}, &Interval::nearView);
     std::vector<Interval> merged;
     for (const Interval& interval : intervals) {
         if (!merged.empty() && interval.nearView <= merged.back().farView * (1.0 + 2.0 * rounding)) {

@@ -50,9 +50,7 @@ bool canReturn(std::string_view name, long result) {
         "vkCreateSwapchainKHR"};
     constexpr std::array kOfHostAlone{"vkCreatePipelineCache"};
     constexpr std::array kOfDeviceAlone{"vkResetFences", "vkResetCommandPool"};
-    const auto isIn = [&](const auto& names) {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
+    const auto isIn = [&](const auto& names) { return std::ranges::find(names, name) != names.end(); };
     switch (result) {
     case VK_ERROR_DEVICE_LOST:
         return isIn(kOfLoss);

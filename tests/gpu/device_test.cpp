@@ -17,7 +17,6 @@ namespace {
 
 using namespace cdr::gpu;
 using cdr::base::InputError;
-using cdr::base::RunError;
 
 TEST(Devices, AtLeastOneIsUsableAndSaysWhatItIs) {
     const Instance instance;

@@ -168,10 +168,8 @@ TEST_F(Jpeg, DecodesOpaque) {
     const ImageRgba8 image = decodeImage(m_bytes, "picture");
     EXPECT_EQ(image.width, 128u);
     EXPECT_EQ(image.height, 128u);
-    EXPECT_TRUE(
-        std::all_of(image.pixels.begin(), image.pixels.end(), [](const Rgba8& p) { return p[3] == 255; }));
-    EXPECT_TRUE(
-        std::any_of(image.pixels.begin(), image.pixels.end(), [](const Rgba8& p) { return p[0] > 100; }));
+    EXPECT_TRUE(std::ranges::all_of(image.pixels, [](const Rgba8& p) { return p[3] == 255; }));
+    EXPECT_TRUE(std::ranges::any_of(image.pixels, [](const Rgba8& p) { return p[0] > 100; }));
 }
 
 TEST_F(Jpeg, CutOffIsRefused) {

@@ -1,5 +1,4 @@
 #include <cdr/image/levels.h>
-#include <cdr/image/srgb.h>
 #include <cdr/platform/worker_pool.h>
 
 #include <gtest/gtest.h>

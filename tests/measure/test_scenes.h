@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cdr/measure/truth/truth.h>
-#include <cdr/platform/worker_pool.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 

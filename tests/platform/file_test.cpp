@@ -25,7 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using cdr::base::InputError;
-using cdr::base::RunError;
 using cdr::platform::Bytes;
 
 class FileTest : public testing::Test {

@@ -15,8 +15,7 @@ using namespace cdr::report;
 
 std::string lineOf(const PlanOptions& options, const std::string& name) {
     const std::vector<Section> plan = makePlan(options);
-    const auto section =
-        std::find_if(plan.begin(), plan.end(), [&](const Section& each) { return each.name == name; });
+    const auto section = std::ranges::find_if(plan, [&](const Section& each) { return each.name == name; });
     return section != plan.end() ? commandLine(*section, "") : "";
 }
 
@@ -65,9 +64,8 @@ TEST(Plan, ShadowsAndCertificatesAreOfEachScene) {
               "--json data/certificates-orbit-standard.json");
     const std::vector<Section> plan = makePlan({});
     const auto countOf = [&](const std::string& part) {
-        return std::count_if(plan.begin(), plan.end(), [&](const Section& each) {
-            return each.name.starts_with(part) && each.isTimed;
-        });
+        return std::ranges::count_if(
+            plan, [&](const Section& each) { return each.name.starts_with(part) && each.isTimed; });
     };
     EXPECT_EQ(countOf("shadows-"), 4);
     EXPECT_EQ(countOf("certificates-"), 9);

@@ -1,5 +1,3 @@
-#include "flat_cull.h"
-
 #include <cdr/depth/make_cascades.h>
 #include <cdr/scene/world/world.h>
 #include <cdr/visibility/bin_cells.h>

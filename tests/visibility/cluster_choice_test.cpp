@@ -100,9 +100,7 @@ bool isUnseen(const Instances& instances, std::uint32_t instance, const std::arr
     std::transform(corners.begin(), corners.end(), view.begin(), [&](const glm::dvec3& corner) {
         return glm::dmat3(instances.basis[instance]) * corner + instances.position(instance);
     });
-    const auto areAll = [&](const auto& isOutside) {
-        return std::all_of(view.begin(), view.end(), isOutside);
-    };
+    const auto areAll = [&](const auto& isOutside) { return std::ranges::all_of(view, isOutside); };
     const bool isOutside = areAll([&](const glm::dvec3& p) { return p.x > -p.z * frustum.tanX; }) ||
                            areAll([&](const glm::dvec3& p) { return p.x < p.z * frustum.tanX; }) ||
                            areAll([&](const glm::dvec3& p) { return p.y > -p.z * frustum.tanY; }) ||

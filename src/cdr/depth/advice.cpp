@@ -313,9 +313,7 @@ std::vector<std::string> explain(const AdviceQuestion& question, const Advice& a
                 "Set depth per fragment on triangles that span more than 2 % of their distance.");
         }
     } else {
-        const AdviceRow& best = *std::min_element(
-            advice.rows.begin(), advice.rows.end(),
-            [](const AdviceRow& a, const AdviceRow& b) { return a.resolvedView() < b.resolvedView(); });
+        const AdviceRow& best = *std::ranges::min_element(advice.rows, {}, &AdviceRow::resolvedView);
         lines.push_back(base::concat("Nothing here resolves ", lengthText(question.separationView), " at ",
                                      lengthText(at), ": ", describe(best), " resolves only ",
                                      lengthText(best.resolvedView()), ", limited by ", limitOf(best), "."));

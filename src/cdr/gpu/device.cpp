@@ -140,9 +140,8 @@ void requireHandles(const BorrowedDevice& borrowed) {
 } // namespace
 
 bool isChosen(const DeviceInfo& info, const std::string& choice) {
-    const bool isNumber = !choice.empty() && std::all_of(choice.begin(), choice.end(), [](unsigned char c) {
-        return std::isdigit(c) != 0;
-    });
+    const bool isNumber =
+        !choice.empty() && std::ranges::all_of(choice, [](unsigned char c) { return std::isdigit(c) != 0; });
     if (isNumber) {
         return std::to_string(info.index) == choice;
     }

@@ -143,10 +143,9 @@ bool hasConditionalRendering(vk::PhysicalDevice physical) {
 
 bool hasExtension(vk::PhysicalDevice physical, std::string_view name) {
     const auto extensions = physical.enumerateDeviceExtensionProperties();
-    return std::any_of(extensions.begin(), extensions.end(),
-                       [name](const vk::ExtensionProperties& extension) {
-                           return std::string_view(extension.extensionName.data()) == name;
-                       });
+    return std::ranges::any_of(extensions, [name](const vk::ExtensionProperties& extension) {
+        return std::string_view(extension.extensionName.data()) == name;
+    });
 }
 
 std::vector<std::string> thoseOff(std::initializer_list<std::pair<vk::Bool32, const char*>> features) {

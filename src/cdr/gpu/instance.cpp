@@ -21,9 +21,8 @@ bool hasLayer(const char* name) {
 
 bool hasExtension(const char* name) {
     const auto extensions = vk::enumerateInstanceExtensionProperties();
-    return std::any_of(extensions.begin(), extensions.end(), [&](const auto& extension) {
-        return std::strcmp(extension.extensionName, name) == 0;
-    });
+    return std::ranges::any_of(
+        extensions, [&](const auto& extension) { return std::strcmp(extension.extensionName, name) == 0; });
 }
 
 VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,

@@ -32,8 +32,7 @@ const std::array<std::uint8_t, kBins>& firstGuesses() {
         std::array<std::uint8_t, kBins> table{};
         for (std::size_t i = 0; i < kBins; ++i) {
             const double linear = static_cast<double>(i) / static_cast<double>(kBins);
-            table[i] = static_cast<std::uint8_t>(std::upper_bound(starts.begin(), starts.end(), linear) -
-                                                 starts.begin());
+            table[i] = static_cast<std::uint8_t>(std::ranges::upper_bound(starts, linear) - starts.begin());
         }
         return table;
     }();

@@ -108,9 +108,7 @@ class Trace::Writer {
 
     /// Stages end one after the other on one thread, so they are in order.
     std::string stageAround(TimePoint time) const {
-        const auto after =
-            std::upper_bound(m_trace.m_stages.begin(), m_trace.m_stages.end(), time,
-                             [](TimePoint point, const Stage& stage) { return point < stage.begin; });
+        const auto after = std::ranges::upper_bound(m_trace.m_stages, time, {}, &Stage::begin);
         if (after == m_trace.m_stages.begin() || std::prev(after)->end < time) {
             return "job";
         }

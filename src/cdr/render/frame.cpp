@@ -45,8 +45,7 @@ std::optional<Pick> Frame::pick(std::uint32_t x, std::uint32_t y) const {
 
 image::ImageU32 Frame::ids() const {
     image::ImageU32 ids(gbuffer.width, gbuffer.height);
-    std::transform(gbuffer.pixels.begin(), gbuffer.pixels.end(), ids.pixels.begin(),
-                   [](const GBufferPixel& pixel) { return pixel.id(); });
+    std::ranges::transform(gbuffer.pixels, ids.pixels.begin(), &GBufferPixel::id);
     return ids;
 }
 

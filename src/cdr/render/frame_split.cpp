@@ -23,10 +23,9 @@ depth::Cascades FrameSplit::cut(const scene::Camera& camera, const scene::Frustu
         }
     }
     // What no camera sees must not make cascades finer: the thinnest interval decides how fine they are.
-    std::copy_if(occupied.begin(), occupied.end(), std::back_inserter(m_intervals),
-                 [&](const depth::Interval& interval) {
-                     return interval.farView >= camera.nearView && interval.nearView <= camera.farView;
-                 });
+    std::ranges::copy_if(occupied, std::back_inserter(m_intervals), [&](const depth::Interval& interval) {
+        return interval.farView >= camera.nearView && interval.nearView <= camera.farView;
+    });
     m_previous = depth::makeCascades(m_technique.split, {.nearView = camera.nearView,
                                                          .farView = camera.farView,
                                                          .model = {m_technique.mapping, m_technique.format},

@@ -72,9 +72,7 @@ bool record(CameraRecording& recording, double seconds, const Camera& camera) {
 Camera cameraAt(const CameraRecording& recording, double seconds) {
     requireCameras(recording);
     const auto& cameras = recording.cameras;
-    const auto after =
-        std::upper_bound(cameras.begin(), cameras.end(), seconds,
-                         [](double time, const RecordedCamera& camera) { return time < camera.seconds; });
+    const auto after = std::ranges::upper_bound(cameras, seconds, {}, &RecordedCamera::seconds);
     if (after == cameras.begin()) {
         return cameras.front().camera;
     }

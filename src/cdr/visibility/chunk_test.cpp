@@ -44,8 +44,7 @@ bool ChunkTest::mayShow(const Placed& instance, const MeshChunk& chunk) const {
     const SkewBox box = placedBox(instance.centre, instance.basis, chunk.middle, chunk.half);
     const double farthest = std::abs(box.middle.z) + box.reach({0.0, 0.0, 1.0});
     const double around = instance.rounding + m_pixel * farthest;
-    return std::all_of(m_sides.begin(), m_sides.end(),
-                       [&](const HalfSpace& side) { return side.meets(box, around); });
+    return std::ranges::all_of(m_sides, [&](const HalfSpace& side) { return side.meets(box, around); });
 }
 
 } // namespace cdr::visibility

@@ -135,9 +135,8 @@ class ClusterChoice {
 
 void chooseClusters(const scene::Scene& scene, const DetailView& view, platform::WorkerPool& workers,
                     DrawLists& lists) {
-    const bool hasClusters =
-        std::any_of(scene.meshes.begin(), scene.meshes.end(),
-                    [](const scene::Mesh& mesh) { return !mesh.clusters.clusters.empty(); });
+    const bool hasClusters = std::ranges::any_of(
+        scene.meshes, [](const scene::Mesh& mesh) { return !mesh.clusters.clusters.empty(); });
     if (hasClusters) {
         ClusterChoice(scene, view, workers, lists).run();
     }

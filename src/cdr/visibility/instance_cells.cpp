@@ -229,10 +229,9 @@ void InstanceCells::update(const scene::Scene& scene, std::span<const std::uint3
         return;
     }
     m_slotOf.resize(scene.instances.size(), kNoSlot);
-    const bool mayBlend =
-        std::any_of(scene.materials.begin(), scene.materials.end(), [](const scene::Material& material) {
-            return material.alphaMode == scene::AlphaMode::blend;
-        });
+    const bool mayBlend = std::ranges::any_of(scene.materials, [](const scene::Material& material) {
+        return material.alphaMode == scene::AlphaMode::blend;
+    });
     for (std::size_t i = 0; i < changed.size(); ++i) {
         // Neighbours in the scene lie scattered over the cells, where the hardware foresees nothing.
         const std::uint32_t soon = m_slotOf[changed[std::min(i + kPrefetched, changed.size() - 1)]];

@@ -5,7 +5,6 @@
 #include <cdr/version.h>
 
 #include <cmath>
-#include <cstddef>
 #include <cstdio>
 
 namespace {

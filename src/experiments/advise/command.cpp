@@ -12,7 +12,6 @@
 #include <output/readable.h>
 #include <output/sentence_parts.h>
 
-#include <cmath>
 #include <numbers>
 
 namespace cdr::cli {

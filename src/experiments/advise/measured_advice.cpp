@@ -69,9 +69,8 @@ std::vector<TimingResult> time(const gpu::Device& device,
 
 depth::AdviceQuestion onDevice(const gpu::Device& device, depth::AdviceQuestion question) {
     const std::vector<depth::DepthFormat>& has = device.info().depthFormats;
-    std::erase_if(question.formats, [&](depth::DepthFormat format) {
-        return std::find(has.begin(), has.end(), format) == has.end();
-    });
+    std::erase_if(question.formats,
+                  [&](depth::DepthFormat format) { return std::ranges::find(has, format) == has.end(); });
     if (question.formats.empty()) {
         throw base::InputError(device.info().name + " has none of the depth formats asked for");
     }

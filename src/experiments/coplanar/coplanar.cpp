@@ -58,9 +58,7 @@ class CoplanarComparison {
             m_subPixelBits = std::min(m_subPixelBits, options.snapBits);
         }
         const auto& names = m_setup.scene.objectNames;
-        m_hiddenId =
-            static_cast<std::uint32_t>(std::find(names.begin(), names.end(), "hidden sign") - names.begin()) +
-            1;
+        m_hiddenId = static_cast<std::uint32_t>(std::ranges::find(names, "hidden sign") - names.begin()) + 1;
     }
 
     /// The setting with the fewest wrong pixels, over a few views.

@@ -59,10 +59,9 @@ std::vector<InspectedTechnique> techniquesOf(const gpu::Device& device, const In
             techniques.back().technique.format = format;
         }
     }
-    const auto judged =
-        std::find_if(techniques.begin(), techniques.end(), [&](const InspectedTechnique& each) {
-            return each.technique == options.judged.technique;
-        });
+    const auto judged = std::ranges::find_if(techniques, [&](const InspectedTechnique& each) {
+        return each.technique == options.judged.technique;
+    });
     if (judged != techniques.end()) {
         judged->isJudged = true;
     } else {
@@ -264,9 +263,8 @@ Inspection runInspect(const gpu::Device& device, const scene::Scene& scene,
             progress(done++, all, "truth");
             views.push_back(viewOf(caster, pairs, cameras[i], options, workers));
             pairs.add(views.back().camera, views.back().truth, views.back().blended);
-            inspection.objectPixels += static_cast<std::uint64_t>(
-                std::count_if(views.back().truth.pixels.begin(), views.back().truth.pixels.end(),
-                              [](const measure::TruthPixel& pixel) { return pixel.id != 0; }));
+            inspection.objectPixels += static_cast<std::uint64_t>(std::ranges::count_if(
+                views.back().truth.pixels, [](const measure::TruthPixel& pixel) { return pixel.id != 0; }));
             inspection.coplanarPixels += views.back().inPlane();
         }
         for (InspectedTechnique& technique : techniques) {
@@ -282,11 +280,10 @@ Inspection runInspect(const gpu::Device& device, const scene::Scene& scene,
     const auto isJudged = [](const InspectedTechnique& each) { return each.isJudged; };
     inspection.judged = static_cast<std::size_t>(
         std::find_if(techniques.begin(), techniques.end(), isJudged) - techniques.begin());
-    const auto suffices =
-        std::find_if(techniques.begin(), techniques.end(), [&](const InspectedTechnique& each) {
-            return each.wrong.pixels > 0 && inspection.wrongFraction(each) <= options.allowedShare &&
-                   inspection.undecidedFraction(each) <= std::max(options.allowedShare, kNearlyNone);
-        });
+    const auto suffices = std::ranges::find_if(techniques, [&](const InspectedTechnique& each) {
+        return each.wrong.pixels > 0 && inspection.wrongFraction(each) <= options.allowedShare &&
+               inspection.undecidedFraction(each) <= std::max(options.allowedShare, kNearlyNone);
+    });
     if (suffices != techniques.end()) {
         inspection.simplest = static_cast<std::size_t>(suffices - techniques.begin());
     }

@@ -6,7 +6,6 @@
 #include <cdr/measure/truth/object_ray.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <tuple>
 
@@ -61,7 +60,7 @@ double PairCollector::extentAt(std::uint32_t object, const glm::dvec3& place) co
 
 /// Solid objects close behind others are hidden as anything else is: a step forward would not bring them into view.
 bool PairCollector::isThin(std::uint32_t object) const {
-    return std::all_of(m_instances[object].begin(), m_instances[object].end(), [&](std::uint32_t i) {
+    return std::ranges::all_of(m_instances[object], [&](std::uint32_t i) {
         return thicknessOf(m_scene, i) <= kThin * m_scene.instances.radius[i];
     });
 }
@@ -163,8 +162,7 @@ std::vector<ObjectPair> PairCollector::pairs() const {
         return std::make_tuple(!pair.isCoplanar(), -static_cast<double>(pair.coplanar),
                                pair.gapView / pair.atView, pair.front, pair.back);
     };
-    std::sort(all.begin(), all.end(),
-              [&](const ObjectPair& a, const ObjectPair& b) { return order(a) < order(b); });
+    std::ranges::sort(all, [&](const ObjectPair& a, const ObjectPair& b) { return order(a) < order(b); });
     return all;
 }
 

@@ -40,9 +40,8 @@ std::string simplestLine(const Inspection& inspection) {
             simplest.cascades == 1 ? "one cascade" : fmt::format("{} cascades", simplest.cascades),
             simplest.wrong.wrong == 0 ? "no pixels" : pixels(simplest));
     }
-    const auto best =
-        std::min_element(inspection.techniques.begin(), inspection.techniques.end(),
-                         [](const auto& a, const auto& b) { return a.wrong.wrong < b.wrong.wrong; });
+    const auto best = std::ranges::min_element(
+        inspection.techniques, [](const auto& a, const auto& b) { return a.wrong.wrong < b.wrong.wrong; });
     const bool isUndecided = inspection.wrongFraction(*best) <= inspection.allowedShare;
     return fmt::format("No technique is enough: {} is the best, with {} wrong, {}{}.", nameOf(*best),
                        pixels(*best), shareText(inspection.wrongFraction(*best)),

@@ -38,9 +38,8 @@ image::ImageRgba8 makeContactSheet(const std::vector<PictureResult>& results, co
     if (results.empty()) {
         return {};
     }
-    const auto alike = std::count_if(results.begin(), results.end(), [&](const auto& result) {
-        return result.technique == results.front().technique;
-    });
+    const auto alike = std::ranges::count_if(
+        results, [&](const auto& result) { return result.technique == results.front().technique; });
     const std::uint32_t rows = std::max(1u, static_cast<std::uint32_t>(alike)); // the first is like itself
     const std::uint32_t columns = static_cast<std::uint32_t>(results.size()) / rows;
     const image::ImageRgba8& first = results.front().picture;

@@ -2,7 +2,6 @@
 
 #include <cdr/depth/technique.h>
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

@@ -96,9 +96,8 @@ class RivalsRun {
 
   private:
     static std::size_t findBaseline(const RivalsOptions& options) {
-        const auto found =
-            std::find_if(options.contenders.begin(), options.contenders.end(),
-                         [&](const NamedContender& named) { return named.name == options.baseline; });
+        const auto found = std::ranges::find_if(
+            options.contenders, [&](const NamedContender& named) { return named.name == options.baseline; });
         if (found == options.contenders.end() || found->isRival()) {
             throw base::InputError(fmt::format(
                 "{} must be among the techniques, because times are relative to it", options.baseline));

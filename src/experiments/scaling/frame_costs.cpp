@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
-#include <utility>
 
 namespace cdr::experiments {
 

@@ -17,8 +17,7 @@ constexpr std::uint32_t kMaxHeight = 16'384;
 constexpr std::size_t kMaxProjected = 1'000'000;
 
 void requireSameImages(const std::vector<experiments::RankPoint>& points) {
-    const auto differs =
-        std::find_if(points.begin(), points.end(), [](const auto& point) { return !point.sameImage; });
+    const auto differs = std::ranges::find_if(points, [](const auto& point) { return !point.sameImage; });
     if (differs != points.end()) {
         throw base::RunError(fmt::format("{} cascades: the image of {} ranks differs from that of one",
                                          differs->cascades, differs->ranks));

@@ -183,8 +183,7 @@ std::vector<TimingMode> timingModesNamed(const std::vector<std::string>& names) 
         if (name == chosen[0].name || name == chosen[1].name) {
             continue; // always measured
         }
-        if (std::any_of(chosen.begin(), chosen.end(),
-                        [&](const TimingMode& mode) { return mode.name == name; })) {
+        if (std::ranges::any_of(chosen, [&](const TimingMode& mode) { return mode.name == name; })) {
             throw base::InputError("mode " + name + " is given twice");
         }
         chosen.push_back(modeNamed(name));

@@ -198,8 +198,7 @@ class Race {
 
     std::optional<double> deviceUs(std::size_t mode) const {
         const std::vector<double> deviceMs = m_frames.samples(mode, &runs::FrameSample::deviceMs);
-        const bool isTimed =
-            std::none_of(deviceMs.begin(), deviceMs.end(), [](double ms) { return std::isnan(ms); });
+        const bool isTimed = std::ranges::none_of(deviceMs, [](double ms) { return std::isnan(ms); });
         return isTimed ? std::optional(kUsPerMs * measure::median(deviceMs)) : std::nullopt;
     }
 

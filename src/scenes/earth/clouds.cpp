@@ -1,7 +1,6 @@
 #include <scenes/earth/clouds.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace cdr::scenes {
 

@@ -1,7 +1,6 @@
 #include <cdr/base/error.h>
 #include <scenes/orbit/runway_marking.h>
 
-#include <cmath>
 #include <vector>
 
 namespace cdr::scenes {

@@ -44,9 +44,8 @@ void drawLayersPanel(const Widgets& widgets, const PictureModel& picture, ViewSe
     if (listed.size() < materials.size()) {
         widgets.sentence("and " + counted(materials.size() - listed.size(), "more material"));
     }
-    const bool isChosen = std::any_of(listed.begin(), listed.end(), [&](std::uint32_t material) {
-        return chosenLayer(settings, scene, material).has_value();
-    });
+    const bool isChosen = std::ranges::any_of(
+        listed, [&](std::uint32_t material) { return chosenLayer(settings, scene, material).has_value(); });
     if (isChosen && widgets.button("the scene's own")) {
         for (const std::uint32_t material : listed) {
             clearLayer(settings, scene, material);

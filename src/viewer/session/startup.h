@@ -5,7 +5,6 @@
 #include <viewer/state/model/viewer_model.h>
 
 #include <filesystem>
-#include <optional>
 #include <string>
 
 namespace cdr::viewer {

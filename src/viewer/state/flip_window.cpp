@@ -19,8 +19,7 @@ void readIds(const render::Frame& frame, image::ImageU32& ids) {
     if (ids.width != frame.width() || ids.height != frame.height()) {
         ids = image::ImageU32(frame.width(), frame.height());
     }
-    std::transform(frame.gbuffer.pixels.begin(), frame.gbuffer.pixels.end(), ids.pixels.begin(),
-                   [](const render::GBufferPixel& pixel) { return pixel.id(); });
+    std::ranges::transform(frame.gbuffer.pixels, ids.pixels.begin(), &render::GBufferPixel::id);
 }
 
 } // namespace

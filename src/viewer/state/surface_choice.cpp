@@ -14,8 +14,7 @@ vk::SurfaceFormatKHR chooseSurfaceFormat(std::span<const vk::SurfaceFormatKHR> o
                                  vk::Format::eA2B10G10R10UnormPack32};
     constexpr auto kSpace = vk::ColorSpaceKHR::eSrgbNonlinear;
     for (const vk::Format wanted : kWanted) {
-        if (std::find(offered.begin(), offered.end(), vk::SurfaceFormatKHR{wanted, kSpace}) !=
-            offered.end()) {
+        if (std::ranges::find(offered, vk::SurfaceFormatKHR{wanted, kSpace}) != offered.end()) {
             return {wanted, kSpace};
         }
     }

@@ -26,8 +26,7 @@ std::optional<std::size_t> lastFrame(const platform::Trace& trace) {
 /// Those of a frame, which were recorded last.
 template <typename Event>
 std::span<const Event> eventsOf(std::span<const Event> events, std::size_t frame) {
-    const auto first =
-        std::find_if(events.begin(), events.end(), [&](const Event& event) { return event.frame == frame; });
+    const auto first = std::ranges::find_if(events, [&](const Event& event) { return event.frame == frame; });
     return events.subspan(static_cast<std::size_t>(first - events.begin()));
 }
 

@@ -40,9 +40,8 @@ void cutLeftHalf(scene::Scene& scene) {
 }
 
 std::size_t shown(const measure::TruthImage& truth, std::uint32_t id) {
-    return static_cast<std::size_t>(
-        std::count_if(truth.pixels.begin(), truth.pixels.end(),
-                      [&](const measure::TruthPixel& pixel) { return pixel.id == id; }));
+    return static_cast<std::size_t>(std::ranges::count_if(
+        truth.pixels, [&](const measure::TruthPixel& pixel) { return pixel.id == id; }));
 }
 
 /// False where nothing in view is masked.

@@ -100,9 +100,7 @@ std::vector<ReferenceHit> ReferenceCaster::hits(std::uint32_t x, std::uint32_t y
     for (const auto& [id, distance] : nearest) {
         hits.push_back({id, distance});
     }
-    std::stable_sort(hits.begin(), hits.end(), [](const ReferenceHit& a, const ReferenceHit& b) {
-        return a.distanceView < b.distanceView;
-    });
+    std::ranges::stable_sort(hits, {}, &ReferenceHit::distanceView);
     return hits;
 }
 

@@ -39,8 +39,7 @@ void compare(std::uint32_t id, double distance, const std::vector<ReferenceHit>&
     if (id != expectedId) {
         // A tie: the reference has the truth's object too, no farther from the rank's distance than
         // roundings.
-        const auto own =
-            std::find_if(hits.begin(), hits.end(), [&](const auto& hit) { return hit.id == id; });
+        const auto own = std::ranges::find_if(hits, [&](const auto& hit) { return hit.id == id; });
         const bool ties =
             own != hits.end() && rank < hits.size() &&
             std::abs(own->distanceView - hits[rank].distanceView) <= kTie * hits[rank].distanceView;

@@ -12,7 +12,6 @@ namespace cdr::test {
 
 namespace {
 
-using measure::kNoHit;
 using measure::ObjectRay;
 using measure::TriangleBvh;
 using measure::ViewRange;

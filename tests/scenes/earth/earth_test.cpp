@@ -42,9 +42,8 @@ TEST_F(EarthScene, IsTheOrbitButForGroundAndAir) {
 /// Gaps of a tenth of a metre are narrower than pixels, so a wall of another colour shows as broken lines.
 TEST_F(EarthScene, WallsBehindCladdingHaveItsColor) {
     const auto colorOf = [](const scene::Scene& scene, std::string_view name) {
-        const auto found =
-            std::find_if(scene.materials.begin(), scene.materials.end(),
-                         [&](const scene::Material& material) { return material.name == name; });
+        const auto found = std::ranges::find_if(
+            scene.materials, [&](const scene::Material& material) { return material.name == name; });
         return found == scene.materials.end() ? glm::vec4(0.0f) : found->baseColorFactor;
     };
     EXPECT_GT(colorOf(m_earth.scene, kCladding).b, 0.5f);

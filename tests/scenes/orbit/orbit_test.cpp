@@ -150,9 +150,7 @@ TEST_F(OrbitScene, HoldsWhatIsPromisedAtItsSize) {
     const Scene& scene = setup().scene;
     for (const char* name : {"window frame", "handrail", "solar panel", "earth", "moon", "runway 09L/27R",
                              "hangar 1", "aircraft"}) {
-        EXPECT_NE(std::find(scene.objectNames.begin(), scene.objectNames.end(), name),
-                  scene.objectNames.end())
-            << name;
+        EXPECT_NE(std::ranges::find(scene.objectNames, name), scene.objectNames.end()) << name;
     }
     EXPECT_EQ(scene.objectCount(), scene.objectNames.size());
     const glm::dvec3 eye = setup().path.at(0).position;
@@ -234,8 +232,7 @@ TEST(OrbitModel, IsParkedOnTheSlab) {
     EXPECT_EQ(std::count(scene.objectNames.begin(), scene.objectNames.end(), "aircraft"), 0);
     const auto object = static_cast<std::uint32_t>(name - scene.objectNames.begin());
     const auto& objects = scene.instances.object;
-    const auto i =
-        static_cast<std::size_t>(std::find(objects.begin(), objects.end(), object) - objects.begin());
+    const auto i = static_cast<std::size_t>(std::ranges::find(objects, object) - objects.begin());
     ASSERT_LT(i, scene.instances.size());
     EXPECT_NEAR(scene.instances.y[i] - 4.0, kSlabHeight, 1e-9); // half its height below its middle
     EXPECT_EQ(scene.materials[scene.instances.material[i]].name, "red");

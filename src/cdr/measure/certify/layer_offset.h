@@ -3,7 +3,6 @@
 #include <cdr/scene/mesh.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <span>
 #include <vector>
 

@@ -168,8 +168,7 @@ OrderStrip::Cover OrderStrip::coverAt(const ScreenTriangle& triangle, const std:
 void OrderStrip::enterThin(const ScreenTriangle& triangle, const StripSurface& surface,
                            const PixelRect& box) {
     std::array<Edge, 3> edges = edgesOf(triangle);
-    Edge& longest = *std::max_element(edges.begin(), edges.end(),
-                                      [](const Edge& a, const Edge& b) { return a.margin < b.margin; });
+    Edge& longest = *std::ranges::max_element(edges, {}, &Edge::margin);
     longest.margin = 6.0 * longest.margin + 16.0 * triangle.bound.pixels * triangle.bound.pixels;
     Edge mirrored{-longest.perX, -longest.perY, -longest.atOrigin, longest.margin};
     const double depthView =

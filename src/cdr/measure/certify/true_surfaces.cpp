@@ -38,13 +38,12 @@ ByObject instancesOf(const std::vector<PixelRepair>& repairs, const std::vector<
 
 /// The surface of an object at a distance, as one cast and another one round it.
 const SurfaceHit* hitAt(const std::vector<SurfaceHit>& hits, double distanceView) {
-    const auto nearest =
-        std::min_element(hits.begin(), hits.end(), [&](const SurfaceHit& a, const SurfaceHit& b) {
-            const double offA = std::abs(a.distanceView - distanceView);
-            const double offB = std::abs(b.distanceView - distanceView);
-            // Where both are there, the higher layer shows, or the last one drawn.
-            return std::make_tuple(offA, -a.layer, b.instance) < std::make_tuple(offB, -b.layer, a.instance);
-        });
+    const auto nearest = std::ranges::min_element(hits, [&](const SurfaceHit& a, const SurfaceHit& b) {
+        const double offA = std::abs(a.distanceView - distanceView);
+        const double offB = std::abs(b.distanceView - distanceView);
+        // Where both are there, the higher layer shows, or the last one drawn.
+        return std::make_tuple(offA, -a.layer, b.instance) < std::make_tuple(offB, -b.layer, a.instance);
+    });
     return nearest == hits.end() ? nullptr : &*nearest;
 }
 

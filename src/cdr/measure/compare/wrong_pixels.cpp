@@ -58,8 +58,7 @@ void innerMask(const image::ImageU32& ids, image::Raster<std::uint8_t>& mask) {
 
 image::Raster<std::uint8_t> innerMask(const TruthImage& truth) {
     image::ImageU32 ids(truth.width, truth.height);
-    std::transform(truth.pixels.begin(), truth.pixels.end(), ids.pixels.begin(),
-                   [](const TruthPixel& pixel) { return pixel.id; });
+    std::ranges::transform(truth.pixels, ids.pixels.begin(), &TruthPixel::id);
     image::Raster<std::uint8_t> mask(truth.width, truth.height);
     innerMask(ids, mask);
     for (std::size_t i = 0; i < truth.doubtful.pixels.size(); ++i) {

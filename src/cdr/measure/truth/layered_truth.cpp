@@ -73,8 +73,7 @@ std::vector<SurfaceHit> hitsAt(const View& view, std::uint32_t x, std::uint32_t 
         };
         return order(a) < order(b);
     });
-    const auto end =
-        std::find_if(hits.begin(), hits.end(), [](const SurfaceHit& hit) { return !hit.isBlended; });
+    const auto end = std::ranges::find_if(hits, [](const SurfaceHit& hit) { return !hit.isBlended; });
     if (end != hits.end()) {
         hits.erase(end + 1, hits.end());
     }

@@ -117,8 +117,7 @@ void keepShare(const scene::Texture& texture, double cutoff, image::Raster<glm::
     const std::vector<double> whole =
         sortedAlphas({picture.width, picture.height},
                      [&](std::uint32_t x, std::uint32_t y) { return picture.at(x, y)[3] / 255.0; });
-    const auto kept =
-        std::count_if(whole.begin(), whole.end(), [&](double alpha) { return alpha >= cutoff - 1e-6; });
+    const auto kept = std::ranges::count_if(whole, [&](double alpha) { return alpha >= cutoff - 1e-6; });
     const double share = static_cast<double>(kept) / static_cast<double>(whole.size());
     const std::vector<double> alphas =
         sortedAlphas({level.width, level.height},

@@ -33,11 +33,10 @@ void FacetLight::write(std::size_t facet, const glm::dvec3& normal, double heigh
 std::array<glm::vec4, shaders::kPushedLights> pushedLights(const scene::Scene& scene,
                                                            const scene::Camera& camera, double anchorView) {
     std::array<glm::vec4, shaders::kPushedLights> pushed{};
-    std::transform(
-        scene.lights.begin(), scene.lights.end(), pushed.begin(), [&](const scene::PointLight& light) {
-            const glm::dvec3 view = camera.toView(broughtNear(light, camera).position);
-            return glm::vec4(view.x, view.y, -view.z - anchorView, makeLightRecord(light, camera).position.w);
-        });
+    std::ranges::transform(scene.lights, pushed.begin(), [&](const scene::PointLight& light) {
+        const glm::dvec3 view = camera.toView(broughtNear(light, camera).position);
+        return glm::vec4(view.x, view.y, -view.z - anchorView, makeLightRecord(light, camera).position.w);
+    });
     return pushed;
 }
 

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <compare>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

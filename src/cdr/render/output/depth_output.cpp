@@ -3,7 +3,6 @@
 #include <cdr/render/stages.h>
 #include <cdr/shaders/output_depth_frag.h>
 
-#include <cstddef>
 #include <span>
 
 namespace cdr::render {

@@ -51,10 +51,9 @@ CommonMove commonMove(std::span<const MovedObject> parts) {
     if (std::none_of(parts.begin(), parts.end(), isTurned)) {
         return {.part = parts.front()};
     }
-    const auto best =
-        std::min_element(parts.begin(), parts.end(), [](const MovedObject& a, const MovedObject& b) {
-            return conditionOf(a.now.basis) < conditionOf(b.now.basis);
-        });
+    const auto best = std::ranges::min_element(parts, [](const MovedObject& a, const MovedObject& b) {
+        return conditionOf(a.now.basis) < conditionOf(b.now.basis);
+    });
     return {.part = *best,
             .condition = conditionOf(best->now.basis),
             .turn = glm::dmat3(best->before.basis) * glm::inverse(glm::dmat3(best->now.basis))};

@@ -4,8 +4,6 @@
 #include <cdr/render/shadows/cull_casters.h>
 #include <cdr/visibility/level_choice.h>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -47,7 +45,7 @@ void CasterDraws::prepare(const FrameView& frame, std::span<const ReceiverSlice>
         }
         m_runs.insert(m_runs.end(), some.runs.begin(), some.runs.end());
     }
-    growRecords();
+    gpu::growRecords(m_device, m_records, m_casters.size(), sizeof(shaders::CasterRecord), "shadow casters");
     workers.run(views.size(), [&](std::size_t view, std::size_t) {
         for (std::size_t i = m_views[view].begin; i < m_views[view].end; ++i) {
             writeRecords(views[view], m_batches[i].casters);
@@ -155,18 +153,6 @@ float CasterDraws::leastAlphaOf(std::uint32_t caster) const {
         return 0.0f;
     }
     return render::leastAlphaOf(m_scene.scene.materials[m_scene.uploaded.sources()[caster].material]);
-}
-
-void CasterDraws::growRecords() {
-    const std::size_t draws = m_casters.size();
-    if (m_records.size() > 0 && draws <= m_records.size() / sizeof(shaders::CasterRecord)) {
-        return;
-    }
-    // Half as many again, so that a camera that turns does not make a new buffer at every frame.
-    const std::size_t bytes = std::max<std::size_t>(draws + draws / 2, 64) * sizeof(shaders::CasterRecord);
-    gpu::requireDeviceBytes(m_device, bytes, fmt::format("the records of {} shadow casters", draws));
-    m_records = gpu::Buffer(m_device, bytes, vk::BufferUsageFlagBits::eVertexBuffer,
-                            gpu::MemoryUse::hostWrites, "shadow casters");
 }
 
 void CasterDraws::writeRecords(const LightView& view, const Range& range) const {

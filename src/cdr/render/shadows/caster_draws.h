@@ -76,7 +76,6 @@ class CasterDraws {
     Batch batchOf(std::uint32_t caster, const FrameView& frame, const LightView& view) const;
     std::uint64_t drawOf(const Batch& batch) const;
     float leastAlphaOf(std::uint32_t caster) const;
-    void growRecords();
     void writeRecords(const LightView& view, const Range& range) const;
 
     const gpu::Device& m_device;

@@ -21,8 +21,7 @@ CasterTest::CasterTest(const LightView& view, const ReceiverCells& receivers)
 
 bool CasterTest::holds(const glm::dvec3& centre, double radius) const {
     const glm::dvec3 place = centre - m_view.origin;
-    return std::all_of(m_sides.begin(), m_sides.end(),
-                       [&](const HalfSpace& side) { return side.meets(place, radius); }) &&
+    return std::ranges::all_of(m_sides, [&](const HalfSpace& side) { return side.meets(place, radius); }) &&
            m_receivers.meet(m_view.toLight(place), glm::dvec3(radius));
 }
 
@@ -35,8 +34,7 @@ bool CasterTest::holds(const visibility::InstanceCells::Box& box) const {
 
 bool CasterTest::holds(const SkewBox& box, double around) const {
     const glm::dvec3 across(box.reach(m_view.right), box.reach(m_view.up), box.reach(m_view.ahead));
-    return std::all_of(m_sides.begin(), m_sides.end(),
-                       [&](const HalfSpace& side) { return side.meets(box, around); }) &&
+    return std::ranges::all_of(m_sides, [&](const HalfSpace& side) { return side.meets(box, around); }) &&
            m_receivers.meet(m_view.toLight(box.middle), across + around);
 }
 

@@ -79,8 +79,7 @@ std::vector<LightView> dividedView(const LightView& view, const ReceiverSlice& s
                                      down.end - down.begin + 2 * kMapBorder};
             const Rectangle shown{part.low,
                                   part.low + part.texel * glm::dvec2(part.size.width, part.size.height)};
-            if (std::all_of(bodies.begin(), bodies.end(),
-                            [&](const auto& body) { return !body || meets(*body, shown); })) {
+            if (std::ranges::all_of(bodies, [&](const auto& body) { return !body || meets(*body, shown); })) {
                 parts.push_back(part);
             }
         }

@@ -1,8 +1,5 @@
 #include <cdr/render/translucency/translucent_draws.h>
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -85,7 +82,8 @@ void TranslucentDraws::prepare(const FrameView& view, Translucency method, platf
     visibility::cullSpheres(m_scene.scene.instances, m_scene.uploaded.blended(), view.camera, view.frustum,
                             m_visible);
     visibility::binByDistance(m_visible, m_ranges, std::numeric_limits<double>::infinity(), workers, m_lists);
-    growRecords();
+    gpu::growRecords(m_device, m_records, m_lists.draws(), sizeof(shaders::TranslucentRecord),
+                     "translucent draws");
     writeRecords(view.camera);
 }
 
@@ -95,19 +93,6 @@ bool TranslucentDraws::meets(std::size_t range, const shaders::TranslucentSlice&
 
 bool TranslucentDraws::isIn(std::size_t draw, const shaders::TranslucentSlice* slice) const {
     return slice == nullptr || haveCommon(m_extents[draw], *slice);
-}
-
-void TranslucentDraws::growRecords() {
-    const std::size_t draws = m_lists.draws();
-    if (m_records.size() > 0 && draws <= m_records.size() / sizeof(shaders::TranslucentRecord)) {
-        return;
-    }
-    // Half as many again, so that a camera that turns does not make a new buffer at every frame.
-    const std::size_t bytes =
-        std::max<std::size_t>(draws + draws / 2, 64) * sizeof(shaders::TranslucentRecord);
-    gpu::requireDeviceBytes(m_device, bytes, fmt::format("the records of {} translucent draws", draws));
-    m_records = gpu::Buffer(m_device, bytes, vk::BufferUsageFlagBits::eVertexBuffer,
-                            gpu::MemoryUse::hostWrites, "translucent records");
 }
 
 void TranslucentDraws::writeRecords(const scene::Camera& camera) {

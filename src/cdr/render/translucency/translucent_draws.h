@@ -49,7 +49,6 @@ class TranslucentDraws {
 
   private:
     bool isIn(std::size_t draw, const shaders::TranslucentSlice* slice) const;
-    void growRecords();
     void writeRecords(const scene::Camera& camera);
     shaders::TranslucentPush pushOf(std::size_t range, vk::Extent2D extent, std::uint32_t capacity) const;
 

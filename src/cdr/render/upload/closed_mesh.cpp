@@ -76,8 +76,7 @@ Parts partsOf(std::span<const std::uint64_t> places, std::span<const std::uint32
     Parts parts(places.size());
     std::vector<std::uint32_t> order(places.size());
     std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return places[a] < places[b]; });
+    std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) { return places[a] < places[b]; });
     for (std::size_t i = 1; i < order.size(); ++i) {
         if (places[order[i]] == places[order[i - 1]]) {
             parts.join(order[i], order[i - 1]);

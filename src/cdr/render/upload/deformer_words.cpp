@@ -48,9 +48,8 @@ std::vector<TargetDelta> deltasByVertex(const Deformer& deformer) {
             deltas.push_back({target, &delta});
         }
     }
-    std::stable_sort(deltas.begin(), deltas.end(), [](const TargetDelta& a, const TargetDelta& b) {
-        return a.delta->vertex < b.delta->vertex;
-    });
+    std::ranges::stable_sort(
+        deltas, [](const TargetDelta& a, const TargetDelta& b) { return a.delta->vertex < b.delta->vertex; });
     return deltas;
 }
 

@@ -40,9 +40,7 @@ void morph(const Deformer& deformer, std::span<const double> weights, std::size_
             continue;
         }
         const std::vector<MorphDelta>& deltas = deformer.targets[target];
-        auto delta =
-            std::lower_bound(deltas.begin(), deltas.end(), first,
-                             [](const MorphDelta& a, std::size_t vertex) { return a.vertex < vertex; });
+        auto delta = std::ranges::lower_bound(deltas, first, {}, &MorphDelta::vertex);
         for (; delta != deltas.end() && delta->vertex < first + points.size(); ++delta) {
             Point& point = points[delta->vertex - first];
             point.position += weights[target] * glm::dvec3(delta->position);
@@ -153,8 +151,7 @@ void finish(Deformer& deformer) {
         weightOf.resize(std::max<std::size_t>(weightOf.size(), influence.joint + std::size_t{1}));
         weightOf[influence.joint] += static_cast<double>(influence.weight);
     }
-    deformer.anchor =
-        static_cast<std::uint32_t>(std::max_element(weightOf.begin(), weightOf.end()) - weightOf.begin());
+    deformer.anchor = static_cast<std::uint32_t>(std::ranges::max_element(weightOf) - weightOf.begin());
     measureReaches(deformer);
 }
 

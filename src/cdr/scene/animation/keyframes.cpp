@@ -18,9 +18,8 @@ struct Moment {
 };
 
 Moment momentOf(const std::vector<float>& times, double seconds) {
-    const auto after = std::upper_bound(times.begin(), times.end(), seconds, [](double value, float time) {
-        return value < static_cast<double>(time);
-    });
+    const auto after = std::ranges::upper_bound(
+        times, seconds, [](double value, float time) { return value < static_cast<double>(time); });
     if (after == times.begin()) {
         return {};
     }

@@ -129,8 +129,7 @@ void select(Moved& moved) {
     for (std::size_t i = 0; i < all.deformed.size(); ++i) {
         const DeformedMesh& mesh = all.deformed[i];
         const auto isMoved = [&](std::size_t joint) { return nodes[joint]; };
-        const bool byJoints = mesh.skin && std::any_of(all.skins[*mesh.skin].joints.begin(),
-                                                       all.skins[*mesh.skin].joints.end(), isMoved);
+        const bool byJoints = mesh.skin && std::ranges::any_of(all.skins[*mesh.skin].joints, isMoved);
         if (nodes[mesh.node] || byJoints) {
             moved.deformed.push_back(i);
         }

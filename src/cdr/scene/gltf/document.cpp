@@ -29,8 +29,7 @@ constexpr std::array<std::string_view, 8> kSupportedExtensions{kInstancing,
                                                                "KHR_texture_transform"};
 
 bool isSupported(const std::string& extension) {
-    return std::find(kSupportedExtensions.begin(), kSupportedExtensions.end(), extension) !=
-           kSupportedExtensions.end();
+    return std::ranges::find(kSupportedExtensions, extension) != kSupportedExtensions.end();
 }
 
 void requireVersion2(const json& root) {

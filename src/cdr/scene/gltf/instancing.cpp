@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <initializer_list>
 #include <optional>
 
 namespace cdr::scene::gltf {

@@ -51,9 +51,8 @@ std::vector<std::vector<std::size_t>> groupClusters(std::span<const std::vector<
         std::vector<std::size_t> group;
         SharedPoints candidates{{seed, 0}};
         while (group.size() < most && !candidates.empty()) {
-            const auto best =
-                std::max_element(candidates.begin(), candidates.end(),
-                                 [](const auto& a, const auto& b) { return a.second < b.second; });
+            const auto best = std::ranges::max_element(
+                candidates, [](const auto& a, const auto& b) { return a.second < b.second; });
             const std::size_t cluster = best->first;
             group.push_back(cluster);
             isTaken[cluster] = true;

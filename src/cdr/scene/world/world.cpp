@@ -300,8 +300,7 @@ std::vector<std::uint32_t> World::posedMeshes() const {
 }
 
 bool World::hasPosedVertices() const {
-    return std::all_of(m_posed.begin(), m_posed.end(),
-                       [](const auto& entry) { return entry.second.areVerticesPosed; });
+    return std::ranges::all_of(m_posed, [](const auto& entry) { return entry.second.areVerticesPosed; });
 }
 
 void World::removeMesh(MeshHandle handle) {

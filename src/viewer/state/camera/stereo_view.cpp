@@ -1,7 +1,5 @@
 #include "stereo_view.h"
 
-#include <cdr/base/number_text.h>
-
 #include <fmt/format.h>
 
 #include <algorithm>

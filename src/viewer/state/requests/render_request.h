@@ -2,7 +2,6 @@
 
 #include <cdr/render/frame.h>
 #include <cdr/render/renderer.h>
-#include <scenes/open_scene.h>
 #include <viewer/state/camera/obstacles.h>
 #include <viewer/state/view_settings.h>
 #include <viewer/state/worker_timeline.h>

@@ -115,8 +115,7 @@ std::vector<MorphDelta> deltasOf(const std::map<std::string, int>& target, const
         readingOrder(source.fileVertices, bytesApartInFile({position, normal, tangent}));
     forEachInOrder(order, source.fileVertices.size(), add);
     if (!order.empty()) {
-        std::sort(deltas.begin(), deltas.end(),
-                  [](const MorphDelta& a, const MorphDelta& b) { return a.vertex < b.vertex; });
+        std::ranges::sort(deltas, {}, &MorphDelta::vertex);
     }
     return deltas;
 }

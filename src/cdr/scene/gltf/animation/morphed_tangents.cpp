@@ -53,8 +53,7 @@ class TangentMesh {
         std::vector<TangentSum> sums(m_group.size());
         for (std::size_t i = 0; i + 2 < m_indices.size(); i += 3) {
             const auto corners = m_indices.subspan(i, 3);
-            if (std::any_of(corners.begin(), corners.end(),
-                            [&](std::uint32_t v) { return isWanted[m_group[v]]; })) {
+            if (std::ranges::any_of(corners, [&](std::uint32_t v) { return isWanted[m_group[v]]; })) {
                 addTriangle(i, vertices, sums);
             }
         }
@@ -95,8 +94,7 @@ class TangentMesh {
         };
         std::vector<std::uint32_t> order(m_group.size());
         std::iota(order.begin(), order.end(), 0u);
-        std::sort(order.begin(), order.end(),
-                  [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+        std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
         for (std::size_t i = 0; i < order.size(); ++i) {
             const bool isFirst = i == 0 || key(order[i - 1]) != key(order[i]);
             m_group[order[i]] = isFirst ? order[i] : m_group[order[i - 1]];

@@ -31,8 +31,7 @@ constexpr std::array<std::string_view, 7> kMediaTypes{"application/octet-stream"
 /// Whether two texts are the same but for the case of ASCII letters.
 bool isAlike(std::string_view a, std::string_view b) {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [&](char x, char y) { return lower(x) == lower(y); });
+    return std::ranges::equal(a, b, [&](char x, char y) { return lower(x) == lower(y); });
 }
 
 [[noreturn]] void refuseData(std::string_view uri, const std::string& why) {
@@ -58,8 +57,7 @@ platform::Bytes decodeDataUri(std::string_view uri) {
     const std::size_t comma = std::min(uri.find(','), uri.size());
     const std::string_view type =
         mediaTypeOf(uri, uri.substr(kDataScheme.size(), comma - kDataScheme.size()));
-    if (std::none_of(kMediaTypes.begin(), kMediaTypes.end(),
-                     [&](std::string_view known) { return isAlike(known, type); })) {
+    if (std::ranges::none_of(kMediaTypes, [&](std::string_view known) { return isAlike(known, type); })) {
         refuseData(uri, fmt::format("'{}' is no media type of a buffer or a picture; those are {}",
                                     oneLine(type, 40), fmt::join(kMediaTypes, ", ")));
     }

@@ -51,9 +51,8 @@ std::string percentDecode(const std::string& uri) {
 
 /// Whether the text starts as `http:` or `C:` do.
 bool hasScheme(const std::string& uri) {
-    const auto end = std::find_if(uri.begin(), uri.end(), [](unsigned char c) {
-        return std::isalnum(c) == 0 && c != '+' && c != '-' && c != '.';
-    });
+    const auto end = std::ranges::find_if(
+        uri, [](unsigned char c) { return std::isalnum(c) == 0 && c != '+' && c != '-' && c != '.'; });
     return end != uri.begin() && end != uri.end() && *end == ':';
 }
 

@@ -32,9 +32,8 @@ UvPlaces choosePlaces(std::span<const UvSource> sources, const UvSource* normal)
         places.second = unlike[1];
     }
     if (unlike.size() > 2) {
-        const auto otherSet = std::find_if(unlike.begin(), unlike.end(), [&](const UvSource& source) {
-            return source.texCoord != unlike[0].texCoord;
-        });
+        const auto otherSet = std::ranges::find_if(
+            unlike, [&](const UvSource& source) { return source.texCoord != unlike[0].texCoord; });
         if (otherSet != unlike.end()) {
             places.second = *otherSet;
         } else if (normal != nullptr && *normal != unlike[0]) {
