@@ -40,8 +40,8 @@ TEST_F(RecordTest, ARecordedPictureIsTheRenderedOne) {
         options.framesInFlight = 2;
         HostSide host(device(), extentOf(options));
         render::Renderer renderer(device(), setup.scene, gpuScene, options);
-        for (const int at : {7, 100, 200}) { // frames share the host's images too
-            const scene::Camera camera = setup.path.at(static_cast<std::size_t>(at));
+        for (const std::uint32_t at : {7u, 100u, 200u}) { // frames share the host's images too
+            const scene::Camera camera = setup.path.at(at);
             host.submit(renderer, camera, host.begin());
             EXPECT_EQ(host.color<image::Rgba8>().pixels, draw(setup.scene, camera, options).color.pixels)
                 << nameOf(submission) << " " << at;
