@@ -23,7 +23,6 @@ using AtomicStage = vk::PipelineStageFlagBits2;
 using AtomicAccess = vk::AccessFlagBits2;
 
 constexpr auto kStorage = vk::DescriptorType::eStorageBuffer;
-constexpr auto kPrepassFormat = vk::Format::eD32Sfloat;
 
 gpu::Spirv vertexSpirvOf(Distance distance) {
     switch (distance) {
@@ -56,6 +55,10 @@ gpu::Spirv idsSpirvOf(const Rival& rival) {
     }
     return rival.distance == Distance::object ? gpu::Spirv(kRivalObjectIdsFrag)
                                               : gpu::Spirv(kRivalPairIdsFrag);
+}
+
+vk::Format prepassFormat(const gpu::Device& device, const Rival& rival) {
+    return rival.prepass ? vk::Format(device.depthFormat(depth::DepthFormat::d32f)) : vk::Format::eUndefined;
 }
 
 /// The rival, if there are shaders for it and the device can run them.
@@ -94,6 +97,7 @@ gpu::Buffer hostCopyOf(const gpu::Device& device, const gpu::Buffer& buffer, con
 AtomicPass::AtomicPass(const gpu::Device& device, const Rival& rival, vk::Extent2D extent)
     : m_rival(requireDrawable(device, rival)),
       m_extent(extent),
+      m_depthFormat(prepassFormat(device, rival)),
       m_keys(makePixels(device, extent, sizeof(std::uint64_t), "rival keys")),
       m_keysOnHost(hostCopyOf(device, m_keys, "rival keys on the host")),
       m_setLayout(gpu::makeSetLayout(device,
@@ -113,17 +117,13 @@ AtomicPass::AtomicPass(const gpu::Device& device, const Rival& rival, vk::Extent
     if (rival.prepass) {
         m_depth = gpu::Image(device,
                              {.extent = extent,
-                              .format = kPrepassFormat,
+                              .format = m_depthFormat,
                               .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment,
                               .aspect = vk::ImageAspectFlagBits::eDepth},
                              "rival prepass");
         m_prepass = makePipeline(device, "rival prepass", {}, shaders::kDepthDecides);
     }
     m_nearest = makePipeline(device, "rival", nearestSpirvOf(rival), depthUse);
-}
-
-vk::Format AtomicPass::depthFormat() const {
-    return m_rival.prepass ? kPrepassFormat : vk::Format::eUndefined;
 }
 
 gpu::Pipeline AtomicPass::makePipeline(const gpu::Device& device, const char* name,
@@ -136,7 +136,7 @@ gpu::Pipeline AtomicPass::makePipeline(const gpu::Device& device, const char* na
                                               .bindings = FrameDraws::bindings(),
                                               .attributes = FrameDraws::attributes(),
                                               .colorFormats = {},
-                                              .depthFormat = depthFormat(),
+                                              .depthFormat = m_depthFormat,
                                               .writesDepth = depthUse == shaders::kDepthDecides,
                                               .depthCompare = vk::CompareOp::eGreaterOrEqual});
 }

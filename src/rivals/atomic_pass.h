@@ -24,12 +24,12 @@ class AtomicPass final : public VisibilityPass {
     bool hasIdPass() const { return m_rival.key != Key::log40; }
     gpu::Pipeline makePipeline(const gpu::Device& device, const char* name, const gpu::Spirv& fragment,
                                std::uint32_t depthUse) const;
-    vk::Format depthFormat() const;
     void clear(vk::CommandBuffer commands) const;
     void beginScope(vk::CommandBuffer commands, vk::AttachmentLoadOp load) const;
 
     Rival m_rival;
     vk::Extent2D m_extent;
+    vk::Format m_depthFormat; ///< undefined without a prepass, as Vulkan wants it of pipelines
     gpu::Buffer m_keys;
     gpu::Buffer m_ids; ///< this and the next are empty without a second pass
     gpu::Buffer m_idsOnHost;

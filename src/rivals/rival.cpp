@@ -5,6 +5,8 @@
 #include <fmt/ranges.h>
 #include <rivals/rival.h>
 
+#include <algorithm>
+
 namespace cdr::rivals {
 
 namespace {
@@ -60,6 +62,9 @@ std::vector<std::string> missingFeatures(const gpu::DeviceInfo& device, const Ri
         if (!has) {
             missing.push_back(std::move(feature));
         }
+    }
+    if (rival.prepass && std::ranges::count(device.depthFormats, depth::DepthFormat::d32f) == 0) {
+        missing.emplace_back("depth buffers of 32 bits");
     }
     return missing;
 }

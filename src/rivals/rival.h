@@ -54,7 +54,7 @@ NamedRival parseRival(std::string_view name);
 /// @errors None.
 std::vector<std::string> featuresOf(const Rival& rival);
 
-/// Those of featuresOf() that a device lacks.
+/// Those of featuresOf() that a device lacks, and the depth buffer of a prepass.
 /// @errors None.
 std::vector<std::string> missingFeatures(const gpu::DeviceInfo& device, const Rival& rival);
 

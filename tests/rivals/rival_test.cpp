@@ -43,6 +43,10 @@ TEST(Rivals, WhatADeviceLacksIsNamed) {
     device.hasInt64Atomics = true;
     EXPECT_EQ(missingFeatures(device, fixed), std::vector<std::string>{"shaderFloat64"});
     EXPECT_TRUE(missingFeatures(device, pairs).empty());
+    const Rival sieved = parseRival("object-anchors/prepass").rival;
+    EXPECT_EQ(missingFeatures(device, sieved), std::vector<std::string>{"depth buffers of 32 bits"});
+    device.depthFormats = {depth::DepthFormat::d32f};
+    EXPECT_TRUE(missingFeatures(device, sieved).empty());
 }
 
 /// As shaders/rivals/key.glsl makes keys of an exact distance.
