@@ -27,7 +27,7 @@ struct HostDepth {
 struct HostCascade {
     /// Recording, inside the rendering scope of the cascade. Viewport and scissor are set.
     VkCommandBuffer commands = VK_NULL_HANDLE;
-    std::uint32_t index = 0; ///< what cdrGBufferTexel() takes
+    std::uint32_t index = 0; ///< the nearest cascade has 0; what cdrGBufferTexel() takes
     /// View distances that the cascade draws: objects that meet it belong here, and clip distances cut them.
     depth::Cascade clipRange;
     double anchorView = 0.0;           ///< in float64, what objects' view distances are taken relative to
@@ -40,8 +40,8 @@ struct HostCascade {
     /// that sets its depth moves it itself: minDepth + depth * (maxDepth - minDepth). 0 and 1 but for TargetsKind::onePass.
     float minDepth = 0.0f;
     float maxDepth = 1.0f; ///< as minDepth
-    VkFormat depthFormat =
-        VK_FORMAT_UNDEFINED; ///< the colour format is that of a G-buffer, VK_FORMAT_R32G32B32A32_UINT
+    /// Of the depth buffer. The colour format is that of a G-buffer, VK_FORMAT_R32G32B32A32_UINT.
+    VkFormat depthFormat = VK_FORMAT_UNDEFINED;
     VkCompareOp depthCompare = VK_COMPARE_OP_LESS_OR_EQUAL; ///< that pipelines drawing here need
 };
 

@@ -94,7 +94,8 @@ class CDR_EXPORT Renderer {
     void finish();
     /// Where the last frame is. From this function's first call on, frames wait for the host's reads of these images, in any
     /// pipeline stage. Call it before the frame that is to wait is submitted or recorded, and not at the same time.
-    /// @lifetime The images are valid until the next frame, or resize().
+    /// @lifetime The images are valid until the next frame, resize(), or the renderer's end. The latter two do not wait for the
+    ///         host's reads, so these have to be done by then.
     Surfaces surfaces() const;
 
     /// Statistics of the last frame, whichever call made it; empty before the first, and after resize(). It does not wait. So
