@@ -28,10 +28,9 @@ class PartFrames : public test::DeviceTest {
 
     static void expectOwnCascades(const render::Frame& frame, const render::CascadePart& part) {
         const platform::IndexRange own = part.of(frame.cascades.size());
-        EXPECT_TRUE(std::all_of(
-            frame.gbuffer.pixels.begin(), frame.gbuffer.pixels.end(), [&](const render::GBufferPixel& pixel) {
-                return pixel.id() == 0 || (pixel.cascade() >= own.begin && pixel.cascade() < own.end);
-            }));
+        EXPECT_TRUE(std::ranges::all_of(frame.gbuffer.pixels, [&](const render::GBufferPixel& pixel) {
+            return pixel.id() == 0 || (pixel.cascade() >= own.begin && pixel.cascade() < own.end);
+        }));
     }
 
     /// Draws all parts, from the farthest on, each with its own share of the scene.
@@ -169,9 +168,8 @@ TEST_F(PartFrames, RefuseBytesOfAnotherSize) {
     const render::RenderOptions options = optionsFor("none", depth::Mapping::standard);
     const render::Frame frame = draw(setup.scene, setup.path.at(0), options);
     const platform::Bytes packed = packedSurfaces(frame);
-    const auto shown = static_cast<std::size_t>(
-        std::count_if(frame.gbuffer.pixels.begin(), frame.gbuffer.pixels.end(),
-                      [](const render::GBufferPixel& pixel) { return pixel.id() != 0; }));
+    const auto shown = static_cast<std::size_t>(std::ranges::count_if(
+        frame.gbuffer.pixels, [](const render::GBufferPixel& pixel) { return pixel.id() != 0; }));
     ASSERT_GT(shown, 0u);
     EXPECT_LT(packed.size(), shown * 20 + frame.gbuffer.pixels.size());
     render::Frame same = frame;

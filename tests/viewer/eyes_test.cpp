@@ -18,8 +18,7 @@ TEST_F(ViewerTest, ShowsTwoEyes) {
              "wait-frame\npicture one.png\nkey G\nwait-frame\nstate\npicture beside.png\nkey G shift\n"
              "wait-frame\nstate\nkey G\nwait-frame\nstate\npicture both.png\nkey G\nwait-frame\n"
              "picture again.png\nstate\nclick eyes\nclick eyes=side-by-side\nwait-frame\nstate\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 5u) << run.out;
+    const auto states = run.states(5);
     EXPECT_EQ(valueOf(states[0], "eyes"), "side-by-side");
     EXPECT_EQ(valueOf(states[0], "stereo"), "parallel");
     EXPECT_EQ(valueOf(states[1], "stereo"), "toed-in");
@@ -49,8 +48,7 @@ TEST_F(ViewerTest, KeepsTheEyesOfTheCommandLine) {
     const RunResult run =
         play("--stereo parallel --eye-distance 0.3 --converge 9 " + kEyes,
              "wait-frame\nkey G\nkey G\nwait-frame\nstate\nkey G\nwait-frame\nstate\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 2u) << run.out;
+    const auto states = run.states(2);
     EXPECT_EQ(valueOf(states[0], "eyes"), "");
     EXPECT_EQ(valueOf(states[1], "eyes"), "side-by-side");
     EXPECT_EQ(valueOf(states[1], "apart"), "0.3");

@@ -119,8 +119,7 @@ TEST_P(ViewerMended, GoesOn) {
     const RunResult run = suffer(GetParam());
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 1u);
+    const auto states = run.states(1);
     EXPECT_EQ(valueOf(states[0], "technique"), "anchored,");
     const image::ImageRgba8 after = picture("after.png");
     EXPECT_EQ(after.width, 200u);
@@ -160,8 +159,7 @@ TEST_F(ViewerFault, KeepsThePictureWhenMemoryRunsOut) {
         "picture still.png\nquit\n");
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 2u);
+    const auto states = run.states(2);
     EXPECT_NE(valueOf(states[1], "notice").find("out of memory"), std::string::npos) << states[1];
     EXPECT_EQ(valueOf(states[1], "size"), "240x180");
     EXPECT_EQ(picture("still.png"), picture("before.png"));

@@ -24,8 +24,7 @@ TEST_F(LayersOfTheViewer, AreSetAndClearedForWhatIsPicked) {
                  "state\npicture set.png\nwindow after.png\ncommand\n" +
                  "key V\nkey V\nkey V\nkey V\nwait-frame\nstate\nkey V\nkey V\nwait-frame\n" +
                  "click the scene's own\nwait-ui 2\nwait-frame\nstate\npicture cleared.png\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 3u) << run.out;
+    const auto states = run.states(3);
     EXPECT_EQ(valueOf(states[0], "picked").substr(0, 6), "poster") << states[0];
     EXPECT_EQ(valueOf(states[0], "layer"), "poster=-1");
     EXPECT_GT(difference(picture("set.png"), picture("own.png")), 0.003);
@@ -45,8 +44,7 @@ TEST_F(LayersOfTheViewer, SayWhatIsPickedFromThenOn) {
         play(kPosters + "--technique anchored",
              kOpened + kPickPoster + kBehindTheWall +
                  "move 278 242\nwait-ui 2\npress\nrelease\nwait-ui 2\nwait-frame\nstate\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 1u) << run.out;
+    const auto states = run.states(1);
     EXPECT_EQ(valueOf(states[0], "under").substr(0, 4), "sign") << states[0];
 }
 
@@ -56,9 +54,7 @@ TEST_F(LayersOfTheViewer, HoldInAComparisonAndWhenTheSceneIsOpenedAnew) {
                                kOpened + "state\npicture both.png\ncommand\nclick Draw\nwait-ui 2\n" +
                                    "click detail\nclick detail=object\nwait-ui 2\nwait-frame\n" +
                                    "state\npicture anew.png\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 2u) << run.out;
-    for (const std::string& state : states) {
+    for (const std::string& state : run.states(2)) {
         EXPECT_EQ(valueOf(state, "layer"), "poster=-1") << state;
     }
     const auto commands = run.lines("cdr render");

@@ -47,8 +47,7 @@ TEST_F(ViewerTest, AnAnimatedCameraIsSteeredAway) {
         play("--size 560x300 --technique anchored --camera 0 --time 0 " + kMovingCamera,
              "wait-frame\nstate\nkey K\nwait-ui 10\nhold W\nwait-ui 5\nlet W\nwait-ui 5\nstate\n"
              "wait-ui 20\nstate\nkey K\nkey home\nwait-ui 5\nstate\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 4u) << run.out;
+    const auto states = run.states(4);
     EXPECT_NE(valueOf(states[1], "eye"), valueOf(states[0], "eye"));
     EXPECT_EQ(valueOf(states[2], "eye"), valueOf(states[1], "eye")) << "the animation has moved it";
     EXPECT_NE(valueOf(states[3], "eye"), valueOf(states[2], "eye")) << "it does not follow again";

@@ -35,8 +35,7 @@ TEST_F(ViewerTest, PicksFromThePictureThatWasClickedOn) {
         script += "press\nrelease\nwait-frame 3\nstate\nkey X\nwait-ui 1\n";
     }
     const RunResult run = play("--size 560x300 --technique anchored --play afc", script + "quit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), static_cast<std::size_t>(kClicks));
+    const auto states = run.states(kClicks);
     int hits = 0;
     for (const std::string& state : states) {
         if (valueOf(state, "picked").empty()) {
@@ -59,8 +58,7 @@ TEST_F(ViewerTest, OrbitsWhatItLooksAtWhateverTheScale) {
     for (const std::string& scene : {std::string("cubes"), std::string("afc")}) {
         const RunResult run =
             play("--size 560x300 --technique standard " + scene, "wait-frame\nstate\nkey O\nstate\nquit\n");
-        const auto states = run.lines("scene=");
-        ASSERT_EQ(states.size(), 2u);
+        const auto states = run.states(2);
         const double ahead =
             glm::length(vectorOf(valueOf(states[0], "pivot")) - vectorOf(valueOf(states[0], "eye")));
         const double expected = scene == "cubes" ? 12e3 : 1e6;
@@ -73,8 +71,7 @@ TEST_F(ViewerTest, RecordsOneCameraAtRestAndNothingBeforeAScene) {
                                "key R\nkey R\nwait-frame\nkey R\nkey R\nwait-ui 1\nstate\nkey P\nwait-frame\n"
                                "wait-state motion=free\nwait-frame\nstate\nkey R\nkey P\nkey R\nwait-ui 20\n"
                                "key R\nwait-ui 1\nstate\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 3u);
+    const auto states = run.states(3);
     EXPECT_EQ(valueOf(states[1], "eye"), valueOf(states[0], "eye"));
     // The same camera for 20 frames: the two ends tell all.
     ASSERT_TRUE(fs::exists(folder() / "camera-path-0002.json"));
@@ -112,8 +109,7 @@ TEST_F(ViewerTest, ATourEndsWhereAnotherSceneIsOpened) {
     const RunResult run = play(
         "--size 300x200 cubes",
         "wait-frame\nkey T\nwait-ui 2\nstate\ndrop m.gltf\nwait-state shown=m.gltf\nwait-ui 2\nstate\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 2u) << run.out;
+    const auto states = run.states(2);
     EXPECT_EQ(valueOf(states[0], "motion"), "tour") << states[0];
     EXPECT_EQ(valueOf(states[1], "shown"), "m.gltf") << states[1];
     EXPECT_EQ(valueOf(states[1], "motion"), "free") << states[1];
@@ -125,8 +121,7 @@ TEST_F(ViewerTest, ATourGoesOnAfterAFileThatDoesNotOpen) {
     const RunResult run = play("--size 300x200 cubes", "wait-frame\nkey T\nwait-state shown=orbit\n"
                                                        "drop broken.gltf\nwait-state scene=broken.gltf\n"
                                                        "wait-state scene=orbit\nwait-ui 3\nstate\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 1u) << run.out;
+    const auto states = run.states(1);
     EXPECT_EQ(valueOf(states[0], "motion"), "tour") << states[0];
     EXPECT_NE(valueOf(states[0], "notice").find("broken.gltf"), std::string::npos) << states[0];
 }
@@ -137,8 +132,7 @@ TEST_F(ViewerTest, KeepsPivotAndPickedPointWhereItsSceneIsOpenedAnew) {
                                "wait-frame\nwait-ui 3\nmove 278 242\nwait-ui 2\npress\nrelease\nwait-ui 2\n"
                                "wait-frame\nstate\nclick Draw\nwait-ui 2\nclick detail\n"
                                "click detail=object\nwait-ui 2\nwait-frame\nstate\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 2u) << run.out;
+    const auto states = run.states(2);
     EXPECT_FALSE(valueOf(states[0], "picked").empty()) << states[0];
     for (const char* kept : {"picked", "picked-at", "pivot", "eye"}) {
         EXPECT_EQ(valueOf(states[1], kept), valueOf(states[0], kept)) << kept;
@@ -150,8 +144,7 @@ TEST_F(ViewerTest, SaysWhoseARecordingIsThatPlaysInAnotherScene) {
     const RunResult run = play("--size 300x200 cubes",
                                "wait-frame\nkey R\nwait-ui 5\nkey R\nwait-ui 1\nkey P\nwait-ui 1\nstate\n"
                                "drop m.gltf\nwait-state shown=m.gltf\nkey P\nwait-ui 1\nstate\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 2u) << run.out;
+    const auto states = run.states(2);
     EXPECT_EQ(valueOf(states[0], "notice").find("recorded in"), std::string::npos) << states[0];
     EXPECT_NE(valueOf(states[1], "notice").find("recorded in cubes"), std::string::npos) << states[1];
 }
@@ -168,8 +161,7 @@ TEST_F(ViewerTest, SaysThatAFolderCannotBeWritten) {
                  folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 4u) << run.out;
+    const auto states = run.states(4);
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_NE(valueOf(states[i], "notice").find("cannot "), std::string::npos) << states[i];
     }
@@ -185,8 +177,7 @@ TEST_F(ViewerTest, SaysThatAFileCannotBeWrittenToItsEnd) {
                      (folder() / "script").string() + " cubes)",
                  folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 3u) << run.out;
+    const auto states = run.states(3);
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_NE(valueOf(states[i], "notice").find("write failed"), std::string::npos) << states[i];
     }
@@ -206,8 +197,7 @@ TEST_F(ViewerTest, OpensTheSceneAmongWhatIsDropped) {
     const RunResult run = play("--size 560x300 --technique standard cubes",
                                "wait-frame\ndrop notes.txt\nwait-ui 2\nwait-frame\nstate\n"
                                "drop-all notes.txt shapes.gltf\nwait-state shown=shapes.gltf\nstate\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 2u);
+    const auto states = run.states(2);
     EXPECT_EQ(valueOf(states[0], "shown"), "cubes");
     EXPECT_NE(valueOf(states[0], "notice").find("notes.txt is no scene"), std::string::npos) << states[0];
     EXPECT_EQ(valueOf(states[1], "shown"), "shapes.gltf");

@@ -46,8 +46,7 @@ TEST_F(ViewerTest, ShowsTrafficWhereItsFramePutsIt) {
     EXPECT_GT(std::stoi(commands[0].substr(frame + 8)), 0) << "the tour has begun";
     EXPECT_GT(colors(picture("shown.png")), 100u);
     EXPECT_EQ(picture("shown.png"), drawnBy(commands[0]));
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 1u);
+    const auto states = run.states(1);
     EXPECT_EQ(valueOf(states[0], "view"), "wrong");
     EXPECT_EQ(valueOf(states[0], "wrong"), "0");
 }
@@ -59,8 +58,7 @@ TEST_F(ViewerTest, KeysPickThePresets) {
         script += "key " + number + "\nwait-frame\nstate\npicture " + number + ".png\n";
     }
     const RunResult run = play(kSmall + "cubes", script + "quit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), kPresets.size());
+    const auto states = run.states(kPresets.size());
     for (std::size_t i = 0; i < kPresets.size(); ++i) {
         EXPECT_EQ(valueOf(states[i], "technique"), std::string(kPresets[i]) + ",");
         EXPECT_EQ(valueOf(states[i], "view"), "wrong");
@@ -88,8 +86,7 @@ TEST_F(ViewerTest, CombosChooseMappingSplitAndFormat) {
     choose("technique/format", "d16");
     const RunResult run =
         play("--size 560x400 --technique standard cubes", script + "picture end.png\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), mappings.size() + 3);
+    const auto states = run.states(mappings.size() + 3);
     EXPECT_NE(states[2].find("log-fragment/none"), std::string::npos) << states[2];
     EXPECT_NE(states[4].find("anchored-reversed/none"), std::string::npos) << states[4];
     EXPECT_EQ(valueOf(states[5], "cascades"), "1");
@@ -106,8 +103,7 @@ TEST_F(ViewerTest, TargetsAndThreadsChangeNothingOfThePicture) {
             "click targets\nclick targets=" + targets + "\nwait-frame\nstate\npicture " + targets + ".png\n";
     }
     const RunResult run = play("--size 560x400 --technique cdr cubes --threads 2", script + "quit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 3u);
+    const auto states = run.states(3);
     EXPECT_EQ(valueOf(states[2], "targets"), "layers");
     for (const std::string targets : {"accumulate", "pool", "layers"}) {
         EXPECT_EQ(picture(targets + ".png"), picture("single.png")) << targets;
@@ -121,8 +117,7 @@ TEST_F(ViewerTest, ViewsShowTheSameSceneDifferently) {
         script += std::string("state\nwait-frame\npicture ") + view + ".png\nkey V\nwait-frame\n";
     }
     const RunResult run = play(kSmall + "afc --technique cdr", script + "quit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), views.size());
+    const auto states = run.states(views.size());
     for (std::size_t i = 0; i < views.size(); ++i) {
         EXPECT_EQ(valueOf(states[i], "view"), views[i]);
         EXPECT_GT(colors(picture(std::string(views[i]) + ".png")), 3u) << views[i];
@@ -140,11 +135,10 @@ TEST_F(ViewerTest, FlipsShowWhileTheCameraMoves) {
     const std::string script = "key V\nkey V\nkey V\nkey V\nkey V\nwait-frame\nkey space\nwait-frame 8\n"
                                "wait-state flipped=\nstate\npicture standard.png\nkey space\nquit\n";
     const RunResult standard = play(kSmall + "afc --technique standard", script);
-    const auto states = standard.lines("scene=");
-    ASSERT_EQ(states.size(), 1u);
+    const auto states = standard.states(1);
     EXPECT_GT(std::stoi(valueOf(states[0], "flipped")), 100) << states[0];
     const RunResult anchored = play(kSmall + "afc --technique anchored", script);
-    EXPECT_LT(std::stoi(valueOf(anchored.lines("scene=").at(0), "flipped")), 10);
+    EXPECT_LT(std::stoi(valueOf(anchored.states(1)[0], "flipped")), 10);
 }
 
 /// As the keys 1 to 6 do.

@@ -35,6 +35,13 @@ std::vector<std::string> RunResult::lines(const std::string& start) const {
     return found;
 }
 
+std::vector<std::string> RunResult::states(std::size_t count) const {
+    std::vector<std::string> found = lines("scene=");
+    EXPECT_EQ(found.size(), count) << out << err;
+    found.resize(count);
+    return found;
+}
+
 RunResult runShell(const std::string& command, const fs::path& folder, const std::string& environment) {
     const std::string line = "cd '" + folder.string() + "' && export " + environment + " && " + command +
                              " >run.out 2>run.err </dev/null";

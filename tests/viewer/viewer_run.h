@@ -19,6 +19,8 @@ struct RunResult {
 
     /// The printed lines that begin with `start`.
     std::vector<std::string> lines(const std::string& start) const;
+    /// What its steps `state` printed. Expects, and returns, that many lines.
+    std::vector<std::string> states(std::size_t count) const;
 };
 
 /// Runs a command in a shell, in `folder`, with `environment` set as typed.

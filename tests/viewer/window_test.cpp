@@ -40,8 +40,7 @@ TEST_F(ViewerTest, DividerFollowsThePointer) {
                                "wait-frame\nmove 150 250\nwait-ui 2\nstate\nwindow before.png\n"
                                "move 106 150\npress\nmove 70 150\nmove 53 150\nwait-ui 2\nrelease\n"
                                "move 150 250\nwait-frame\nwait-ui 2\nstate\nwindow after.png\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 2u);
+    const auto states = run.states(2);
     EXPECT_EQ(valueOf(states[0], "divider"), "0.5000");
     EXPECT_EQ(valueOf(states[1], "divider"), "0.2500");
     EXPECT_EQ(valueOf(states[0], "eye"), valueOf(states[1], "eye")) << "the camera moved with the divider";
@@ -60,8 +59,7 @@ TEST_F(ViewerTest, FollowsItsSize) {
         "resize 1280 720\nwait-state size=932x720\nwait-frame\nwait-ui 3\n"
         "window large.png\nstate\nresize 560 300\nwait-state size=212x300\nwait-frame\n"
         "wait-ui 3\nwindow back.png\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 3u);
+    const auto states = run.states(3);
     EXPECT_EQ(valueOf(states[0], "size"), "212x300");
     EXPECT_EQ(picture("one.png").width, 1u);
     EXPECT_EQ(picture("small.png").width, 500u);
@@ -89,8 +87,7 @@ TEST_F(ViewerTest, OpensWhatIsDropped) {
                                "wait-frame\npicture cubes.png\ndrop Shapes.GLTF\nwait-frame\nstate\n"
                                "picture shapes.png\ndrop broken.gltf\nwait-frame\nwait-ui 2\nstate\n"
                                "picture still.png\nwindow message.png\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 2u);
+    const auto states = run.states(2);
     EXPECT_EQ(valueOf(states[0], "shown"), "Shapes.GLTF");
     EXPECT_GT(difference(picture("cubes.png"), picture("shapes.png")), 0.1);
     EXPECT_EQ(valueOf(states[1], "shown"), "Shapes.GLTF");
@@ -126,8 +123,7 @@ TEST_F(ViewerTest, WheelAndKeysMoveTheCamera) {
         "wait-frame\nstate\npicture a.png\nmove 100 150\nhold alt\nscroll 5\nlet alt\nwait-frame\nstate\n"
         "picture b.png\nhold W\nwait-ui 20\nlet W\nwait-frame\nstate\npicture c.png\n"
         "key home\nwait-frame\nstate\npicture d.png\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 4u);
+    const auto states = run.states(4);
     EXPECT_LT(std::stod(valueOf(states[1], "fov")), 0.6 * std::stod(valueOf(states[0], "fov")));
     EXPECT_EQ(valueOf(states[1], "eye"), valueOf(states[0], "eye"));
     EXPECT_NE(valueOf(states[2], "eye"), valueOf(states[1], "eye"));
@@ -142,8 +138,7 @@ TEST_F(ViewerTest, PicksAndMeasures) {
         play("--size 560x300 --technique anchored cubes",
              "wait-frame\nmove 106 150\npress\nrelease\nwait-frame\nstate\n"
              "move 40 81\npress\nrelease\nwait-frame\nwait-ui 2\nstate\nwindow w.png\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 2u);
+    const auto states = run.states(2);
     EXPECT_NE(valueOf(states[0], "picked"), "") << states[0];
     EXPECT_EQ(valueOf(states[0], "under"), valueOf(states[0], "picked"));
     EXPECT_NE(valueOf(states[1], "under"), valueOf(states[0], "under")) << "the pointer went elsewhere";
@@ -157,8 +152,7 @@ TEST_F(ViewerTest, RecordsAPathAndPlaysIt) {
                                "key home\nwait-frame\nstate\nkey P\nwait-state motion=recording\n"
                                "wait-state motion=free\nwait-frame\nstate\nquit\n");
     ASSERT_TRUE(fs::exists(folder() / "camera-path-0001.json"));
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 3u);
+    const auto states = run.states(3);
     EXPECT_NE(valueOf(states[1], "eye"), valueOf(states[0], "eye"));
     EXPECT_EQ(valueOf(states[2], "eye"), valueOf(states[0], "eye")) << "playing ends where recording ended";
 }
@@ -168,8 +162,7 @@ TEST_F(ViewerTest, KeysReachThePanelsAndComeBack) {
                                "wait-frame\nkey F4\nwait-ui 3\nwhere targets\nkey F2\nwait-ui 3\nstate\n"
                                "key down\nkey space\nwait-ui 3\nwait-frame\nstate\n"
                                "key escape\nkey V\nhold D\nwait-ui 4\nlet D\nwait-frame\nstate\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 3u);
+    const auto states = run.states(3);
     EXPECT_EQ(run.lines("targets ").size(), 1u) << "F4 shows the panel Draw";
     EXPECT_EQ(valueOf(states[0], "colours"), "bright");
     EXPECT_EQ(valueOf(states[1], "colours"), "thesis") << "the second item of the panel Look";
@@ -182,7 +175,7 @@ TEST_F(ViewerTest, ShowsPicturesOfScenesToChooseFrom) {
     const RunResult run = play("--size 800x600 --technique standard cubes",
                                "wait-frame\nwait-ui 3\nwindow closed.png\nclick scene\nwait-ui 3\nwindow "
                                "open.png\nclick scene=rotation\nwait-frame\nstate\nquit\n");
-    EXPECT_EQ(valueOf(run.lines("scene=").at(0), "shown"), "rotation");
+    EXPECT_EQ(valueOf(run.states(1)[0], "shown"), "rotation");
     // Names alone would bring no more than shades of grey.
     EXPECT_GT(colors(picture("open.png")), colors(picture("closed.png")) + 3000);
     keepContactSheet("scenes.png", {picture("closed.png"), picture("open.png")});
@@ -192,7 +185,7 @@ TEST_F(ViewerTest, RecordsBothSidesAsAVideo) {
     const RunResult run = play("--size 561x300 --compare standard,anchored cubes",
                                "wait-frame\nkey F11\nwait-ui 10\nhold D\nwait-ui 30\nlet D\nkey F11\n"
                                "wait-ui 2\nstate\nquit\n");
-    const std::string notice = valueOf(run.lines("scene=").at(0), "notice");
+    const std::string notice = valueOf(run.states(1)[0], "notice");
     if (notice.find("ffmpeg") != std::string::npos) {
         GTEST_SKIP() << notice;
     }
@@ -213,8 +206,7 @@ TEST_F(ViewerTest, NoScriptWaitsForFramesThatNothingAsksFor) {
     const RunResult run =
         play("--size 640x360 --technique standard " CDR_SOURCE_DIR "/tests/golden/shapes.gltf",
              "wait-frame 7\nstate\nkey space\nwait-frame 7\nstate\nquit\n");
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 2u);
+    const auto states = run.states(2);
     EXPECT_EQ(valueOf(states[1], "motion"), "free") << "a path of one frame is over at once";
     EXPECT_EQ(valueOf(states[1], "eye"), valueOf(states[0], "eye"));
 }
@@ -241,8 +233,7 @@ TEST_F(ViewerTest, EveryTabDraws) {
     script += "key F1\nwait-ui 3\nwindow help.png\nstate\nkey F1\nkey tab\nwait-frame\nwait-ui 3\nwindow "
               "plain.png\nquit\n";
     const RunResult run = play("--size 1000x720 --compare standard,anchored --threads 2 cubes", script);
-    ASSERT_EQ(run.lines("scene=").size(), 1u);
-    EXPECT_EQ(valueOf(run.lines("scene=")[0], "hidden-help"), "0") << "the help needs scrolling";
+    EXPECT_EQ(valueOf(run.states(1)[0], "hidden-help"), "0") << "the help needs scrolling";
     names.insert(names.end(), {"help.png", "plain.png"});
     std::vector<image::ImageRgba8> windows;
     for (const std::string& name : names) {
@@ -260,8 +251,7 @@ TEST_F(ViewerTest, FlightsStopAtSurfacesThatNoPictureShowed) {
     const RunResult run = play(fmt::format("--size 640x360 --eye {},{},{} --direction 0,0,-1 --fov 30 cubes",
                                            cube.x - 8.0, cube.y, cube.z),
                                "wait-frame\nhold D\nwait-ui 40\nlet D\nwait-frame\nwait-ui 3\nstate\nquit\n");
-    const std::vector<std::string> states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 1u);
+    const auto states = run.states(1);
     constexpr double kHalfSide = 5.0;
     const double left = cube.x - kHalfSide - std::stod(valueOf(states[0], "eye"));
     EXPECT_GT(left, 0.0) << "it flew into the cube";
@@ -370,8 +360,7 @@ TEST_F(ViewerTest, ListensToTheXServer) {
         "' --validate --size 560x300 --technique standard --script script cubes; status=$?; wait; exit $status)",
         folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;
-    const auto states = run.lines("scene=");
-    ASSERT_EQ(states.size(), 2u) << run.out << run.err;
+    const auto states = run.states(2);
     EXPECT_EQ(valueOf(states[0], "technique"), "standard,");
     EXPECT_EQ(valueOf(states[1], "technique"), "anchored,");
     EXPECT_GT(difference(picture("before.png"), picture("after.png")), 0.05);

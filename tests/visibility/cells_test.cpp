@@ -139,82 +139,78 @@ std::vector<std::pair<double, double>> sortedPairs(const std::vector<depth::Inte
     return pairs;
 }
 
-/// Adds up what was compared, so that a test can say that it was enough.
-struct Compared {
-    std::size_t visible = 0;
-    std::size_t draws = 0;
-    std::size_t wide = 0;
+/// With so many threads.
+class CellsTest : public testing::TestWithParam<std::size_t> {
+  protected:
+    /// Lists, their order and all view distances, to the bit.
+    void expectSame(const View& view, const scene::Scene& scene, const InstanceCells& cells) {
+        const auto& [camera, ranges, wideSpan] = view;
+        const scene::Frustum frustum = scene::frustumOf(camera, 16.0, 9.0);
+        const VisibleList flat = flatOpaque(scene, camera, frustum);
+        DrawLists expected;
+        binByDistance(flat, ranges, wideSpan, m_workers, expected);
+
+        VisibleCells visible;
+        cullCells(cells, camera, frustum, m_workers, visible);
+        DrawLists lists;
+        m_binner.bin(visible, ranges, wideSpan, m_workers, lists);
+        ASSERT_EQ(visible.count(), flat.count);
+        ASSERT_EQ(lists.visible, expected.visible);
+        ASSERT_EQ(lists.begins, expected.begins);
+        lists.instance.resize(lists.draws());
+        expected.instance.resize(expected.draws());
+        ASSERT_EQ(lists.instance, expected.instance);
+
+        std::vector<depth::Interval> intervals;
+        appendIntervals(visible, intervals);
+        std::vector<depth::Interval> flatIntervals;
+        for (std::size_t i = 0; i < flat.count; ++i) {
+            const auto radius = static_cast<double>(flat.radius[i]);
+            flatIntervals.push_back({flat.distanceView[i] - radius, flat.distanceView[i] + radius});
+        }
+        ASSERT_EQ(sortedPairs(intervals), sortedPairs(flatIntervals));
+        m_compared.visible += flat.count;
+        m_compared.draws += lists.draws();
+        for (std::size_t c = 0; c < lists.cascades(); ++c) {
+            m_compared.wide += lists.range(c).end - lists.wideBegin(c);
+        }
+    }
+
+    platform::WorkerPool m_workers{GetParam()};
+    CellBinner m_binner;
+    /// Adds up what was compared, so that a test can say that it was enough.
+    struct {
+        std::size_t visible = 0;
+        std::size_t draws = 0;
+        std::size_t wide = 0;
+    } m_compared;
 };
 
-/// Lists, their order and all view distances, to the bit.
-void expectSame(const View& view, const scene::Scene& scene, const InstanceCells& cells,
-                platform::WorkerPool& workers, CellBinner& binner, Compared& compared) {
-    const auto& [camera, ranges, wideSpan] = view;
-    const scene::Frustum frustum = scene::frustumOf(camera, 16.0, 9.0);
-    const VisibleList flat = flatOpaque(scene, camera, frustum);
-    DrawLists expected;
-    binByDistance(flat, ranges, wideSpan, workers, expected);
-
-    VisibleCells visible;
-    cullCells(cells, camera, frustum, workers, visible);
-    DrawLists lists;
-    binner.bin(visible, ranges, wideSpan, workers, lists);
-    ASSERT_EQ(visible.count(), flat.count);
-    ASSERT_EQ(lists.visible, expected.visible);
-    ASSERT_EQ(lists.begins, expected.begins);
-    lists.instance.resize(lists.draws());
-    expected.instance.resize(expected.draws());
-    ASSERT_EQ(lists.instance, expected.instance);
-
-    std::vector<depth::Interval> intervals;
-    appendIntervals(visible, intervals);
-    std::vector<depth::Interval> flatIntervals;
-    for (std::size_t i = 0; i < flat.count; ++i) {
-        const auto radius = static_cast<double>(flat.radius[i]);
-        flatIntervals.push_back({flat.distanceView[i] - radius, flat.distanceView[i] + radius});
-    }
-    ASSERT_EQ(sortedPairs(intervals), sortedPairs(flatIntervals));
-    compared.visible += flat.count;
-    compared.draws += lists.draws();
-    for (std::size_t c = 0; c < lists.cascades(); ++c) {
-        compared.wide += lists.range(c).end - lists.wideBegin(c);
-    }
-}
-
-class CellsTest : public testing::TestWithParam<std::size_t> {};
-
 TEST_P(CellsTest, GiveTheListsOfTheFlatPass) {
-    platform::WorkerPool workers(GetParam());
-    CellBinner binner;
-    Compared compared;
     for (std::uint64_t seed = 0; seed < 24; ++seed) {
         RandomWorld random(seed);
         const scene::Scene scene = random.scene(seed == 0 ? 0 : 1 + random.below(seed % 2 == 0 ? 100 : 9000));
         InstanceCells cells;
-        cells.build(scene, workers);
+        cells.build(scene, m_workers);
         for (int camera = 0; camera < 12; ++camera) {
             SCOPED_TRACE(testing::Message() << "seed " << seed << ", camera " << camera);
-            expectSame(random.view(), scene, cells, workers, binner, compared);
-            if (HasFatalFailure()) {
-                return;
-            }
+            ASSERT_NO_FATAL_FAILURE(expectSame(random.view(), scene, cells));
         }
     }
-    EXPECT_GT(compared.visible, 10'000u);
-    EXPECT_GT(compared.draws, compared.visible);
-    EXPECT_GT(compared.wide, 100u);
+    EXPECT_GT(m_compared.visible, 10'000u);
+    EXPECT_GT(m_compared.draws, m_compared.visible);
+    EXPECT_GT(m_compared.wide, 100u);
 }
 
 /// One walk for several cameras gives each the list that it gets alone, its order included.
 TEST_P(CellsTest, CamerasThatCullTogetherSeeWhatEachSeesAlone) {
-    platform::WorkerPool workers(GetParam());
     std::size_t parts = 0;
     std::size_t unlikeFirst = 0;
     for (std::uint64_t seed = 0; seed < 24; ++seed) {
         RandomWorld random(seed);
         const scene::Scene scene = random.scene(1 + random.below(9000));
         InstanceCells cells;
-        cells.build(scene, workers);
+        cells.build(scene, m_workers);
         std::vector<SphereTest> tests;
         std::vector<VisibleCells> together(seed % 2 == 0 ? 2 : 1 + random.below(kMaxTogether));
         std::vector<VisibleCells*> lists;
@@ -223,11 +219,11 @@ TEST_P(CellsTest, CamerasThatCullTogetherSeeWhatEachSeesAlone) {
             tests.emplace_back(camera, scene::frustumOf(camera, 16.0, 9.0));
             lists.push_back(&list);
         }
-        cullCells(cells, tests, workers, lists);
+        cullCells(cells, tests, m_workers, lists);
         for (std::size_t camera = 0; camera < tests.size(); ++camera) {
             VisibleCells alone;
             std::vector<VisibleCells*> one{&alone};
-            cullCells(cells, std::span(&tests[camera], 1), workers, one);
+            cullCells(cells, std::span(&tests[camera], 1), m_workers, one);
             ASSERT_EQ(together[camera].parts.size(), alone.parts.size());
             for (std::size_t i = 0; i < alone.parts.size(); ++i) {
                 ASSERT_EQ(together[camera].parts[i].cell, alone.parts[i].cell);
@@ -242,9 +238,6 @@ TEST_P(CellsTest, CamerasThatCullTogetherSeeWhatEachSeesAlone) {
 }
 
 TEST_P(CellsTest, FollowEdits) {
-    platform::WorkerPool workers(GetParam());
-    CellBinner binner;
-    Compared compared;
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         RandomWorld random(seed);
         scene::World world(random.scene(500 + random.below(3000)));
@@ -253,33 +246,27 @@ TEST_P(CellsTest, FollowEdits) {
             handles.push_back(world.instance(i));
         }
         InstanceCells cells;
-        cells.build(world.scene(), workers);
+        cells.build(world.scene(), m_workers);
         for (int step = 0; step < 40; ++step) {
             SCOPED_TRACE(testing::Message() << "seed " << seed << ", step " << step);
             const std::vector<std::uint32_t> changed = random.edit(world, handles, 1 + random.below(400));
-            cells.update(world.scene(), changed, workers);
-            expectSame(random.view(), world.scene(), cells, workers, binner, compared);
+            cells.update(world.scene(), changed, m_workers);
+            ASSERT_NO_FATAL_FAILURE(expectSame(random.view(), world.scene(), cells));
             if (step % 10 == 9) { // from a scene with free places
                 InstanceCells anew;
-                anew.build(world.scene(), workers);
-                expectSame(random.view(), world.scene(), anew, workers, binner, compared);
-            }
-            if (HasFatalFailure()) {
-                return;
+                anew.build(world.scene(), m_workers);
+                ASSERT_NO_FATAL_FAILURE(expectSame(random.view(), world.scene(), anew));
             }
         }
     }
-    EXPECT_GT(compared.visible, 10'000u);
+    EXPECT_GT(m_compared.visible, 10'000u);
 }
 
 /// Enough for many jobs, for boxes whose cells all land alike, and for lists sorted by every digit.
 TEST_P(CellsTest, GiveTheListsOfALargeField) {
     const scene::SceneSetup setup = scenes::makeRotation(9, 150'000);
-    platform::WorkerPool workers(GetParam());
     InstanceCells cells;
-    cells.build(setup.scene, workers);
-    CellBinner binner;
-    Compared compared;
+    cells.build(setup.scene, m_workers);
     for (const double fovY : {0.3, 0.6, 1.0, 2.8}) {
         for (const std::uint32_t frame : {0u, 40u, 200u}) {
             View view{.camera = setup.path.at(frame), .ranges = {}};
@@ -287,23 +274,17 @@ TEST_P(CellsTest, GiveTheListsOfALargeField) {
             view.ranges = frame == 0 ? depth::Cascades{{0.1, 60.0}, {60.0, 61.0}, {61.0, 150.0}, {150.0, 1e5}}
                                      : depth::Cascades{{0.1, 100.0}, {100.0, 1e5}};
             SCOPED_TRACE(testing::Message() << "field of view " << fovY << ", frame " << frame);
-            expectSame(view, setup.scene, cells, workers, binner, compared);
-            if (HasFatalFailure()) {
-                return;
-            }
+            ASSERT_NO_FATAL_FAILURE(expectSame(view, setup.scene, cells));
         }
     }
-    EXPECT_GT(compared.visible, 100'000u);
+    EXPECT_GT(m_compared.visible, 100'000u);
 }
 
 TEST_P(CellsTest, GrowFromNothing) {
-    platform::WorkerPool workers(GetParam());
-    CellBinner binner;
-    Compared compared;
     RandomWorld random(3);
     scene::World world(random.scene(0));
     InstanceCells cells;
-    cells.build(world.scene(), workers);
+    cells.build(world.scene(), m_workers);
     for (int step = 0; step < 60; ++step) {
         std::vector<std::uint32_t> changed;
         for (std::size_t i = 0; i < 100; ++i) {
@@ -314,13 +295,10 @@ TEST_P(CellsTest, GrowFromNothing) {
                                   .transform = {.position = random.position(), .basis = random.basis()}})
                     .index);
         }
-        cells.update(world.scene(), changed, workers);
-        expectSame(random.view(), world.scene(), cells, workers, binner, compared);
-        if (HasFatalFailure()) {
-            return;
-        }
+        cells.update(world.scene(), changed, m_workers);
+        ASSERT_NO_FATAL_FAILURE(expectSame(random.view(), world.scene(), cells));
     }
-    EXPECT_GT(compared.visible, 1000u);
+    EXPECT_GT(m_compared.visible, 1000u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, CellsTest, testing::Values(1, 2, 5));

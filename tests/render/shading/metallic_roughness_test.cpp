@@ -46,10 +46,9 @@ class MetallicRoughnessTest : public RenderTest {
 
 /// The brightest pixel: the highlight.
 image::Rgba8 brightest(const Frame& frame) {
-    return *std::max_element(frame.color.pixels.begin(), frame.color.pixels.end(),
-                             [](const image::Rgba8& a, const image::Rgba8& b) {
-                                 return int{a[0]} + a[1] + a[2] < int{b[0]} + b[1] + b[2];
-                             });
+    return *std::ranges::max_element(frame.color.pixels, [](const image::Rgba8& a, const image::Rgba8& b) {
+        return int{a[0]} + a[1] + a[2] < int{b[0]} + b[1] + b[2];
+    });
 }
 
 TEST_F(MetallicRoughnessTest, MetalsMirrorInTheirColorAndDielectricsInTheLights) {

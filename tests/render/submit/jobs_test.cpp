@@ -52,9 +52,7 @@ TEST(Jobs, AreBalancedByDraws) {
     EXPECT_EQ(render::makeJobs(lists, 1).size(), 2u);
     const std::vector<render::DrawJob> jobs = render::makeJobs(lists, 4);
     EXPECT_GE(jobs.size(), 16u);
-    const auto most = std::max_element(jobs.begin(), jobs.end(), [](const auto& a, const auto& b) {
-        return a.draws.size() < b.draws.size();
-    });
+    const auto most = std::ranges::max_element(jobs, {}, [](const auto& job) { return job.draws.size(); });
     EXPECT_LE(most->draws.size(), lists.draws() / 16 + 1);
 }
 

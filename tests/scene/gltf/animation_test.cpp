@@ -26,16 +26,12 @@ json& sampler(Document& document) {
 /// A square whose right half follows a second joint, one unit up.
 Document skinned() {
     Document document = square();
-    json& attributes = document.primitive()["attributes"];
-    attributes["JOINTS_0"] = document.addAccessor(
-        std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0}, "VEC4", kUByte);
-    attributes["WEIGHTS_0"] = document.addAccessor(
-        std::vector<float>{1, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4", kFloat);
-    document.root["nodes"] = {{{"mesh", 0}, {"skin", 0}, {"translation", {50, 0, 0}}},
-                              {{"name", "low"}},
-                              {{"name", "high"}, {"translation", {0, 1, 0}}}};
-    document.root["skins"] = {{{"joints", {1, 2}}}};
-    document.root["scenes"][0]["nodes"] = {0, 1, 2};
+    const std::vector<float> weights{1, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+    giveSkin(document, {0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0},
+             document.addAccessor(weights, "VEC4", kFloat),
+             {{{"mesh", 0}, {"skin", 0}, {"translation", {50, 0, 0}}},
+              {{"name", "low"}},
+              {{"name", "high"}, {"translation", {0, 1, 0}}}});
     return document;
 }
 
@@ -188,14 +184,11 @@ TEST_F(GltfAnimation, UnsoundOnesAreRefused) {
     expectSays(with(input({})), "its times are no list of numbers");
     expectSays(with(output(kFloat, 9, "VEC3")), "3 elements of 3 components where 2 of 3 are needed");
     expectSays(with(output(kFloat, 8, "VEC4")), "2 elements of 4 components where 2 of 3 are needed");
-    expectSays(with([](Document& d) { sampler(d)["interpolation"] = "CUBICSPLINE"; }),
-               "where 6 of 3 are needed");
-    expectSays(with([](Document& d) { sampler(d)["interpolation"] = "SINE"; }),
-               "interpolation 'SINE' does not");
-    expectSays(with([](Document& d) { d.root["animations"][0]["channels"][0]["sampler"] = 7; }),
-               "sampler 7 does not exist");
-    expectSays(with([](Document& d) { d.root["animations"][0]["channels"][0]["target"]["node"] = 7; }),
-               "node 7 does not exist");
+    const char* interpolation = "/animations/0/samplers/0/interpolation";
+    expectRefused(moving(), interpolation, "CUBICSPLINE", "where 6 of 3 are needed");
+    expectRefused(moving(), interpolation, "SINE", "interpolation 'SINE' does not");
+    expectRefused(moving(), "/animations/0/channels/0/sampler", 7, "sampler 7 does not exist");
+    expectRefused(moving(), "/animations/0/channels/0/target/node", 7, "node 7 does not exist");
     expectSays(with([](Document& d) {
                    d.root["animations"][0]["channels"][0]["target"]["path"] = "rotation";
                    sampler(d)["output"] = d.addAccessor(std::vector<float>(8, 0.0f), "VEC4", kFloat);
@@ -237,26 +230,19 @@ TEST_F(GltfAnimation, InverseBindMatricesComeFirst) {
 }
 
 TEST_F(GltfAnimation, UnsoundSkinsAreRefused) {
-    const auto with = [&](auto change) {
-        Document document = skinned();
-        change(document);
-        return refusal(document);
-    };
-    expectSays(with([](Document& d) { d.root["skins"][0]["joints"] = {1}; }),
-               "mesh 0 '' primitive 0: vertex 1 follows joint 1, and the skin has 1");
-    expectSays(with([](Document& d) { d.root["skins"][0]["joints"] = json::array(); }),
-               "skin 0: has no joints");
-    expectSays(with([](Document& d) { d.root["skins"][0]["joints"] = {1, 9}; }), "node 9 does not exist");
-    expectSays(with([](Document& d) { d.root["nodes"][0]["skin"] = 3; }), "skin 3 does not exist");
-    expectSays(with([](Document& d) { d.root["skins"][0]["inverseBindMatrices"] = 0; }),
-               "4 inverse bind matrices of 3 components for 2 joints");
-    expectSays(with([](Document& d) { d.primitive()["attributes"]["WEIGHTS_0"] = 0; }),
-               "WEIGHTS_0 has 4 elements of 3 components where 4 of 4 are needed");
-    expectSays(with([](Document& d) {
-                   d.primitive()["attributes"]["WEIGHTS_0"] =
-                       d.addAccessor(std::vector<float>(16, -1.0f), "VEC4", kFloat);
-               }),
-               "a weight of vertex 0 is negative or not finite");
+    const Document sound = skinned();
+    expectRefused(sound, "/skins/0/joints", {1},
+                  "mesh 0 '' primitive 0: vertex 1 follows joint 1, and the skin has 1");
+    expectRefused(sound, "/skins/0/joints", json::array(), "skin 0: has no joints");
+    expectRefused(sound, "/skins/0/joints", {1, 9}, "node 9 does not exist");
+    expectRefused(sound, "/nodes/0/skin", 3, "skin 3 does not exist");
+    expectRefused(sound, "/skins/0/inverseBindMatrices", 0,
+                  "4 inverse bind matrices of 3 components for 2 joints");
+    expectRefused(sound, "/meshes/0/primitives/0/attributes/WEIGHTS_0", 0,
+                  "WEIGHTS_0 has 4 elements of 3 components where 4 of 4 are needed");
+    Document document = sound;
+    document.setFloats("WEIGHTS_0", "VEC4", std::vector<float>(16, -1.0f));
+    expectSays(refusal(document), "a weight of vertex 0 is negative or not finite");
 }
 
 TEST_F(GltfAnimation, MorphTargetsAreAppliedAtRest) {
@@ -283,8 +269,7 @@ TEST_F(GltfAnimation, MorphTargetsAreAppliedAtRest) {
 /// A material with a normal texture, and tangents along x.
 void makeBumpy(Document& document) {
     giveNormalTexture(document);
-    document.primitive()["attributes"]["TANGENT"] = document.addAccessor(
-        std::vector<float>{1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, -1}, "VEC4", kFloat);
+    document.setFloats("TANGENT", "VEC4", {1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, -1});
 }
 
 TEST_F(GltfAnimation, TangentsFollowJoints) {

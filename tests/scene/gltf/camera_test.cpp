@@ -194,12 +194,8 @@ TEST_F(GltfFolder, UnsoundCamerasAreRefused) {
     expectSays(withBox({{"ymag", 1.0}, {"znear", 1.0}, {"zfar", 1.0}}), "lies before its zfar");
     expectSays(withBox({{"ymag", 1.0}, {"zfar", 1.0}}), "needs a ymag, and a znear");
     expectSays(withBox(nullptr), "has no 'orthographic' object");
-    Document document = withCamera();
-    document.root["cameras"][1]["type"] = "fisheye";
-    expectSays(refusal(document), "type 'fisheye' does not exist");
-    document = withCamera();
-    document.root["nodes"][3]["camera"] = 7;
-    expectSays(refusal(document), "camera 7 does not exist, the file has 3");
+    expectRefused(withCamera(), "/cameras/1/type", "fisheye", "type 'fisheye' does not exist");
+    expectRefused(withCamera(), "/nodes/3/camera", 7, "camera 7 does not exist, the file has 3");
 }
 
 } // namespace

@@ -10,12 +10,9 @@ using GltfDetail = GltfFolder;
 /// A square with two sets of UVs, a picture and a material of one normal texture.
 Document bumpy() {
     Document document = square();
-    document.primitive()["attributes"]["NORMAL"] =
-        document.addAccessor(std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3", kFloat);
-    document.primitive()["attributes"]["TEXCOORD_0"] =
-        document.addAccessor(std::vector<float>{0, 1, 1, 1, 1, 0, 0, 0}, "VEC2", kFloat);
-    document.primitive()["attributes"]["TEXCOORD_1"] =
-        document.addAccessor(std::vector<float>{0, 0, 0, 2, 2, 2, 2, 0}, "VEC2", kFloat);
+    document.setFloats("NORMAL", "VEC3", {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});
+    document.setFloats("TEXCOORD_0", "VEC2", {0, 1, 1, 1, 1, 0, 0, 0});
+    document.setFloats("TEXCOORD_1", "VEC2", {0, 0, 0, 2, 2, 2, 2, 0});
     giveNormalTexture(document);
     document.root["materials"][0]["name"] = "paint";
     return document;
@@ -23,8 +20,7 @@ Document bumpy() {
 
 /// Tangents of the file, so that nothing derives them and notes how.
 void giveTangents(Document& document) {
-    document.primitive()["attributes"]["TANGENT"] = document.addAccessor(
-        std::vector<float>{1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}, "VEC4", kFloat);
+    document.setFloats("TANGENT", "VEC4", {1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1});
 }
 
 const MaterialDetail& detailOf(const Scene& scene) {
@@ -175,8 +171,7 @@ TEST_F(GltfDetail, AThirdSetIsSaid) {
 
 TEST_F(GltfDetail, TangentsOfTheFileAreKept) {
     Document document = bumpy();
-    document.primitive()["attributes"]["TANGENT"] = document.addAccessor(
-        std::vector<float>{0, 2, 0, -1, 0, 2, 0, -1, 0, 2, 0, -1, 0, 0, 0, 1}, "VEC4", kFloat);
+    document.setFloats("TANGENT", "VEC4", {0, 2, 0, -1, 0, 2, 0, -1, 0, 2, 0, -1, 0, 0, 0, 1});
     const GltfImport result = load(document);
     const std::vector<VertexDetail>& details = result.scene.meshes[0].details;
     ASSERT_EQ(details.size(), 4u);
@@ -209,8 +204,7 @@ TEST_F(GltfDetail, TangentsFollowTheSecondPlaceWhereTheNormalTextureDoes) {
 /// Both triangles of the square share two corners; the second triangle is made to run through its texture backwards.
 TEST_F(GltfDetail, AVertexBetweenTwoSensesBecomesTwo) {
     Document document = bumpy();
-    document.primitive()["attributes"]["TEXCOORD_0"] =
-        document.addAccessor(std::vector<float>{0, 1, 1, 1, 1, 0, 2, 1}, "VEC2", kFloat);
+    document.setFloats("TEXCOORD_0", "VEC2", {0, 1, 1, 1, 1, 0, 2, 1});
     const Mesh mesh = load(document).scene.meshes.at(0);
     ASSERT_EQ(mesh.indices.size(), 6u);
     EXPECT_EQ(mesh.vertices.size(), 6u);
@@ -238,8 +232,7 @@ TEST_F(GltfDetail, UnsoundReferencesAreRefused) {
         EXPECT_NE(refusal(document), "loaded") << key;
     }
     Document document = bumpy();
-    document.primitive()["attributes"]["TANGENT"] =
-        document.addAccessor(std::vector<float>{1, 0, 0, 1, 0, 0}, "VEC2", kFloat);
+    document.setFloats("TANGENT", "VEC2", {1, 0, 0, 1, 0, 0});
     EXPECT_NE(refusal(document), "loaded");
 }
 

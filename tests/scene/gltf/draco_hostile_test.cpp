@@ -191,8 +191,7 @@ TEST_F(GltfHostileDraco, TablesOfConnectivityAreLookedAt) {
 /// Texture coordinates have flags of which libdraco makes as many as the stream says, to 2^31.
 TEST_F(GltfHostileDraco, FlagsAreNoMoreThanCorners) {
     Document document = square();
-    document.primitive()["attributes"]["TEXCOORD_0"] =
-        document.addAccessor(std::vector<float>{0, 0, 1, 0.5f, 0.7f, 1, 0.2f, 0.9f}, "VEC2", kFloat);
+    document.setFloats("TEXCOORD_0", "VEC2", {0, 0, 1, 0.5f, 0.7f, 1, 0.2f, 0.9f});
     document = compressed(document, {.speed = 0, .bits = 12});
     EXPECT_EQ(refusal(document), "loaded");
     const json& view = document.root["bufferViews"].back();

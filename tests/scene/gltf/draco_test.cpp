@@ -174,10 +174,7 @@ TEST_F(GltfDraco, MetadataIsPassedOver) {
 /// A square whose right half follows a second joint, by weights of 16 bits, and that has a morph target.
 Document deformed() {
     Document document = square();
-    json& attributes = document.primitive()["attributes"];
-    attributes["JOINTS_0"] = document.addAccessor(
-        std::vector<std::uint8_t>{0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0}, "VEC4", kUByte);
-    attributes["WEIGHTS_0"] = document.addAccessor(
+    const int weights = document.addAccessor(
         std::vector<std::uint16_t>{16384, 49151, 0, 0, 65535, 0, 0, 0, 65535, 0, 0, 0, 65535, 0, 0, 0},
         "VEC4", kUShort);
     document.root["accessors"].back()["normalized"] = true;
@@ -185,10 +182,8 @@ Document deformed() {
         document.addAccessor(std::vector<float>{0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0, 4}, "VEC3", kFloat);
     document.primitive()["targets"] = {{{"POSITION", target}}};
     document.root["meshes"][0]["weights"] = {0.5};
-    document.root["nodes"] = {
-        {{"mesh", 0}, {"skin", 0}}, {{"name", "low"}}, {{"name", "high"}, {"translation", {0, 1, 0}}}};
-    document.root["skins"] = {{{"joints", {1, 2}}}};
-    document.root["scenes"][0]["nodes"] = {0, 1, 2};
+    giveSkin(document, {0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0}, weights,
+             {{{"mesh", 0}, {"skin", 0}}, {{"name", "low"}}, {{"name", "high"}, {"translation", {0, 1, 0}}}});
     return document;
 }
 
@@ -205,8 +200,7 @@ TEST_F(GltfDraco, JointsWeightsAndMorphTargetsComeThrough) {
 
 TEST_F(GltfDraco, AnAttributeBesideTheStreamIsReadToo) {
     Document document = compressed(square(), {.method = kSequential, .bits = 0});
-    document.primitive()["attributes"]["COLOR_0"] =
-        document.addAccessor(std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}, "VEC3", kFloat);
+    document.setFloats("COLOR_0", "VEC3", {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1});
     const Scene scene = load(document).scene;
     EXPECT_EQ(trianglesOf(scene)[0][1].vertex.color, glm::u8vec4(0, 255, 0, 255));
 }
@@ -320,7 +314,7 @@ TEST_F(GltfDraco, IndicesBeyondTheirTypeAreRefused) {
     many.root = triangle().root;
     many.root["accessors"].clear();
     many.root["bufferViews"].clear();
-    many.primitive()["attributes"]["POSITION"] = many.addAccessor(positions, "VEC3", kFloat);
+    many.setFloats("POSITION", "VEC3", positions);
     many.primitive()["indices"] = many.addAccessor(indices, "SCALAR", kUShort);
     many = compressed(many, {.method = kSequential});
     EXPECT_EQ(refusal(many), "loaded");

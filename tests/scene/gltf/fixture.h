@@ -56,6 +56,11 @@ struct Document {
 
     json& primitive(std::size_t mesh = 0, std::size_t i = 0) { return root["meshes"][mesh]["primitives"][i]; }
 
+    /// Gives the first primitive an attribute of float32.
+    void setFloats(const std::string& attribute, const std::string& type, const std::vector<float>& data) {
+        primitive()["attributes"][attribute] = addAccessor(data, type, kFloat);
+    }
+
     /// The bytes of a GLB file.
     Bytes glb() const {
         json complete = root;
@@ -109,11 +114,9 @@ inline Document triangle() {
 inline Document square() {
     Document document = triangle();
     document.root["accessors"].clear();
-    json& primitive = document.primitive();
-    primitive["attributes"]["POSITION"] = document.addAccessor(corners(true), "VEC3", kFloat);
-    primitive["attributes"]["NORMAL"] =
-        document.addAccessor(std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3", kFloat);
-    primitive["indices"] =
+    document.setFloats("POSITION", "VEC3", corners(true));
+    document.setFloats("NORMAL", "VEC3", {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});
+    document.primitive()["indices"] =
         document.addAccessor(std::vector<std::uint16_t>{0, 1, 2, 0, 2, 3}, "SCALAR", kUShort);
     return document;
 }
@@ -128,6 +131,17 @@ inline void giveNormalTexture(Document& document) {
     document.primitive()["material"] = 0;
 }
 
+/// Has node 0 follow nodes 1 and 2, by the joints and an accessor of weights of the first primitive.
+inline void giveSkin(Document& document, const std::vector<std::uint8_t>& joints, int weights,
+                     const json& nodes) {
+    json& attributes = document.primitive()["attributes"];
+    attributes["JOINTS_0"] = document.addAccessor(joints, "VEC4", kUByte);
+    attributes["WEIGHTS_0"] = weights;
+    document.root["nodes"] = nodes;
+    document.root["skins"] = {{{"joints", {1, 2}}}};
+    document.root["scenes"][0]["nodes"] = {0, 1, 2};
+}
+
 /// An animation that moves a node: its place, three numbers, at each of the times.
 inline void giveMove(Document& document, int node, const std::vector<float>& times,
                      const std::vector<float>& places) {
@@ -136,6 +150,11 @@ inline void giveMove(Document& document, int node, const std::vector<float>& tim
     document.root["animations"] = {
         {{"samplers", {{{"input", input}, {"output", output}}}},
          {"channels", {{{"sampler", 0}, {"target", {{"node", node}, {"path", "translation"}}}}}}}};
+}
+
+/// Expects that `message` says `what` somewhere.
+inline void expectSays(const std::string& message, const std::string& what) {
+    EXPECT_NE(message.find(what), std::string::npos) << "'" << message << "' does not say '" << what << "'";
 }
 
 /// Gives each test a folder of its own, removed afterwards.
@@ -180,15 +199,16 @@ class GltfFolder : public testing::Test {
     std::string refusal(const Document& document, const GltfLimits& limits = {}) const {
         return refusal(write("a.glb", document.glb()), limits);
     }
+    /// Expects that a document is refused once it has the value at that JSON pointer.
+    void expectRefused(Document document, const char* pointer, const json& value,
+                       const std::string& what) const {
+        document.root[json::json_pointer(pointer)] = value;
+        expectSays(refusal(document), what);
+    }
 
   private:
     std::filesystem::path m_folder;
 };
-
-/// Expects that `message` says `what` somewhere.
-inline void expectSays(const std::string& message, const std::string& what) {
-    EXPECT_NE(message.find(what), std::string::npos) << "'" << message << "' does not say '" << what << "'";
-}
 
 /// Whether one of the lines says `what`.
 inline bool anySays(const std::vector<std::string>& lines, const std::string& what) {

@@ -158,8 +158,7 @@ TEST_F(GltfInstancing, CopiesOfASkinAreNoted) {
     Document document = copied();
     document.primitive()["attributes"]["JOINTS_0"] =
         document.addAccessor(std::vector<std::uint8_t>(16, 0), "VEC4", kUByte);
-    document.primitive()["attributes"]["WEIGHTS_0"] =
-        document.addAccessor(std::vector<float>(16, 0.25f), "VEC4", kFloat);
+    document.setFloats("WEIGHTS_0", "VEC4", std::vector<float>(16, 0.25f));
     document.root["skins"] = {{{"joints", {0}}}};
     document.root["nodes"][0]["skin"] = 0;
     const GltfImport import = load(document);

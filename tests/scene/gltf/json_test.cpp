@@ -81,15 +81,10 @@ TEST_F(GltfJson, ValuesOfAnotherTypeAreRefused) {
                "'baseColorFactor' is not 4 numbers");
     expectSays(withMaterial({{"pbrMetallicRoughness", {{"baseColorTexture", {{"texCoord", 0}}}}}}),
                "has no 'index'");
-    Document document = square();
-    document.root["accessors"][0]["normalized"] = "yes";
-    expectSays(refusal(document), "accessor 0: 'normalized' is neither true nor false");
-    document = square();
-    document.root["accessors"][0]["type"] = "VEC5";
-    expectSays(refusal(document), "accessor 0: its type 'VEC5' does not exist");
-    document = square();
-    document.root["bufferViews"][1]["byteStride"] = 13;
-    expectSays(refusal(document), "buffer view 1: its byteStride is 13");
+    expectRefused(square(), "/accessors/0/normalized", "yes",
+                  "accessor 0: 'normalized' is neither true nor false");
+    expectRefused(square(), "/accessors/0/type", "VEC5", "accessor 0: its type 'VEC5' does not exist");
+    expectRefused(square(), "/bufferViews/1/byteStride", 13, "buffer view 1: its byteStride is 13");
 }
 
 TEST_F(GltfJson, WhatIsLeftOutIsNamed) {

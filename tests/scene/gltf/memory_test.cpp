@@ -83,10 +83,9 @@ TEST_F(GltfMemory, CopiesOfAnExtensionAreForetold) {
 TEST_F(GltfMemory, JointsOfPosesAreForetold) {
     constexpr int kNodes = 40;
     Document document = triangle();
-    json& attributes = document.primitive()["attributes"];
-    attributes["JOINTS_0"] = document.addAccessor(std::vector<std::uint8_t>(12, 0), "VEC4", kUByte);
-    attributes["WEIGHTS_0"] =
-        document.addAccessor(std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4", kFloat);
+    document.primitive()["attributes"]["JOINTS_0"] =
+        document.addAccessor(std::vector<std::uint8_t>(12, 0), "VEC4", kUByte);
+    document.setFloats("WEIGHTS_0", "VEC4", {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
     document.root["skins"] = {{{"joints", std::vector<int>(1000, kNodes)}}};
     document.root["nodes"] = json::array();
     document.root["scenes"][0]["nodes"] = {kNodes};
@@ -137,7 +136,7 @@ Document copiedCells() {
             }
         }
     }
-    document.primitive()["attributes"]["POSITION"] = document.addAccessor(positions, "VEC3", kFloat);
+    document.setFloats("POSITION", "VEC3", positions);
     document.primitive()["indices"] = document.addAccessor(indices, "SCALAR", kUShort);
     document.root["accessors"].push_back({{"componentType", kFloat}, {"count", 200}, {"type", "VEC3"}});
     document.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"] = {

@@ -199,7 +199,7 @@ TEST_F(GltfMorphedTangents, WithoutNormalsTangentsOfTargetsDoNotCount) {
     const Mesh before = meshOf(document);
     const std::vector<float> tangents(4 * rest.positions.size(), 1.0f);
     const std::vector<float> deltas(3 * rest.positions.size(), 5.0f);
-    document.primitive()["attributes"]["TANGENT"] = document.addAccessor(tangents, "VEC4", kFloat);
+    document.setFloats("TANGENT", "VEC4", tangents);
     document.primitive()["targets"] = {{{"TANGENT", document.addAccessor(deltas, "VEC3", kFloat)}}};
     document.root["meshes"][0]["weights"] = {1.0};
     const Mesh after = meshOf(document);

@@ -14,8 +14,7 @@ namespace {
 Document everything() {
     Document document = square();
     json& primitive = document.primitive();
-    primitive["attributes"]["TEXCOORD_0"] =
-        document.addAccessor(std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}, "VEC2", kFloat);
+    document.setFloats("TEXCOORD_0", "VEC2", {0, 0, 1, 0, 1, 1, 0, 1});
     primitive["attributes"]["COLOR_0"] =
         document.addAccessor(std::vector<std::uint8_t>(16, 200), "VEC4", kUByte);
     document.root["accessors"].back()["normalized"] = true;

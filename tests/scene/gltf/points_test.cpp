@@ -100,8 +100,7 @@ TEST_F(GltfPoints, APointIsAClosedOctahedron) {
 TEST_F(GltfPoints, ASegmentIsAClosedPrism) {
     Document document = triangle();
     document.primitive()["mode"] = kLineStrip;
-    document.primitive()["attributes"]["POSITION"] = document.addAccessor(
-        std::vector<float>{0, 0, 0, 3, 0, 0, 3, 0, 4, 3, -2, 4, 4, 0, 2}, "VEC3", kFloat);
+    document.setFloats("POSITION", "VEC3", {0, 0, 0, 3, 0, 0, 3, 0, 4, 3, -2, 4, 4, 0, 2});
     const Scene scene = load(document, sized()).scene;
     const double section = 0.75 * std::sqrt(3.0) * kRadius * kRadius;
     EXPECT_NEAR(volumeOf(scene.meshes.at(0)), section * (3 + 4 + 2 + 3), 1e-6) << "fronts are outside";
@@ -199,8 +198,7 @@ TEST_F(GltfPoints, WithoutNormalsTheyAreUnlitAndWithThemLit) {
     EXPECT_FALSE(unlit.scene.materials[1].unlit) << "triangles of the same material stay";
     EXPECT_TRUE(unlit.scene.materials[1].doubleSided);
 
-    document.primitive()["attributes"]["NORMAL"] =
-        document.addAccessor(std::vector<float>{0, 2, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1}, "VEC3", kFloat);
+    document.setFloats("NORMAL", "VEC3", {0, 2, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1});
     const GltfImport lit = load(document, sized());
     EXPECT_FALSE(lit.scene.materials[0].unlit);
     EXPECT_TRUE(lit.scene.materials[0].metallicRoughness.has_value());
@@ -225,8 +223,7 @@ TEST_F(GltfPoints, WithoutNormalsTheyKeepNoTextureButThoseOfColourAndEmission) {
          {"occlusionTexture", use},
          {"pbrMetallicRoughness", {{"baseColorTexture", use}, {"metallicRoughnessTexture", use}}}}};
     document.primitive()["material"] = 0;
-    document.primitive()["attributes"]["TEXCOORD_1"] =
-        document.addAccessor(std::vector<float>{0, 0, 1, 0, 0, 1, 0.25, 0.5}, "VEC2", kFloat);
+    document.setFloats("TEXCOORD_1", "VEC2", {0, 0, 1, 0, 0, 1, 0.25, 0.5});
     const Scene scene = load(document, sized()).scene;
     EXPECT_EQ(scene.textures.size(), 1u) << "what is not shown is not read";
     EXPECT_EQ(scene.materials.at(0).baseColorTexture, 0u);
@@ -247,8 +244,7 @@ TEST_F(GltfPoints, NormalTexturesNeedTangents) {
     const Scene without = load(document, sized()).scene;
     EXPECT_FALSE(without.materials.at(0).detail.normal.has_value());
     EXPECT_TRUE(without.meshes.at(0).details.empty());
-    document.primitive()["attributes"]["TANGENT"] = document.addAccessor(
-        std::vector<float>{1, 0, 0, 1, 0, 1, 0, -1, 1, 0, 0, 1, 1, 0, 0, 1}, "VEC4", kFloat);
+    document.setFloats("TANGENT", "VEC4", {1, 0, 0, 1, 0, 1, 0, -1, 1, 0, 0, 1, 1, 0, 0, 1});
     const Scene with = load(document, sized()).scene;
     EXPECT_TRUE(with.materials.at(0).detail.normal.has_value());
     ASSERT_EQ(with.meshes.at(0).details.size(), with.meshes[0].vertices.size());
@@ -285,8 +281,7 @@ TEST_F(GltfPoints, AGivenRadiusIsInSceneUnitsOfTheLargestNode) {
 
 TEST_F(GltfPoints, WhatIsAllAtOnePlaceNeedsARadius) {
     Document document = cornersOf(kPoints);
-    document.primitive()["attributes"]["POSITION"] =
-        document.addAccessor(std::vector<float>(12, 3.0f), "VEC3", kFloat);
+    document.setFloats("POSITION", "VEC3", std::vector<float>(12, 3.0f));
     for (const Mode mode : {kPoints, kLineStrip}) {
         document.primitive()["mode"] = mode;
         const GltfImport result = load(document);
@@ -303,7 +298,7 @@ TEST_F(GltfPoints, PositionsAndSizesThatAreNotFiniteAreRefused) {
     expectSays(refusal(document, sized(1e39)), "its size or place is over what can be drawn");
     std::vector<float> positions = corners(true);
     positions[4] = std::nanf("");
-    document.primitive()["attributes"]["POSITION"] = document.addAccessor(positions, "VEC3", kFloat);
+    document.setFloats("POSITION", "VEC3", positions);
     for (const Mode mode : {kPoints, kLines, kLineLoop, kLineStrip}) {
         document.primitive()["mode"] = mode;
         expectSays(refusal(document), "the position of vertex 1 is not finite");
@@ -313,8 +308,7 @@ TEST_F(GltfPoints, PositionsAndSizesThatAreNotFiniteAreRefused) {
 
 TEST_F(GltfPoints, FarPointsKeepTheirShape) {
     Document document = cornersOf(kPoints);
-    document.primitive()["attributes"]["POSITION"] =
-        document.addAccessor(std::vector<float>{1e7f, 0, 0, 1e7f + 2, 0, 0}, "VEC3", kFloat);
+    document.setFloats("POSITION", "VEC3", {1e7f, 0, 0, 1e7f + 2, 0, 0});
     const Mesh mesh = load(document, sized(0.001)).scene.meshes.at(0);
     EXPECT_NEAR(volumeOf(mesh), 2 * 4.0 / 3.0 * 1e-9, 1e-13);
 }
@@ -388,14 +382,11 @@ TEST_F(GltfPoints, CornersOfAPointAreMorphedAlike) {
 
 TEST_F(GltfPoints, LinesFollowTheJointsOfTheirEnds) {
     Document document = cornersOf(kLines);
-    document.primitive()["attributes"]["JOINTS_0"] = document.addAccessor(
-        std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC4", kUByte);
-    document.primitive()["attributes"]["WEIGHTS_0"] = document.addAccessor(
-        std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4", kFloat);
-    document.root["nodes"] = {
-        {{"mesh", 0}, {"skin", 0}, {"scale", {9, 9, 9}}}, {{"name", "rest"}}, {{"translation", {0, 0, 5}}}};
-    document.root["skins"] = {{{"joints", {1, 2}}}};
-    document.root["scenes"][0]["nodes"] = {0, 1, 2};
+    const std::vector<float> weights{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+    giveSkin(
+        document, {0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+        document.addAccessor(weights, "VEC4", kFloat),
+        {{{"mesh", 0}, {"skin", 0}, {"scale", {9, 9, 9}}}, {{"name", "rest"}}, {{"translation", {0, 0, 5}}}});
     const Scene scene = load(document, sized()).scene;
     expectEnds(scene, {{{0, 0, 0}, {2, 0, 5}}, {{2, 4, 0}, {0, 4, 0}}});
     EXPECT_NEAR(glm::distance(worldOf(scene, 0), glm::dvec3(0.0)), kRadius, 1e-6) << "the node has no say";
