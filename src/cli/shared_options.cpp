@@ -59,12 +59,8 @@ void addJson(CLI::App& command, OutputOptions& output) {
 }
 
 void addDistances(CLI::App& command, std::vector<double>& distancesView) {
-    command
-        .add_option(
-            "--distances", distancesView,
-            "Distances from the camera where separations are measured, separated by commas, in scene units")
-        ->delimiter(',')
-        ->capture_default_str();
+    addList(command, "--distances", distancesView,
+            "Distances from the camera where separations are measured, separated by commas, in scene units");
 }
 
 void addCsv(CLI::App& command, std::filesystem::path& file) {
@@ -141,7 +137,7 @@ void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height) {
 }
 
 void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help, std::uint32_t most) {
-    command.add_option("--frames", frames, help)->check(CLI::Range(1u, most))->capture_default_str();
+    addValue(command, "--frames", frames, help)->check(CLI::Range(1u, most));
 }
 
 std::vector<std::string> techniqueNames(const std::vector<std::string>& parts) {

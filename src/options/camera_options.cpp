@@ -70,8 +70,7 @@ scene::Camera placed(const scene::Camera& camera, const CameraOptions& options) 
 } // namespace
 
 void addFrameOptions(CLI::App& command, CameraOptions& options) {
-    command.add_option("--frame", options.frame, "First frame of the scene's camera path")
-        ->capture_default_str();
+    addValue(command, "--frame", options.frame, "First frame of the scene's camera path");
     command.add_option("--frames", options.frames, "Number of frames")
         ->check(CLI::Range(1u, kMaxFrames))
         ->default_str("1, or with --path all that were recorded");

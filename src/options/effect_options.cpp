@@ -121,9 +121,8 @@ void addEffectOptions(CLI::App& command, render::RenderOptions& options, scene::
         ->default_str("none");
     addNamed(command, "--shadows", options.shadows.method, render::parseShadowMethod,
              "Shadows of the first four lights: none, anchored, or plain (the usual method)");
-    command.add_option("--shadow-texels", options.shadows.maxTexels, shadowTexelsHelp())
-        ->check(CLI::Range(render::kMinShadowTexels, render::kMaxShadowTexels))
-        ->capture_default_str();
+    addValue(command, "--shadow-texels", options.shadows.maxTexels, shadowTexelsHelp())
+        ->check(CLI::Range(render::kMinShadowTexels, render::kMaxShadowTexels));
     addTranslucency(command, options.translucency);
 }
 

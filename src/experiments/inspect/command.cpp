@@ -214,20 +214,14 @@ void run(Command& command, InspectArguments& arguments) {
 void addOptions(CLI::App& command, InspectArguments& arguments) {
     experiments::InspectOptions& options = arguments.options;
     command.add_option("scene", arguments.scene, options::sceneHelp())->required();
-    command
-        .add_option("--technique", arguments.technique,
-                    "Technique for --fail-above and --heat-map: " + options::techniqueHelp())
-        ->capture_default_str();
-    command
-        .add_option("--format", arguments.format,
-                    "Format of the depth buffer for --technique: d16, d24 or d32f")
-        ->capture_default_str();
+    addValue(command, "--technique", arguments.technique,
+             "Technique for --fail-above and --heat-map: " + options::techniqueHelp());
+    addValue(command, "--format", arguments.format,
+             "Format of the depth buffer for --technique: d16, d24 or d32f");
     addTechniques(command, options.techniques);
-    command
-        .add_option("--frames", arguments.views,
-                    "Views, spread evenly over the camera path; around the model if it has none")
-        ->check(CLI::Range(1u, kMaxViews))
-        ->capture_default_str();
+    addValue(command, "--frames", arguments.views,
+             "Views, spread evenly over the camera path; around the model if it has none")
+        ->check(CLI::Range(1u, kMaxViews));
     options::addCameraOptions(command, arguments.camera);
     options::addStillChoice(command, arguments.choice);
     command

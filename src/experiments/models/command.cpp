@@ -189,9 +189,8 @@ void run(Command& command, ModelsArguments& arguments) {
 void addOptions(CLI::App& command, ModelsArguments& arguments) {
     command.add_option("models", arguments.files, "glTF files, .gltf or .glb")->required();
     options::addFolder(command, "--out", arguments.folder, "Folder for the pictures and one sheet of all");
-    command.add_option("--technique", arguments.technique, "Technique: " + options::techniqueHelp())
-        ->capture_default_str();
-    command.add_option("--light", arguments.light, options::kLightHelp)->capture_default_str();
+    addValue(command, "--technique", arguments.technique, "Technique: " + options::techniqueHelp());
+    addValue(command, "--light", arguments.light, options::kLightHelp);
     command.add_option("--time", arguments.seconds, "Time in the first animation of a model, in seconds");
     command.add_option("--camera", arguments.camera, options::kCameraHelp)
         ->default_str("one that the model fills");

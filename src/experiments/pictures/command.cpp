@@ -112,9 +112,7 @@ void run(Command& command, PicturesArguments& arguments) {
 void addOptions(CLI::App& command, PicturesArguments& arguments) {
     experiments::PicturesOptions& options = arguments.options;
     options::addFolder(command, "--out", arguments.folder, "Folder for the pictures")->capture_default_str();
-    command.add_option("--scenes", arguments.scenes, "Scenes to render, separated by commas")
-        ->delimiter(',')
-        ->capture_default_str();
+    addList(command, "--scenes", arguments.scenes, "Scenes to render, separated by commas");
     addTechniques(command, options.techniques);
     addSize(command, options.width, options.height);
     addFrames(command, options.frames, "Frames of each scene, spread evenly over its camera path");

@@ -29,15 +29,12 @@ void requireSameImages(const std::vector<experiments::RankPoint>& points) {
 void addRankSweepOptions(CLI::App& command, RankSweepArguments& arguments) {
     command.add_flag("--ranks", arguments.isAsked,
                      "Measure MPI ranks that divide the cascades of a frame, instead of threads");
-    command
-        .add_option("--heights", arguments.heights,
-                    "Heights of the 16:9 pictures to measure in pixels, separated by commas")
-        ->delimiter(',')
-        ->capture_default_str();
+    addList(command, "--heights", arguments.heights,
+            "Heights of the 16:9 pictures to measure in pixels, separated by commas");
     command.add_option(
         "--project", arguments.nodes,
         "Predict the time of a run on up to this many nodes, from measured frames of --size and of one --draws");
-    command.add_option("--frames", arguments.frames, "Frames of the predicted run")->capture_default_str();
+    addValue(command, "--frames", arguments.frames, "Frames of the predicted run");
 }
 
 void runRankSweep(Command& command, experiments::RankSweepOptions options,

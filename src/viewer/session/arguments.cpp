@@ -22,7 +22,7 @@ namespace cdr::viewer {
 namespace {
 
 void addViewOptions(CLI::App& program, Arguments& arguments) {
-    program.add_option("scene", arguments.scene, options::sceneHelp())->capture_default_str();
+    options::addValue(program, "scene", arguments.scene, options::sceneHelp());
     options::addSeed(program, arguments.seed);
     options::addColours(program, arguments.colours);
     options::addLayers(program, arguments.layers);
