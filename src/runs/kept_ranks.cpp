@@ -2,10 +2,8 @@
 
 #include "units.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/base64.h>
-
-#include <fmt/format.h>
 
 #include <limits>
 #include <stdexcept>
@@ -27,8 +25,8 @@ auto KeptRanks::reading(const Action& action) const {
     } catch (const output::Json::exception&) {
     } catch (const std::out_of_range&) {
     }
-    throw base::InputError(fmt::format(
-        "{}: holds results that do not fit this run; remove it or name another file", m_path.string()));
+    throw base::inputError("{}: holds results that do not fit this run; remove it or name another file",
+                           m_path.string());
 }
 
 KeptRanks::KeptRanks(ranks::Ranks& ranks, const std::filesystem::path& path, std::string digest)

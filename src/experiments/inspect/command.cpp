@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/image/codec.h>
 #include <cdr/platform/file.h>
 #include <cli/command.h>
@@ -170,8 +170,7 @@ void run(Command& command, InspectArguments& arguments) {
     options.judged.technique.format = depth::parseDepthFormat(arguments.format);
     if (!arguments.heatMap.empty()) {
         if (platform::lowerExtension(arguments.heatMap) != ".png") {
-            throw base::InputError(
-                fmt::format("--heat-map: {} does not end in .png", arguments.heatMap.string()));
+            throw base::inputError("--heat-map: {} does not end in .png", arguments.heatMap.string());
         }
         command.files().writes("--heat-map", arguments.heatMap);
     }

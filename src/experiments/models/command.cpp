@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <cli/picture_folder.h>
@@ -89,15 +89,13 @@ std::vector<std::string> pictureNames(const std::vector<std::string>& files) {
     const auto twice = std::find_if(names.begin(), names.end(),
                                     [&](const std::string& name) { return !taken.insert(name).second; });
     const std::string& file = files[static_cast<std::size_t>(twice - names.begin())];
-    throw base::InputError(
-        fmt::format("two models would both be written as {}_*.png", nameWithFolders(file, 0)));
+    throw base::inputError("two models would both be written as {}_*.png", nameWithFolders(file, 0));
 }
 
 /// base::InputError for what is no model.
 void requireModels(const std::vector<std::string>& files) {
     if (files.size() > kMaxModels) {
-        throw base::InputError(
-            fmt::format("{} models are too many: at most {} are allowed", files.size(), kMaxModels));
+        throw base::inputError("{} models are too many: at most {} are allowed", files.size(), kMaxModels);
     }
     for (const std::string& file : files) {
         if (!scene::isGltfPath(file)) {
@@ -111,10 +109,9 @@ void requirePictureMemory(std::size_t models, const experiments::ModelsOptions& 
     const std::uint64_t bytes = models * experiments::kModelPictures * sizeof(image::Rgba8) *
                                 std::uint64_t{options.width} * options.height;
     if (bytes > kMaxPictureBytes) {
-        throw base::InputError(
-            fmt::format("the pictures of {} models at {}x{} take {} MiB, {} are allowed: give "
-                        "fewer models or a smaller --size",
-                        models, options.width, options.height, bytes >> 20u, kMaxPictureBytes >> 20u));
+        throw base::inputError("the pictures of {} models at {}x{} take {} MiB, {} are allowed: give "
+                               "fewer models or a smaller --size",
+                               models, options.width, options.height, bytes >> 20u, kMaxPictureBytes >> 20u);
     }
 }
 

@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <cli/picture_folder.h>
@@ -70,8 +70,7 @@ std::vector<scene::SceneSetup> openScenes(Command& command, const PicturesArgume
     const auto require = [&](const std::string& stem, const std::string& what) {
         const auto [other, isNew] = stems.try_emplace(stem, what);
         if (!isNew) {
-            throw base::InputError(
-                fmt::format("{} and {} would both be written as {}", other->second, what, stem));
+            throw base::inputError("{} and {} would both be written as {}", other->second, what, stem);
         }
     };
     std::vector<scene::SceneSetup> scenes;

@@ -1,5 +1,5 @@
 #include <cdr/base/enum_names.h>
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 #include <cli/command.h>
 #include <cli/commands.h>
@@ -186,9 +186,9 @@ void run(Command& command, ScalingArguments& arguments) {
     const auto differs = std::find_if(result.points.begin(), result.points.end(),
                                       [](const auto& point) { return !point.sameImage; });
     if (differs != result.points.end()) {
-        throw base::RunError(
-            fmt::format("{} targets, {} cascades, {} draws: the image of {} threads differs from that of one",
-                        nameOf(differs->targets), differs->cascades, differs->draws, differs->threads));
+        throw base::runError(
+            "{} targets, {} cascades, {} draws: the image of {} threads differs from that of one",
+            nameOf(differs->targets), differs->cascades, differs->draws, differs->threads);
     }
 }
 
