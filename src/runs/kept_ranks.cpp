@@ -57,10 +57,6 @@ void KeptRanks::learnMachine() {
     setCpus(m_ranks.place().cpus);
 }
 
-void KeptRanks::sayWhenKilled(const std::string& text) {
-    m_ranks.sayWhenKilled(text);
-}
-
 void KeptRanks::forEachUnit(std::size_t count, const Make& make, const Take& take) {
     handOver(count, take, [&](const Units& ofFirst, const Take& taken) {
         const Units missing = sharedOf(m_ranks, ofFirst);
@@ -113,17 +109,9 @@ void KeptRanks::takeKept(std::size_t unit, std::size_t begin, const Take& take) 
     reading([&] { take(unit, kept.mapped()); });
 }
 
-platform::Bytes KeptRanks::share(platform::Bytes ofFirst) {
-    return m_ranks.share(std::move(ofFirst));
-}
-
 void KeptRanks::merge(const std::function<platform::Bytes()>& pack,
                       const std::function<void(const platform::Bytes& later)>& take) {
     m_ranks.merge(pack, take);
-}
-
-ranks::Ending KeptRanks::end(const ranks::Ending& mine) {
-    return m_ranks.end(mine);
 }
 
 } // namespace cdr::runs

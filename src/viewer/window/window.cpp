@@ -8,7 +8,6 @@
 #include <imgui_impl_glfw.h>
 
 #include <cmath>
-#include <utility>
 
 namespace cdr::viewer {
 
@@ -142,10 +141,6 @@ vk::UniqueSurfaceKHR Window::makeSurface(vk::Instance instance) const {
 
 void Window::wait(double seconds) const {
     glfwWaitEventsTimeout(seconds);
-}
-
-std::vector<InputEvent> Window::takeEvents() {
-    return std::exchange(m_events, {});
 }
 
 void Window::inject(const InputEvent& event) {

@@ -175,8 +175,4 @@ FrameMotion MotionHistory::follow(const DrawnScene& drawn, const scene::Camera& 
     return motion;
 }
 
-void MotionHistory::forget() {
-    *this = {};
-}
-
 } // namespace cdr::render

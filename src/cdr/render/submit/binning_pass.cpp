@@ -332,10 +332,6 @@ void BinningPass::recordCopies(vk::CommandBuffer commands, const Copies& copies)
     awaitScene(commands, PipelineStage::eComputeShader, Access::eShaderStorageRead);
 }
 
-std::uint64_t BinningPass::blocks() const {
-    return (instances() + shaders::kBinBlock - 1) / shaders::kBinBlock;
-}
-
 std::uint64_t BinningPass::listGroups(std::size_t cascades) const {
     const std::uint64_t lists = std::uint64_t{2} * cascades * m_groups.size();
     return (lists + kCommandInvocations - 1) / kCommandInvocations;

@@ -88,10 +88,6 @@ TargetsChoice parseTargets(std::string_view text) {
     return TargetsChoice::pool(parseLayers(text.substr(colon + 1)));
 }
 
-DepthSlice Targets::depthSlice(std::size_t, std::size_t) const {
-    return {};
-}
-
 void Targets::begin(vk::CommandBuffer) const {}
 
 std::vector<vk::Format> surfaceFormats(const TargetsOptions& options) {
