@@ -2,7 +2,7 @@
 
 #include "rank_machine.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 #include <cdr/platform/json_text.h>
 #include <cdr/platform/thread_placement.h>
@@ -30,9 +30,8 @@ ProcessorUse processorUse(const GlobalOptions& global) {
 
 void requireAlone(const ranks::Ranks& ranks, const std::string& name) {
     if (!ranks.isAlone()) {
-        throw base::InputError(
-            fmt::format("{} runs in one process, and not as {} ranks: start it without mpirun", name,
-                        ranks.place().count));
+        throw base::inputError("{} runs in one process, and not as {} ranks: start it without mpirun", name,
+                               ranks.place().count);
     }
 }
 
@@ -42,9 +41,9 @@ bool takesPart(const GlobalOptions& global, const std::string& name, RankUse use
     }
     const ranks::Place& place = global.ranks->place();
     if (use == RankUse::timed && place.countOnNode > 1 && !global.shareMachine) {
-        throw base::InputError(fmt::format(
+        throw base::inputError(
             "{} measures time, and {} ranks share this machine: start one on each, or add --share-machine",
-            name, place.countOnNode));
+            name, place.countOnNode);
     }
     return use == RankUse::all || use == RankUse::timed || global.ranks->isFirst();
 }

@@ -1,6 +1,6 @@
 #include "command_files.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 
 #include <fmt/format.h>
@@ -32,11 +32,11 @@ std::vector<std::string> keysOf(const fs::path& path) {
 }
 
 [[noreturn]] void refuseRead(const fs::path& path, const std::string& option) {
-    throw base::InputError(fmt::format("{}: {} would replace what the command reads", path.string(), option));
+    throw base::inputError("{}: {} would replace what the command reads", path.string(), option);
 }
 
 [[noreturn]] void refuseBoth(const fs::path& path, const std::string& first, const std::string& second) {
-    throw base::InputError(fmt::format("{}: both {} and {} would write it", path.string(), first, second));
+    throw base::inputError("{}: both {} and {} would write it", path.string(), first, second);
 }
 
 /// Whether there is something at the path that is no regular file, such as a device.

@@ -4,7 +4,7 @@
 #include "report_sections.h"
 
 #include <cdr/base/enum_names.h>
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 #include <report/folder.h>
 #include <report/manifest.h>
@@ -141,8 +141,8 @@ void requireOutside(const fs::path& folder, const fs::path& file) {
     }
     const fs::path inside = platform::wholePath(file).lexically_relative(platform::wholePath(folder));
     if (!inside.empty() && *inside.begin() != "..") {
-        throw base::InputError(fmt::format(
-            "{}: lies in the folder of the report, which may only hold files of the report", file.string()));
+        throw base::inputError(
+            "{}: lies in the folder of the report, which may only hold files of the report", file.string());
     }
 }
 
@@ -171,8 +171,7 @@ nlohmann::ordered_json makeReport(Command& command, const ReportArguments& argum
         if (!folder.isKept()) {
             throw;
         }
-        throw base::RunError(
-            fmt::format("{}; what was measured is in {}", error.what(), folder.temporary().string()));
+        throw base::runError("{}; what was measured is in {}", error.what(), folder.temporary().string());
     }
 }
 
@@ -194,9 +193,8 @@ void runReport(Command& command, ReportArguments& arguments) {
     command.writeDocument(manifest);
     for (const auto& row : manifest.at("results")) {
         if (!row.at("failure").is_null()) {
-            throw base::RunError(fmt::format("{}: {}; the rest of the report is written",
-                                             row.at("section").get<std::string>(),
-                                             row.at("failure").get<std::string>()));
+            throw base::runError("{}: {}; the rest of the report is written",
+                                 row.at("section").get<std::string>(), row.at("failure").get<std::string>());
         }
     }
 }

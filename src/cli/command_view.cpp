@@ -1,6 +1,6 @@
 #include "commands.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/process.h>
 
 #include <fmt/format.h>
@@ -55,8 +55,8 @@ std::string viewerProgram() {
     }
     pointers.push_back(nullptr);
     ::execvp(pointers.front(), pointers.data());
-    throw base::InputError(
-        fmt::format("{}: cannot be started: {}", arguments.front(), std::generic_category().message(errno)));
+    throw base::inputError("{}: cannot be started: {}", arguments.front(),
+                           std::generic_category().message(errno));
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "opened_device.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/device_query.h>
 #include <cdr/gpu/pipeline.h>
 
@@ -22,9 +22,9 @@ void requireKnownDevice(const std::string& choice) {
         }
         names.push_back(fmt::format("{} {}", info.index, info.name));
     }
-    throw base::InputError(fmt::format("no Vulkan device matches '{}': there {} {}", choice.substr(0, 60),
-                                       names.size() == 1 ? "is" : "are",
-                                       names.empty() ? "none" : fmt::format("{}", fmt::join(names, "; "))));
+    throw base::inputError("no Vulkan device matches '{}': there {} {}", choice.substr(0, 60),
+                           names.size() == 1 ? "is" : "are",
+                           names.empty() ? "none" : fmt::format("{}", fmt::join(names, "; ")));
 }
 
 OpenedDevice::OpenedDevice(const std::string& choice, Validation validation)
@@ -46,8 +46,7 @@ std::string OpenedDevice::text() const {
 void OpenedDevice::requireSilentValidation() const {
     const auto messages = m_instance.validation().messages();
     if (!messages.empty()) {
-        throw base::RunError(
-            fmt::format("{} validation messages, the first: {}", messages.size(), messages.front()));
+        throw base::runError("{} validation messages, the first: {}", messages.size(), messages.front());
     }
 }
 

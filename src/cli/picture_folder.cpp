@@ -1,10 +1,9 @@
 #include "picture_folder.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/image/codec.h>
 #include <cdr/platform/file.h>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
@@ -25,12 +24,10 @@ void requireFolder(const fs::path& path) {
         nearest = nearest.parent_path();
     }
     if (!fs::is_directory(nearest, error)) {
-        throw base::InputError(
-            fmt::format("{}: cannot be made: {} is no folder", path.string(), nearest.string()));
+        throw base::inputError("{}: cannot be made: {} is no folder", path.string(), nearest.string());
     }
     if (::access(nearest.c_str(), W_OK | X_OK) != 0) {
-        throw base::InputError(
-            fmt::format("{}: cannot be written: {} is read-only", path.string(), nearest.string()));
+        throw base::inputError("{}: cannot be written: {} is read-only", path.string(), nearest.string());
     }
 }
 

@@ -1,6 +1,6 @@
 #include "rank_machine.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/device.h>
 #include <cdr/platform/process_cpus.h>
 #include <cdr/platform/thread_placement.h>
@@ -71,8 +71,8 @@ std::string choiceText(const ranks::Place& place, ProcessorUse use) {
 void keepTo(const ranks::Cpus& part) {
     platform::allowCpus(part);
     if (platform::allowedCpus() != part) {
-        throw base::RunError(fmt::format("--bind: the system does not allow this rank to use processor{} {}",
-                                         part.size() == 1 ? "" : "s", fmt::join(part, ", ")));
+        throw base::runError("--bind: the system does not allow this rank to use processor{} {}",
+                             part.size() == 1 ? "" : "s", fmt::join(part, ", "));
     }
 }
 

@@ -1,6 +1,6 @@
 #include "shared_options.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/image/picture_size.h>
 #include <cdr/scene/gltf/open_gltf.h>
 #include <scenes/open_scene.h>
@@ -27,8 +27,8 @@ constexpr const char* kEach = "each"; // of --device
 image::PictureSize parseSize(const std::string& text) {
     const auto size = image::parsePictureSize(text);
     if (!size) {
-        throw base::InputError(fmt::format("size must be WIDTHxHEIGHT in pixels, such as 1280x720, not '{}'",
-                                           text.substr(0, 60)));
+        throw base::inputError("size must be WIDTHxHEIGHT in pixels, such as 1280x720, not '{}'",
+                               text.substr(0, 60));
     }
     return *size;
 }
@@ -37,9 +37,9 @@ image::PictureSize parseSize(const std::string& text) {
 void requireNoScene(const std::string& file) {
     const auto generated = scenes::generatedScenes();
     if (scene::isGltfPath(file) || std::find(generated.begin(), generated.end(), file) != generated.end()) {
-        throw base::InputError(
-            fmt::format("--json takes a file to write, not the scene {}: write --json=FILE, or --json last",
-                        file.substr(0, 200)));
+        throw base::inputError(
+            "--json takes a file to write, not the scene {}: write --json=FILE, or --json last",
+            file.substr(0, 200));
     }
 }
 
@@ -59,12 +59,8 @@ void addJson(CLI::App& command, OutputOptions& output) {
 }
 
 void addDistances(CLI::App& command, std::vector<double>& distancesView) {
-    command
-        .add_option(
-            "--distances", distancesView,
-            "Distances from the camera where separations are measured, separated by commas, in scene units")
-        ->delimiter(',')
-        ->capture_default_str();
+    addList(command, "--distances", distancesView,
+            "Distances from the camera where separations are measured, separated by commas, in scene units");
 }
 
 void addCsv(CLI::App& command, std::filesystem::path& file) {
@@ -141,7 +137,7 @@ void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height) {
 }
 
 void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help, std::uint32_t most) {
-    command.add_option("--frames", frames, help)->check(CLI::Range(1u, most))->capture_default_str();
+    addValue(command, "--frames", frames, help)->check(CLI::Range(1u, most));
 }
 
 std::vector<std::string> techniqueNames(const std::vector<std::string>& parts) {
@@ -162,7 +158,7 @@ void requireDistinct(const std::vector<std::string>& names) {
     std::set<std::string> seen;
     for (const std::string& name : names) {
         if (!seen.insert(name).second) {
-            throw base::InputError(fmt::format("{} is given twice", name));
+            throw base::inputError("{} is given twice", name);
         }
     }
 }

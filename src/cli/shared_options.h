@@ -8,6 +8,7 @@
 #include <options/camera_options.h>
 #include <options/drawing_options.h>
 #include <options/effect_options.h>
+#include <options/parsed_option.h>
 #include <options/scene_options.h>
 #include <ranks/ranks.h>
 #include <rivals/rival.h>
@@ -57,10 +58,12 @@ using options::kMaxFrames;
 
 using options::kMaxTranslucencyMiB;
 
+using options::addList;
 using options::addSeed;
 using options::addSnapBits;
 using options::addSnapping;
 using options::addThreads;
+using options::addValue;
 
 // Each adds an option; what it refers to must live as long as the command.
 

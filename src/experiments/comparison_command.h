@@ -15,7 +15,7 @@ namespace cdr::cli {
 template <typename Options>
 void addComparison(CLI::App& command, Options& options, scene::GltfChoice& choice,
                    std::filesystem::path& folder) {
-    command.add_option("scene", options.scene, options::sceneHelp())->capture_default_str();
+    addValue(command, "scene", options.scene, options::sceneHelp());
     options::addStillChoice(command, choice);
     options::addLight(command, choice, scene::ModelLight::lamps);
     addFrames(command, options.frames, "Measured frames of each mode");

@@ -4,11 +4,9 @@
 #include "parsed_option.h"
 
 #include <CLI/CLI.hpp>
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/base/suggest.h>
 #include <cdr/scene/camera_recording.h>
-
-#include <fmt/format.h>
 
 #include <limits>
 
@@ -22,8 +20,7 @@ glm::dvec3 parsePoint(const std::string& what, const std::string& text) {
     const std::size_t first = text.find(',');
     const std::size_t second = first == std::string::npos ? first : text.find(',', first + 1);
     if (second == std::string::npos) {
-        throw base::InputError(
-            fmt::format("{} must be three numbers x,y,z, not '{}'", what, text.substr(0, 60)));
+        throw base::inputError("{} must be three numbers x,y,z, not '{}'", what, text.substr(0, 60));
     }
     return {base::parseNumber(what, text.substr(0, first)),
             base::parseNumber(what, text.substr(first + 1, second - first - 1)),
@@ -33,8 +30,7 @@ glm::dvec3 parsePoint(const std::string& what, const std::string& text) {
 glm::dvec2 parseLensShift(const std::string& text) {
     const std::size_t comma = text.find(',');
     if (comma == std::string::npos) {
-        throw base::InputError(
-            fmt::format("--lens-shift must be two numbers x,y, not '{}'", text.substr(0, 60)));
+        throw base::inputError("--lens-shift must be two numbers x,y, not '{}'", text.substr(0, 60));
     }
     return {base::parseNumber("--lens-shift", text.substr(0, comma)),
             base::parseNumber("--lens-shift", text.substr(comma + 1))};
@@ -70,8 +66,7 @@ scene::Camera placed(const scene::Camera& camera, const CameraOptions& options) 
 } // namespace
 
 void addFrameOptions(CLI::App& command, CameraOptions& options) {
-    command.add_option("--frame", options.frame, "First frame of the scene's camera path")
-        ->capture_default_str();
+    addValue(command, "--frame", options.frame, "First frame of the scene's camera path");
     command.add_option("--frames", options.frames, "Number of frames")
         ->check(CLI::Range(1u, kMaxFrames))
         ->default_str("1, or with --path all that were recorded");
@@ -111,9 +106,8 @@ FrameCameras::FrameCameras(const CameraOptions& options)
       m_options(options) {
     if (options.path.empty()) {
         if (frames - 1 > std::numeric_limits<std::uint32_t>::max() - first) {
-            throw base::InputError(
-                fmt::format("--frame {} --frames {}: the last frame's number is at most {}", first, frames,
-                            std::numeric_limits<std::uint32_t>::max()));
+            throw base::inputError("--frame {} --frames {}: the last frame's number is at most {}", first,
+                                   frames, std::numeric_limits<std::uint32_t>::max());
         }
         return;
     }

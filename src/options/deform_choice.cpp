@@ -3,7 +3,7 @@
 #include "parsed_option.h"
 
 #include <CLI/CLI.hpp>
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,8 +22,8 @@ scenes::Deform deformOn(const gpu::DeviceInfo& device, std::optional<scenes::Def
     using scenes::Deform;
     const bool can = device.deformMissing.empty();
     if (told == Deform::device && !can) {
-        throw base::InputError(
-            fmt::format("--deform device: {} lacks {}", device.name, fmt::join(device.deformMissing, ", ")));
+        throw base::inputError("--deform device: {} lacks {}", device.name,
+                               fmt::join(device.deformMissing, ", "));
     }
     const bool isCard = device.kind != gpu::DeviceKind::cpu;
     if (told.value_or(isCard && can ? Deform::device : Deform::cpu) == Deform::cpu) {

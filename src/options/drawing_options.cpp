@@ -53,14 +53,11 @@ void addDetail(CLI::App& command, visibility::Detail& detail) {
 }
 
 void addSnapBits(CLI::App& command, std::uint32_t& snapBits) {
-    command
-        .add_option(
-            "--snap-bits", snapBits,
-            fmt::format("Round vertices to this many sub-pixel bits, as graphics cards do, 0 to {}; with 0 "
-                        "the device decides",
-                        render::kMaxSnapBits))
-        ->check(CLI::Range(0u, render::kMaxSnapBits))
-        ->capture_default_str();
+    addValue(command, "--snap-bits", snapBits,
+             fmt::format("Round vertices to this many sub-pixel bits, as graphics cards do, 0 to {}; with 0 "
+                         "the device decides",
+                         render::kMaxSnapBits))
+        ->check(CLI::Range(0u, render::kMaxSnapBits));
 }
 
 void addSnapping(CLI::App& command, render::Snapping& snapping) {
@@ -71,11 +68,9 @@ void addSnapping(CLI::App& command, render::Snapping& snapping) {
 }
 
 void addThreads(CLI::App& command, std::size_t& threads) {
-    command
-        .add_option("--threads", threads,
-                    fmt::format("CPU threads that cdr uses, 1 to {}", platform::WorkerPool::kMaxThreads))
-        ->check(CLI::Range(std::size_t{1}, platform::WorkerPool::kMaxThreads))
-        ->capture_default_str();
+    addValue(command, "--threads", threads,
+             fmt::format("CPU threads that cdr uses, 1 to {}", platform::WorkerPool::kMaxThreads))
+        ->check(CLI::Range(std::size_t{1}, platform::WorkerPool::kMaxThreads));
 }
 
 } // namespace cdr::options

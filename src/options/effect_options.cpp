@@ -5,7 +5,7 @@
 #include "scene_options.h"
 
 #include <CLI/CLI.hpp>
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/base/suggest.h>
 
 #include <fmt/format.h>
@@ -31,8 +31,7 @@ std::vector<std::string> partsOf(const std::string& text, char separator) {
 render::Occlusion occlusionOf(const std::string& text) {
     const std::vector<std::string> parts = partsOf(text, ':');
     if (parts.empty() || parts.size() > 2 || (parts.size() == 2 && parts[1] != "layers")) {
-        throw base::InputError(
-            fmt::format("--occlusion takes RADIUS or RADIUS:layers, not '{}'", text.substr(0, 60)));
+        throw base::inputError("--occlusion takes RADIUS or RADIUS:layers, not '{}'", text.substr(0, 60));
     }
     const render::Occlusion occlusion{.radius = base::parseNumber("--occlusion", parts[0]),
                                       .perLayer = parts.size() == 2};
@@ -43,8 +42,7 @@ render::Occlusion occlusionOf(const std::string& text) {
 render::Fog fogOf(const std::string& text) {
     const std::vector<std::string> parts = partsOf(text, ',');
     if (parts.size() != 1 && parts.size() != 4) {
-        throw base::InputError(
-            fmt::format("--fog takes VISIBILITY or VISIBILITY,r,g,b, not '{}'", text.substr(0, 60)));
+        throw base::inputError("--fog takes VISIBILITY or VISIBILITY,r,g,b, not '{}'", text.substr(0, 60));
     }
     render::Fog fog{.visibility = base::parseNumber("--fog", parts[0])};
     for (std::size_t i = 1; i < parts.size(); ++i) {
@@ -57,8 +55,8 @@ render::Fog fogOf(const std::string& text) {
 render::Focus focusOf(const std::string& text) {
     const std::vector<std::string> parts = partsOf(text, ':');
     if (parts.size() < 2 || parts.size() > 3 || (parts.size() == 3 && parts[2] != "blend")) {
-        throw base::InputError(fmt::format(
-            "--focus takes DISTANCE:APERTURE or DISTANCE:APERTURE:blend, not '{}'", text.substr(0, 60)));
+        throw base::inputError("--focus takes DISTANCE:APERTURE or DISTANCE:APERTURE:blend, not '{}'",
+                               text.substr(0, 60));
     }
     const render::Focus focus{.distance = base::parseNumber("--focus", parts[0]),
                               .aperture = base::parseNumber("--focus", parts[1]),
@@ -121,9 +119,8 @@ void addEffectOptions(CLI::App& command, render::RenderOptions& options, scene::
         ->default_str("none");
     addNamed(command, "--shadows", options.shadows.method, render::parseShadowMethod,
              "Shadows of the first four lights: none, anchored, or plain (the usual method)");
-    command.add_option("--shadow-texels", options.shadows.maxTexels, shadowTexelsHelp())
-        ->check(CLI::Range(render::kMinShadowTexels, render::kMaxShadowTexels))
-        ->capture_default_str();
+    addValue(command, "--shadow-texels", options.shadows.maxTexels, shadowTexelsHelp())
+        ->check(CLI::Range(render::kMinShadowTexels, render::kMaxShadowTexels));
     addTranslucency(command, options.translucency);
 }
 

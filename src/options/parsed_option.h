@@ -7,6 +7,20 @@
 
 namespace cdr::options {
 
+/// Adds an option that sets a value. Help shows what it is as the default.
+/// @param value must live as long as the command.
+template <typename Value>
+CLI::Option* addValue(CLI::App& command, const char* names, Value& value, const std::string& help) {
+    return command.add_option(names, value, help)->capture_default_str();
+}
+
+/// The same for several values with commas between.
+template <typename Value>
+CLI::Option* addList(CLI::App& command, const char* names, std::vector<Value>& values,
+                     const std::string& help) {
+    return addValue(command, names, values, help)->delimiter(',');
+}
+
 /// Adds an option whose text `parse` turns into the value. Help shows the value's name, by its nameOf(), as the default.
 /// @param value must live as long as the command.
 template <typename Value, typename Parse>

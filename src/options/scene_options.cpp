@@ -13,9 +13,7 @@
 namespace cdr::options {
 
 void addSeed(CLI::App& command, std::uint64_t& seed) {
-    command.add_option("--seed", seed, "Seed of all random numbers")
-        ->check(wholeNumber())
-        ->capture_default_str();
+    addValue(command, "--seed", seed, "Seed of all random numbers")->check(wholeNumber());
 }
 
 void addColours(CLI::App& command, std::optional<scenes::Colours>& colours) {

@@ -2,7 +2,7 @@
 
 #include "whole_file.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 
 #include <fmt/format.h>
 
@@ -38,8 +38,8 @@ void requireEncodable(std::uint32_t width, std::uint32_t height) {
     constexpr std::uint32_t kMaxSide = 16384;
     const bool odd = width % 2 != 0 || height % 2 != 0;
     if (width == 0 || height == 0 || width > kMaxSide || height > kMaxSide || odd) {
-        throw base::InputError(fmt::format("a video's sides must be even and 2 to {} pixels, not {}x{}",
-                                           kMaxSide, width, height));
+        throw base::inputError("a video's sides must be even and 2 to {} pixels, not {}x{}", kMaxSide, width,
+                               height);
     }
     if (!program::isInstalled("ffmpeg")) {
         throw base::InputError("videos need ffmpeg, which is not installed (Debian, Ubuntu: ffmpeg)");
@@ -56,8 +56,8 @@ VideoWriter::VideoWriter(const std::filesystem::path& path, std::uint32_t width,
 
 void VideoWriter::add(const image::ImageRgba8& frame) {
     if (frame.width != m_width || frame.height != m_height) {
-        throw base::InputError(fmt::format("video: a frame of {}x{} in a video of {}x{}", frame.width,
-                                           frame.height, m_width, m_height));
+        throw base::inputError("video: a frame of {}x{} in a video of {}x{}", frame.width, frame.height,
+                               m_width, m_height);
     }
     m_encoder.write({frame.pixels.front().data(), frame.pixels.size() * sizeof(image::Rgba8)});
 }

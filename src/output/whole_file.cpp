@@ -1,9 +1,7 @@
 #include "whole_file.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -81,8 +79,7 @@ bool isWhole(const fs::path& path) {
 
 void requireWhole(const fs::path& written, const fs::path& name, const std::string& program) {
     if (!isWhole(written)) {
-        throw base::RunError(
-            fmt::format("{}: {} did not write all of it; the disk may be full", name.string(), program));
+        throw base::runError("{}: {} did not write all of it; the disk may be full", name.string(), program);
     }
 }
 

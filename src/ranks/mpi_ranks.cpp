@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 
 #include <climits>
 #include <fmt/format.h>
@@ -278,7 +278,7 @@ class MpiRanks final : public Ranks {
 
     static int countOf(const platform::Bytes& bytes) {
         if (bytes.size() > INT_MAX) {
-            throw base::RunError(fmt::format("{} bytes are too many for one message of MPI", bytes.size()));
+            throw base::runError("{} bytes are too many for one message of MPI", bytes.size());
         }
         return static_cast<int>(bytes.size());
     }

@@ -10,15 +10,7 @@ void OneProcess::forEachUnit(std::size_t count, const Make& make, const Take& ta
     }
 }
 
-platform::Bytes OneProcess::share(platform::Bytes ofFirst) {
-    return ofFirst;
-}
-
 void OneProcess::merge(const std::function<platform::Bytes()>&,
                        const std::function<void(const platform::Bytes&)>&) {}
-
-Ending OneProcess::end(const Ending& mine) {
-    return mine;
-}
 
 } // namespace cdr::ranks

@@ -13,10 +13,10 @@ class OneProcess final : public Ranks {
     void learnMachine() override {}
     void sayWhenKilled(const std::string&) override {}
     void forEachUnit(std::size_t count, const Make& make, const Take& take) override;
-    platform::Bytes share(platform::Bytes ofFirst) override;
+    platform::Bytes share(platform::Bytes ofFirst) override { return ofFirst; }
     void merge(const std::function<platform::Bytes()>& pack,
                const std::function<void(const platform::Bytes& later)>& take) override;
-    Ending end(const Ending& mine) override;
+    Ending end(const Ending& mine) override { return mine; }
 };
 
 } // namespace cdr::ranks

@@ -3,7 +3,7 @@
 #include "manifest.h"
 #include "mount_point.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 #include <cdr/platform/process.h>
 #include <cdr/platform/system_failure.h>
@@ -34,8 +34,7 @@ std::set<std::string> ownFiles(const fs::path& folder) {
             return *std::move(files);
         }
     }
-    throw base::InputError(
-        fmt::format("{}: is neither empty nor a report, so it is not replaced", folder.string()));
+    throw base::inputError("{}: is neither empty nor a report, so it is not replaced", folder.string());
 }
 
 /// What lies in a folder, without one name.
@@ -56,7 +55,7 @@ void requireReplaceable(const fs::path& folder, const fs::path& except) {
         return;
     }
     if (!fs::is_directory(folder)) {
-        throw base::InputError(fmt::format("{}: is a file, and a report needs a folder", folder.string()));
+        throw base::inputError("{}: is a file, and a report needs a folder", folder.string());
     }
     if (entriesOf(folder, except).empty()) {
         return;
@@ -66,8 +65,8 @@ void requireReplaceable(const fs::path& folder, const fs::path& except) {
     for (const fs::path& file : filesUnder(folder)) {
         const std::string name = file.generic_string();
         if (!own.contains(name) && (except.empty() || !name.starts_with(skipped))) {
-            throw base::InputError(fmt::format("{}: holds {}, which is not the report's; move it away first",
-                                               folder.string(), file.string()));
+            throw base::inputError("{}: holds {}, which is not the report's; move it away first",
+                                   folder.string(), file.string());
         }
     }
 }
@@ -79,7 +78,7 @@ fs::path resolved(const fs::path& path) {
         whole = whole.parent_path();
     }
     if (whole.filename().empty()) {
-        throw base::InputError(fmt::format("{}: cannot be the folder of a report", path.string()));
+        throw base::inputError("{}: cannot be the folder of a report", path.string());
     }
     return whole;
 }
@@ -111,7 +110,7 @@ bool isCurrent(const fs::path& path) {
     const fs::path current = fs::canonical(fs::current_path(error), error);
     const fs::path inside = current.lexically_relative(path);
     if (!error && !inside.empty() && inside != "." && *inside.begin() != "..") {
-        throw base::InputError(fmt::format("{}: the current folder lies in it", path.string()));
+        throw base::inputError("{}: the current folder lies in it", path.string());
     }
     return !error && inside == ".";
 }
@@ -133,7 +132,7 @@ void moveAll(const std::vector<fs::path>& entries, const fs::path& to, std::erro
 }
 
 [[noreturn]] void throwNotInPlace(const fs::path& path, const std::error_code& error) {
-    throw base::RunError(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
+    throw base::runError("{}: cannot be written: {}", path.string(), error.message());
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 
 #include "plan_table.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -69,8 +69,7 @@ void requireSections(const std::vector<std::string>& names) {
         if (std::ranges::none_of(rows, [&](const PlanRow& row) { return isNamedBy(row.name, name); })) {
             std::vector<std::string> known;
             std::ranges::transform(rows, std::back_inserter(known), &PlanRow::name);
-            throw base::InputError(
-                fmt::format("--sections: '{}' is not one of {}", name, fmt::join(known, ", ")));
+            throw base::inputError("--sections: '{}' is not one of {}", name, fmt::join(known, ", "));
         }
     }
 }

@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/commands.h>
 #include <cdr/shaders/rival_fixed_frag.h>
 #include <cdr/shaders/rival_fixed_ids_frag.h>
@@ -12,7 +12,6 @@
 #include <cdr/shaders/rival_pair_vert.h>
 #include <cdr/shaders/rival_view_vert.h>
 
-#include <fmt/format.h>
 #include <rivals/atomic_pass.h>
 
 namespace cdr::rivals {
@@ -78,9 +77,9 @@ gpu::Buffer makePixels(const gpu::Device& device, vk::Extent2D extent, std::size
                        const std::string& name) {
     const std::size_t bytes = std::size_t{extent.width} * extent.height * bytesPerPixel;
     if (bytes > device.info().maxStorageBufferBytes) {
-        throw base::RunError(fmt::format("{} of {}x{} pixels take {} bytes, and a buffer of {} has {}", name,
-                                         extent.width, extent.height, bytes, device.info().name,
-                                         device.info().maxStorageBufferBytes));
+        throw base::runError("{} of {}x{} pixels take {} bytes, and a buffer of {} has {}", name,
+                             extent.width, extent.height, bytes, device.info().name,
+                             device.info().maxStorageBufferBytes);
     }
     return {device, bytes,
             vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferSrc |

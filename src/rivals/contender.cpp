@@ -45,10 +45,6 @@ Contender::Contender(const gpu::Device& device, const render::DrawnScene& scene,
       m_pool(device, vk::CommandBufferLevel::ePrimary, "contender"),
       m_done(vk::Device(device.handle()).createFenceUnique({})) {}
 
-render::FrameStats Contender::draw(const scene::Camera& camera) {
-    return run(camera, Copy::none);
-}
-
 FramePixels Contender::render(const scene::Camera& camera) {
     run(camera, Copy::surfaces);
     return m_pass->fetch(m_draws.view());

@@ -27,7 +27,7 @@ class Contender {
 
     /// Draws a frame, waits for it and leaves it on the device: what is timed.
     /// @throws base::InputError for an unusable camera or split.
-    render::FrameStats draw(const scene::Camera& camera);
+    render::FrameStats draw(const scene::Camera& camera) { return run(camera, Copy::none); }
 
     /// Draws a frame and copies it.
     /// @throws base::InputError as draw().

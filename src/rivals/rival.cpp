@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/base/suggest.h>
 
 #include <fmt/format.h>
@@ -71,8 +71,8 @@ std::vector<std::string> missingFeatures(const gpu::DeviceInfo& device, const Ri
 
 void requireFeatures(const gpu::DeviceInfo& device, const Rival& rival) {
     if (const auto missing = missingFeatures(device, rival); !missing.empty()) {
-        throw base::InputError(fmt::format("{} cannot compare 64-bit depths by atomics: it lacks {}",
-                                           device.name, fmt::join(missing, ", ")));
+        throw base::inputError("{} cannot compare 64-bit depths by atomics: it lacks {}", device.name,
+                               fmt::join(missing, ", "));
     }
 }
 

@@ -39,10 +39,6 @@ void InterleavedFrames::add(const std::vector<FrameSample>& row) {
     }
 }
 
-void InterleavedFrames::draw(const std::function<FrameSample(std::size_t)>& draw) {
-    add(row(draw));
-}
-
 void InterleavedFrames::divide(TimedRanks& ranks, std::size_t units,
                                const std::function<FrameSample(std::size_t, std::size_t)>& draw) {
     ranks.forEachUnit(

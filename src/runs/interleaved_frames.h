@@ -33,7 +33,7 @@ class InterleavedFrames {
     InterleavedFrames(std::size_t modes, std::uint64_t seed);
 
     /// Draws one frame of every mode.
-    void draw(const std::function<FrameSample(std::size_t mode)>& draw);
+    void draw(const std::function<FrameSample(std::size_t mode)>& draw) { add(row(draw)); }
 
     /// Draws `units` frames of every mode, each on some rank. The first rank has them all.
     /// @param draw draws one mode; a rank is given units in ascending order.

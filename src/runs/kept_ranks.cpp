@@ -2,10 +2,8 @@
 
 #include "units.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/base64.h>
-
-#include <fmt/format.h>
 
 #include <limits>
 #include <stdexcept>
@@ -27,8 +25,8 @@ auto KeptRanks::reading(const Action& action) const {
     } catch (const output::Json::exception&) {
     } catch (const std::out_of_range&) {
     }
-    throw base::InputError(fmt::format(
-        "{}: holds results that do not fit this run; remove it or name another file", m_path.string()));
+    throw base::inputError("{}: holds results that do not fit this run; remove it or name another file",
+                           m_path.string());
 }
 
 KeptRanks::KeptRanks(ranks::Ranks& ranks, const std::filesystem::path& path, std::string digest)
@@ -57,10 +55,6 @@ void KeptRanks::requireSame(const std::string& text, const std::string& otherwis
 void KeptRanks::learnMachine() {
     m_ranks.learnMachine();
     setCpus(m_ranks.place().cpus);
-}
-
-void KeptRanks::sayWhenKilled(const std::string& text) {
-    m_ranks.sayWhenKilled(text);
 }
 
 void KeptRanks::forEachUnit(std::size_t count, const Make& make, const Take& take) {
@@ -115,17 +109,9 @@ void KeptRanks::takeKept(std::size_t unit, std::size_t begin, const Take& take) 
     reading([&] { take(unit, kept.mapped()); });
 }
 
-platform::Bytes KeptRanks::share(platform::Bytes ofFirst) {
-    return m_ranks.share(std::move(ofFirst));
-}
-
 void KeptRanks::merge(const std::function<platform::Bytes()>& pack,
                       const std::function<void(const platform::Bytes& later)>& take) {
     m_ranks.merge(pack, take);
-}
-
-ranks::Ending KeptRanks::end(const ranks::Ending& mine) {
-    return m_ranks.end(mine);
 }
 
 } // namespace cdr::runs

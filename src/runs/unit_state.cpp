@@ -1,6 +1,6 @@
 #include "unit_state.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 
 #include <fmt/format.h>
@@ -96,7 +96,7 @@ UnitState readUnitState(std::string_view text, const UnitRun& run, const std::st
     } catch (const base::InputError& error) {
         what = error.what();
     }
-    throw base::InputError(fmt::format("{}: {}; remove it or name another file", name, what));
+    throw base::inputError("{}: {}; remove it or name another file", name, what);
 }
 
 UnitStateFile::UnitStateFile(std::filesystem::path path, UnitRun run)
@@ -129,7 +129,7 @@ void UnitStateFile::begin() {
     std::error_code error;
     std::filesystem::resize_file(m_path, m_state.bytes, error);
     if (error) {
-        throw base::RunError(fmt::format("{}: write failed: {}", m_path.string(), error.message()));
+        throw base::runError("{}: write failed: {}", m_path.string(), error.message());
     }
 }
 

@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/base/suggest.h>
 #include <scenes/layer_choice.h>
 
@@ -23,8 +23,8 @@ std::size_t indexOf(const scene::Scene& scene, std::string_view material) {
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
     if (error != std::errc() || end != digits.data() + digits.size() || index >= scene.materials.size()) {
-        throw base::InputError(fmt::format("no material '{}': the scene has {}, counted from #0",
-                                           material.substr(0, kMaxShown), scene.materials.size()));
+        throw base::inputError("no material '{}': the scene has {}, counted from #0",
+                               material.substr(0, kMaxShown), scene.materials.size());
     }
     return index;
 }

@@ -18,10 +18,6 @@ std::uint32_t SceneBuilder::addTexture(scene::Texture texture) {
     return static_cast<std::uint32_t>(m_scene.textures.size() - 1);
 }
 
-void SceneBuilder::beginObject(const std::string& name) {
-    m_scene.objectNames.push_back(name);
-}
-
 void SceneBuilder::addBox(std::uint32_t material, const glm::dvec3& centre, const glm::dvec3& halfSides,
                           const glm::dmat3& basis) {
     if (!m_unitBox) {

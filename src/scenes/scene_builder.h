@@ -24,7 +24,7 @@ class SceneBuilder {
     std::uint32_t addTexture(scene::Texture texture);
 
     /// What follows belongs to a new object of that name.
-    void beginObject(const std::string& name);
+    void beginObject(const std::string& name) { m_scene.objectNames.push_back(name); }
 
     /// @param basis unit axes; identity for a box along the world's.
     void addBox(std::uint32_t material, const glm::dvec3& centre, const glm::dvec3& halfSides,

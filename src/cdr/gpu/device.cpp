@@ -1,6 +1,6 @@
 #include "device_query.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/features.h>
 #include <cdr/gpu/functions.h>
 #include <cdr/gpu/memory.h>
@@ -54,10 +54,9 @@ std::uint32_t chooseDevice(const std::vector<DeviceInfo>& infos, const std::stri
         }
     }
     if (best == nullptr) {
-        throw base::InputError(
-            fmt::format("no usable Vulkan device{}: {}",
-                        choice.empty() ? "" : fmt::format(" matches '{}'", choice.substr(0, 60)),
-                        fmt::join(refused, "; ")));
+        throw base::inputError("no usable Vulkan device{}: {}",
+                               choice.empty() ? "" : fmt::format(" matches '{}'", choice.substr(0, 60)),
+                               fmt::join(refused, "; "));
     }
     return best->index;
 }
@@ -111,16 +110,14 @@ vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFami
 /// What can be asked of Vulkan, which does not say what a device was created with.
 void requireSuitable(const BorrowedDevice& borrowed, const DeviceInfo& info) {
     if (!info.missing.empty()) {
-        throw base::InputError(
-            fmt::format("the borrowed device {} lacks {}", info.name, fmt::join(info.missing, ", ")));
+        throw base::inputError("the borrowed device {} lacks {}", info.name, fmt::join(info.missing, ", "));
     }
     constexpr auto kNeeded = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;
     const auto families = vk::PhysicalDevice(borrowed.physical).getQueueFamilyProperties();
     if (borrowed.queueFamily >= families.size() ||
         (families[borrowed.queueFamily].queueFlags & kNeeded) != kNeeded) {
-        throw base::InputError(
-            fmt::format("the borrowed device {} has no queue family {} that does graphics and compute",
-                        info.name, borrowed.queueFamily));
+        throw base::inputError("the borrowed device {} has no queue family {} that does graphics and compute",
+                               info.name, borrowed.queueFamily);
     }
 }
 
@@ -132,7 +129,7 @@ void requireHandles(const BorrowedDevice& borrowed) {
          {"VkQueue", borrowed.queue != VK_NULL_HANDLE}}};
     for (const auto& [name, isThere] : handles) {
         if (!isThere) {
-            throw base::InputError(fmt::format("the {} of a borrowed device is null", name));
+            throw base::inputError("the {} of a borrowed device is null", name);
         }
     }
 }
@@ -253,8 +250,8 @@ Device::Device(const BorrowedDevice& borrowed) : m_handles(std::make_unique<Hand
     requireDeviceFunctions(borrowed.device);
     if (borrowed.features != nullptr) {
         if (const auto missing = missingFeatures(*borrowed.features); !missing.empty()) {
-            throw base::InputError(fmt::format("the borrowed device {} was made without {}", info.name,
-                                               fmt::join(missing, ", ")));
+            throw base::inputError("the borrowed device {} was made without {}", info.name,
+                                   fmt::join(missing, ", "));
         }
         if (info.gpuDrivenMissing.empty()) { // else it was never on
             info.gpuDrivenMissing = missingGpuDrivenFeatures(*borrowed.features);
@@ -323,9 +320,9 @@ void Device::finish(VkInstance instance) {
 VkFormat Device::depthFormat(depth::DepthFormat format) const {
     const auto found = findDepthFormat(m_handles->physical, format);
     if (!found) {
-        throw base::InputError(fmt::format("{} has no {}-bit depth buffer; it has {}", m_handles->info.name,
-                                           traitsOf(format).bits,
-                                           fmt::join(depth::namesOf(m_handles->info.depthFormats), ", ")));
+        throw base::inputError("{} has no {}-bit depth buffer; it has {}", m_handles->info.name,
+                               traitsOf(format).bits,
+                               fmt::join(depth::namesOf(m_handles->info.depthFormats), ", "));
     }
     return static_cast<VkFormat>(*found);
 }

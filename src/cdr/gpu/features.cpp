@@ -1,6 +1,6 @@
 #include "device_query.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/features.h>
 #include <cdr/gpu/vulkan_hpp.h>
 
@@ -94,19 +94,19 @@ bool hasConditionalRendering(const VkPhysicalDeviceFeatures2& features) {
 void enableFeatures(VkInstance instance, VkPhysicalDevice physical, VkPhysicalDeviceFeatures2& features,
                     PFN_vkGetInstanceProcAddr loader) {
     if (instance == VK_NULL_HANDLE || physical == VK_NULL_HANDLE) {
-        throw base::InputError(fmt::format("the {} whose features are to be enabled is null",
-                                           instance == VK_NULL_HANDLE ? "VkInstance" : "VkPhysicalDevice"));
+        throw base::inputError("the {} whose features are to be enabled is null",
+                               instance == VK_NULL_HANDLE ? "VkInstance" : "VkPhysicalDevice");
     }
     loadFunctions(loader, instance);
     const DeviceInfo info = describe(physical, 0);
     if (!info.missing.empty()) {
-        throw base::InputError(fmt::format("{} lacks {}", info.name, fmt::join(info.missing, ", ")));
+        throw base::inputError("{} lacks {}", info.name, fmt::join(info.missing, ", "));
     }
     auto* v12 = const_cast<VkPhysicalDeviceVulkan12Features*>(vulkan12(features));
     auto* v13 = const_cast<VkPhysicalDeviceVulkan13Features*>(vulkan13(features));
     if (v12 == nullptr || v13 == nullptr) {
-        throw base::InputError(fmt::format("the feature chain lacks VkPhysicalDeviceVulkan{}Features",
-                                           v12 == nullptr ? "12" : "13"));
+        throw base::inputError("the feature chain lacks VkPhysicalDeviceVulkan{}Features",
+                               v12 == nullptr ? "12" : "13");
     }
     VkPhysicalDeviceFeatures& core = features.features;
     v13->dynamicRendering = VK_TRUE;

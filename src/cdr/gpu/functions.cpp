@@ -1,8 +1,6 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/functions.h>
 #include <cdr/gpu/vulkan_hpp.h>
-
-#include <fmt/format.h>
 
 #include <mutex>
 #include <stdexcept>
@@ -94,8 +92,8 @@ void loadFunctions(PFN_vkGetInstanceProcAddr loader, VkInstance instance) {
         if (isFirst) {
             f = {}; // nothing was called yet, so another loader may be used
         }
-        throw base::InputError(
-            fmt::format("the Vulkan loader gives no {}; the instance must be made for Vulkan 1.3", missing));
+        throw base::inputError("the Vulkan loader gives no {}; the instance must be made for Vulkan 1.3",
+                               missing);
     }
 }
 

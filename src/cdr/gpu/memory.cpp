@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/memory.h>
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace {
 
 void check(VkResult result, const char* call, const std::string& name, std::uint64_t bytes) {
     if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) {
-        throw base::RunError(fmt::format("{}: out of memory for {} ({} bytes)", call, name, bytes));
+        throw base::runError("{}: out of memory for {} ({} bytes)", call, name, bytes);
     }
     vk::resultCheck(static_cast<vk::Result>(result), call);
 }
@@ -86,8 +86,8 @@ Buffer::Buffer(const Device& device, std::size_t bytes, vk::BufferUsageFlags usa
                const std::string& name)
     : m_bytes(bytes) {
     if (bytes > device.info().maxBufferBytes) {
-        throw base::RunError(fmt::format("{}: {} bytes, where {} has buffers of at most {}", name, bytes,
-                                         device.info().name, device.info().maxBufferBytes));
+        throw base::runError("{}: {} bytes, where {} has buffers of at most {}", name, bytes,
+                             device.info().name, device.info().maxBufferBytes);
     }
     // Vulkan has no buffers of no bytes; an empty scene still gets its buffers.
     const vk::BufferCreateInfo bufferInfo{.size = std::max<std::size_t>(bytes, 4), .usage = usage};
@@ -120,9 +120,8 @@ Image::Image(const Device& device, const ImageOptions& options, const std::strin
     : m_options(options) {
     const std::uint32_t most = device.info().maxImageSide;
     if (std::max(options.extent.width, options.extent.height) > most) {
-        throw base::InputError(fmt::format("{}: {}x{} pixels, where {} has images of at most {} a side", name,
-                                           options.extent.width, options.extent.height, device.info().name,
-                                           most));
+        throw base::inputError("{}: {}x{} pixels, where {} has images of at most {} a side", name,
+                               options.extent.width, options.extent.height, device.info().name, most);
     }
     const vk::ImageCreateInfo imageInfo = createInfo(options);
     const std::uint64_t bytes = bytesOfPixels(options);
@@ -183,9 +182,9 @@ std::uint64_t freeDeviceBytes(const Device& device) {
 void requireDeviceBytes(const Device& device, std::uint64_t bytes, const std::string& what) {
     const std::uint64_t available = freeDeviceBytes(device);
     if (bytes > available) {
-        throw base::RunError(fmt::format("{} needs {:.1f} MiB of device memory, {:.1f} MiB are free on {}",
-                                         what, static_cast<double>(bytes) / 0x1p20,
-                                         static_cast<double>(available) / 0x1p20, device.info().name));
+        throw base::runError("{} needs {:.1f} MiB of device memory, {:.1f} MiB are free on {}", what,
+                             static_cast<double>(bytes) / 0x1p20, static_cast<double>(available) / 0x1p20,
+                             device.info().name);
     }
 }
 

@@ -1,8 +1,6 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/memory.h>
 #include <cdr/gpu/pipeline.h>
-
-#include <fmt/format.h>
 
 #include <array>
 
@@ -246,8 +244,8 @@ void requireGroups(const Device& device, std::uint64_t groups, const std::string
     const std::uint32_t most =
         vk::PhysicalDevice(device.physical()).getProperties().limits.maxComputeWorkGroupCount[0];
     if (groups > most) {
-        throw base::RunError(fmt::format("{} needs {} groups of a compute shader, {} runs {}", what, groups,
-                                         device.info().name, most));
+        throw base::runError("{} needs {} groups of a compute shader, {} runs {}", what, groups,
+                             device.info().name, most);
     }
 }
 

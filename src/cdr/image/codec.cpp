@@ -2,21 +2,19 @@
 #include "codec_limits.h"
 #include "codec_png.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/image/codec.h>
 #include <cdr/platform/file.h>
-
-#include <fmt/format.h>
 
 namespace cdr::image {
 
 void requireDecodableSize(std::uint64_t width, std::uint64_t height, const std::string& name) {
     if (width == 0 || height == 0) {
-        throw base::InputError(fmt::format("{}: the picture has no pixels", name));
+        throw base::inputError("{}: the picture has no pixels", name);
     }
     if (width > kMaxDecodedSide || height > kMaxDecodedSide || width * height > kMaxDecodedPixels) {
-        throw base::InputError(fmt::format("{}: {}x{} pixels is over the limit of {} a side and {} in all",
-                                           name, width, height, kMaxDecodedSide, kMaxDecodedPixels));
+        throw base::inputError("{}: {}x{} pixels is over the limit of {} a side and {} in all", name, width,
+                               height, kMaxDecodedSide, kMaxDecodedPixels);
     }
 }
 
@@ -27,7 +25,7 @@ ImageRgba8 decodeImage(std::span<const std::uint8_t> encoded, const std::string&
     if (looksLikeJpeg(encoded)) {
         return decodeJpeg(encoded, name);
     }
-    throw base::InputError(fmt::format("{}: neither PNG nor JPEG", name));
+    throw base::inputError("{}: neither PNG nor JPEG", name);
 }
 
 PictureSize sizeOfEncoded(std::span<const std::uint8_t> encoded, const std::string& name) {
@@ -37,7 +35,7 @@ PictureSize sizeOfEncoded(std::span<const std::uint8_t> encoded, const std::stri
     if (looksLikeJpeg(encoded)) {
         return sizeOfJpeg(encoded, name);
     }
-    throw base::InputError(fmt::format("{}: neither PNG nor JPEG", name));
+    throw base::inputError("{}: neither PNG nor JPEG", name);
 }
 
 std::vector<std::uint8_t> encodeImage(const std::filesystem::path& path, const ImageRgba8& image) {
@@ -48,8 +46,7 @@ std::vector<std::uint8_t> encodeImage(const std::filesystem::path& path, const I
 void requireEncodable(const std::filesystem::path& path) {
     const std::string extension = platform::lowerExtension(path);
     if (extension != ".png" && extension != ".tga") {
-        throw base::InputError(
-            fmt::format("{}: cannot write '{}' pictures, use .png or .tga", path.string(), extension));
+        throw base::inputError("{}: cannot write '{}' pictures, use .png or .tga", path.string(), extension);
     }
 }
 

@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/image/codec.h>
 
 #include <OpenEXR/ImfChannelList.h>
@@ -6,7 +6,6 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfOutputFile.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -19,24 +18,24 @@ namespace {
 
 void requireWritableChannels(const std::filesystem::path& path, std::span<const ExrChannel> channels) {
     if (channels.empty() || channels.front().values.pixels.empty()) {
-        throw base::InputError(fmt::format("{}: nothing to write", path.string()));
+        throw base::inputError("{}: nothing to write", path.string());
     }
     const ImageFloat& first = channels.front().values;
     constexpr std::uint32_t kMaxSide = std::numeric_limits<std::int32_t>::max();
     if (first.width > kMaxSide || first.height > kMaxSide) {
-        throw base::InputError(
-            fmt::format("{}: {}x{} pixels is too large for EXR", path.string(), first.width, first.height));
+        throw base::inputError("{}: {}x{} pixels is too large for EXR", path.string(), first.width,
+                               first.height);
     }
     std::set<std::string> names;
     for (const ExrChannel& channel : channels) {
         if (channel.name.empty() || !names.insert(channel.name).second) {
-            throw base::InputError(
-                fmt::format("{}: channel name '{}' is empty or used twice", path.string(), channel.name));
+            throw base::inputError("{}: channel name '{}' is empty or used twice", path.string(),
+                                   channel.name);
         }
         if (channel.values.width != first.width || channel.values.height != first.height) {
-            throw base::InputError(fmt::format("{}: channel '{}' is {}x{}, '{}' is {}x{}", path.string(),
-                                               channel.name, channel.values.width, channel.values.height,
-                                               channels.front().name, first.width, first.height));
+            throw base::inputError("{}: channel '{}' is {}x{}, '{}' is {}x{}", path.string(), channel.name,
+                                   channel.values.width, channel.values.height, channels.front().name,
+                                   first.width, first.height);
         }
     }
 }
@@ -86,7 +85,7 @@ std::vector<std::uint8_t> encodeExr(const std::filesystem::path& path, std::span
     try {
         writeChannels(stream, channels);
     } catch (const std::exception& error) {
-        throw base::RunError(fmt::format("{}: EXR write failed: {}", path.string(), error.what()));
+        throw base::runError("{}: EXR write failed: {}", path.string(), error.what());
     }
     return stream.takeBytes();
 }

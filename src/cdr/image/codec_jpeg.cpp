@@ -2,7 +2,7 @@
 
 #include "codec_limits.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 
 #include <fmt/format.h>
 #include <turbojpeg.h>
@@ -27,7 +27,7 @@ constexpr int kFlags = TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS;
 using Decoder = std::unique_ptr<std::remove_pointer_t<tjhandle>, decltype(&tjDestroy)>;
 
 [[noreturn]] void refuse(const Decoder& decoder, const std::string& name) {
-    throw base::InputError(fmt::format("{}: damaged JPEG: {}", name, tjGetErrorStr2(decoder.get())));
+    throw base::inputError("{}: damaged JPEG: {}", name, tjGetErrorStr2(decoder.get()));
 }
 
 Decoder makeDecoder() {
@@ -39,7 +39,7 @@ Decoder makeDecoder() {
 }
 
 [[noreturn]] void refuseKind(std::string_view kind, const std::string& name) {
-    throw base::InputError(fmt::format("{}: JPEG with {} is not supported", name, kind));
+    throw base::inputError("{}: JPEG with {} is not supported", name, kind);
 }
 
 /// The segment that says how a picture is coded.
@@ -124,7 +124,7 @@ PictureSize readHeader(const Decoder& decoder, std::span<const std::uint8_t> enc
                        const std::string& name) {
     // 32 bits on some platforms.
     if (encoded.size() > std::numeric_limits<unsigned long>::max()) {
-        throw base::InputError(fmt::format("{}: JPEG of {} bytes is too large", name, encoded.size()));
+        throw base::inputError("{}: JPEG of {} bytes is too large", name, encoded.size());
     }
     const Frame frame = frameOf(encoded);
     requireSupported(frame, name);
@@ -146,8 +146,8 @@ PictureSize readHeader(const Decoder& decoder, std::span<const std::uint8_t> enc
     const auto rows = static_cast<std::uint32_t>(height);
     requireDecodableSize(columns, rows, name);
     if (!frame.isArithmetic() && std::uint64_t{columns} * rows / kMaxPixelsPerByte > encoded.size()) {
-        throw base::InputError(fmt::format("{}: damaged JPEG: {} bytes cannot hold {}x{} pixels", name,
-                                           encoded.size(), columns, rows));
+        throw base::inputError("{}: damaged JPEG: {} bytes cannot hold {}x{} pixels", name, encoded.size(),
+                               columns, rows);
     }
     return {columns, rows};
 }

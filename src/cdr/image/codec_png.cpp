@@ -2,9 +2,8 @@
 
 #include "codec_limits.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 
-#include <fmt/format.h>
 #include <spng.h>
 
 #include <algorithm>
@@ -40,13 +39,13 @@ Context makeContext(int flags) {
 
 void requireDecoded(int error, const std::string& name) {
     if (error != SPNG_OK) {
-        throw base::InputError(fmt::format("{}: damaged PNG: {}", name, spng_strerror(error)));
+        throw base::inputError("{}: damaged PNG: {}", name, spng_strerror(error));
     }
 }
 
 void requireEncoded(int error) {
     if (error != SPNG_OK) {
-        throw base::RunError(fmt::format("PNG: cannot encode: {}", spng_strerror(error)));
+        throw base::runError("PNG: cannot encode: {}", spng_strerror(error));
     }
 }
 
@@ -56,8 +55,8 @@ void requirePlausible(const spng_ihdr& header, std::size_t encodedBytes, const s
     const std::uint64_t bits = kChannels.at(header.color_type) * header.bit_depth * header.width;
     const std::uint64_t filtered = header.height * (1 + bits / 8);
     if (filtered / kMaxDeflateRatio > encodedBytes) {
-        throw base::InputError(fmt::format("{}: damaged PNG: {} bytes cannot hold {}x{} pixels", name,
-                                           encodedBytes, header.width, header.height));
+        throw base::inputError("{}: damaged PNG: {} bytes cannot hold {}x{} pixels", name, encodedBytes,
+                               header.width, header.height);
     }
 }
 

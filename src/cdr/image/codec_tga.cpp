@@ -1,7 +1,5 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/image/codec.h>
-
-#include <fmt/format.h>
 
 #include <array>
 #include <limits>
@@ -32,8 +30,8 @@ std::array<std::uint8_t, kHeaderBytes> makeHeader(std::uint32_t width, std::uint
 std::vector<std::uint8_t> encodeTga(const ImageRgba8& image) {
     constexpr std::uint32_t kMaxSide = std::numeric_limits<std::uint16_t>::max();
     if (image.pixels.empty() || image.width > kMaxSide || image.height > kMaxSide) {
-        throw base::InputError(
-            fmt::format("TGA: {}x{} pixels, a side must be 1 to {}", image.width, image.height, kMaxSide));
+        throw base::inputError("TGA: {}x{} pixels, a side must be 1 to {}", image.width, image.height,
+                               kMaxSide);
     }
     const std::array<std::uint8_t, kHeaderBytes> header = makeHeader(image.width, image.height);
     std::vector<std::uint8_t> bytes(header.begin(), header.end());

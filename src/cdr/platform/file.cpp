@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 #include <cdr/platform/input_file.h>
 #include <cdr/platform/process.h>
@@ -182,8 +182,8 @@ fs::path wholePath(const fs::path& path) {
     const fs::path absolute = fs::absolute(path, error);
     fs::path whole = error ? fs::path() : fs::weakly_canonical(absolute, error);
     if (error) {
-        throw base::InputError(
-            fmt::format("{}: cannot be found from the current folder: {}", oneLine(path), error.message()));
+        throw base::inputError("{}: cannot be found from the current folder: {}", oneLine(path),
+                               error.message());
     }
     return whole;
 }

@@ -1,7 +1,6 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/host_memory.h>
 
-#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -48,9 +47,8 @@ std::optional<std::uint64_t> freeHostBytes() {
 
 void requireHostBytes(std::uint64_t bytes, const std::string& what) {
     if (const auto available = freeHostBytes(); available && bytes > *available) {
-        throw base::RunError(fmt::format("{} needs {:.1f} MiB of memory, {:.1f} MiB are free", what,
-                                         static_cast<double>(bytes) / 0x1p20,
-                                         static_cast<double>(*available) / 0x1p20));
+        throw base::runError("{} needs {:.1f} MiB of memory, {:.1f} MiB are free", what,
+                             static_cast<double>(bytes) / 0x1p20, static_cast<double>(*available) / 0x1p20);
     }
 }
 

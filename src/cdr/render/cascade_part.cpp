@@ -1,8 +1,6 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/render/cascade_part.h>
 #include <cdr/render/render_options.h>
-
-#include <fmt/format.h>
 
 namespace cdr::render {
 
@@ -38,11 +36,11 @@ const char* whatNeedsAllCascades(const RenderOptions& options, const SceneTraits
 
 void requireDivisible(const RenderOptions& options, const SceneTraits& scene) {
     if (const char* what = whatNeedsAllCascades(options, scene)) {
-        throw base::InputError(fmt::format("cascades cannot be divided: {} need all of them", what));
+        throw base::inputError("cascades cannot be divided: {} need all of them", what);
     }
     if (options.part.index >= options.part.count) {
-        throw base::InputError(fmt::format("part {} of {} of the cascades: parts count from 0",
-                                           options.part.index, options.part.count));
+        throw base::inputError("part {} of {} of the cascades: parts count from 0", options.part.index,
+                               options.part.count);
     }
 }
 

@@ -1,10 +1,8 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/render/choose_facets.h>
 #include <cdr/render/renderer_setup.h>
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/shaders/shared.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -73,7 +71,7 @@ const char* refusalOf(const DrawnScene& drawn, const RenderOptions& options) {
 }
 
 [[noreturn]] void refuse(SurfacePath surface, const char* why) {
-    throw base::InputError(fmt::format("surface {} cannot be used: {}", nameOf(surface), why));
+    throw base::inputError("surface {} cannot be used: {}", nameOf(surface), why);
 }
 
 } // namespace

@@ -1,9 +1,7 @@
 #include "require_length.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/render/effects.h>
-
-#include <fmt/format.h>
 
 #include <cmath>
 
@@ -18,13 +16,12 @@ void requireUsable(const Effects& effects) {
     requireLength("the radius of ambient occlusion", effects.occlusion.radius);
     requireLength("the visibility in fog", effects.fog.visibility);
     if (!(std::abs(effects.finish.exposure) <= kMaxExposure)) {
-        throw base::InputError(fmt::format("exposure must lie in -{0} to {0} stops, not {1}", kMaxExposure,
-                                           effects.finish.exposure));
+        throw base::inputError("exposure must lie in -{0} to {0} stops, not {1}", kMaxExposure,
+                               effects.finish.exposure);
     }
     for (int i = 0; i < 3; ++i) {
         if (!(effects.fog.color[i] >= 0.0f && effects.fog.color[i] <= 1.0f)) {
-            throw base::InputError(
-                fmt::format("the colour of fog must lie in 0 to 1, not {}", effects.fog.color[i]));
+            throw base::inputError("the colour of fog must lie in 0 to 1, not {}", effects.fog.color[i]);
         }
     }
 }

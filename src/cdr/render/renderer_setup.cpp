@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/render/materials/material_words.h>
 #include <cdr/render/occluders/device_occlusion.h>
 #include <cdr/render/occluders/occlusion_culling.h>
@@ -23,8 +23,7 @@ void requireFocusable(const RenderOptions& options) {
         return;
     }
     if (options.targets.kind != TargetsKind::layers) {
-        throw base::InputError(
-            fmt::format("a lens with a focus needs targets layers, not {}", nameOf(options.targets)));
+        throw base::inputError("a lens with a focus needs targets layers, not {}", nameOf(options.targets));
     }
     if (options.effects.occlusion.radius > 0.0) {
         throw base::InputError("a lens with a focus does without ambient occlusion");
@@ -48,9 +47,8 @@ void requireDetail(const RenderOptions& options) {
 
 void requireDepthBias(const LayerOptions& layers) {
     if (!std::isfinite(layers.slopeFactor) || !std::isfinite(layers.constantFactor)) {
-        throw base::InputError(
-            fmt::format("the slope and constant factor of layers must be finite, not {} and {}",
-                        layers.slopeFactor, layers.constantFactor));
+        throw base::inputError("the slope and constant factor of layers must be finite, not {} and {}",
+                               layers.slopeFactor, layers.constantFactor);
     }
 }
 
@@ -77,8 +75,8 @@ void requireShadows(const RenderOptions& options) {
     }
     const std::uint32_t texels = options.shadows.maxTexels;
     if (texels < kMinShadowTexels || texels > kMaxShadowTexels) {
-        throw base::InputError(fmt::format("shadow maps have sides of {} to {} texels, not {}",
-                                           kMinShadowTexels, kMaxShadowTexels, texels));
+        throw base::inputError("shadow maps have sides of {} to {} texels, not {}", kMinShadowTexels,
+                               kMaxShadowTexels, texels);
     }
     if (options.focus.isOn()) {
         throw base::InputError("a lens with a focus does without shadows");
@@ -101,8 +99,8 @@ void requireFloatDepth(const gpu::Device& device, const RenderOptions& options) 
     for (const auto& [isOn, what] : {std::pair{options.shadows.isOn(), "shadows need"},
                                      {options.occlusionCulling, "occlusion culling needs"}}) {
         if (isOn) {
-            throw base::InputError(
-                fmt::format("{} a depth buffer of D32_SFLOAT, which {} lacks", what, device.info().name));
+            throw base::inputError("{} a depth buffer of D32_SFLOAT, which {} lacks", what,
+                                   device.info().name);
         }
     }
 }
@@ -177,9 +175,9 @@ void requireCompatible(const RenderOptions& options) {
     requireShadows(options);
     requireDepthBias(options.layers);
     if (options.effects.occlusion.perLayer && !hasLayers(options.targets.kind)) {
-        throw base::InputError(fmt::format("ambient occlusion per cascade needs layered targets "
-                                           "(accumulate, pool or layers), not {}",
-                                           nameOf(options.targets.kind)));
+        throw base::inputError("ambient occlusion per cascade needs layered targets "
+                               "(accumulate, pool or layers), not {}",
+                               nameOf(options.targets.kind));
     }
     requireDetail(options);
 }
@@ -187,16 +185,16 @@ void requireCompatible(const RenderOptions& options) {
 vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options,
                            const SceneTraits& scene) {
     if (options.framesInFlight < 1 || options.framesInFlight > kMaxFramesInFlight) {
-        throw base::InputError(fmt::format("frames in flight must be 1 to {}, not {}", kMaxFramesInFlight,
-                                           options.framesInFlight));
+        throw base::inputError("frames in flight must be 1 to {}, not {}", kMaxFramesInFlight,
+                               options.framesInFlight);
     }
     if (options.snapBits > kMaxSnapBits) {
-        throw base::InputError(fmt::format("vertices are rounded to 0 (not) to {} sub-pixel bits, not {}",
-                                           kMaxSnapBits, options.snapBits));
+        throw base::inputError("vertices are rounded to 0 (not) to {} sub-pixel bits, not {}", kMaxSnapBits,
+                               options.snapBits);
     }
     if (options.prepareFor.lights > kMaxPreparedLights) {
-        throw base::InputError(fmt::format("a renderer is prepared for at most {} lights, not {}",
-                                           kMaxPreparedLights, options.prepareFor.lights));
+        throw base::inputError("a renderer is prepared for at most {} lights, not {}", kMaxPreparedLights,
+                               options.prepareFor.lights);
     }
     if (options.part != CascadePart{}) {
         requireDivisible(options, scene);
@@ -206,8 +204,8 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
     const std::uint32_t most = device.info().maxImageSide;
     for (const std::uint32_t side : {options.width, options.height}) {
         if (side < 1 || side > most) {
-            throw base::InputError(fmt::format("size {}x{}: each side must be 1 to {} pixels on {}",
-                                               options.width, options.height, most, device.info().name));
+            throw base::inputError("size {}x{}: each side must be 1 to {} pixels on {}", options.width,
+                                   options.height, most, device.info().name);
         }
     }
     const vk::Extent2D extent{options.width, options.height};

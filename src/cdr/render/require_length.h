@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cdr/base/error.h>
-
-#include <fmt/format.h>
+#include <cdr/base/format_error.h>
 
 #include <cmath>
 
@@ -11,7 +9,7 @@ namespace cdr::render {
 /// base::InputError unless `length` is finite and not negative. @param what names it in the message
 inline void requireLength(const char* what, double length) {
     if (!std::isfinite(length) || length < 0.0) {
-        throw base::InputError(fmt::format("{} must be finite and not negative, not {}", what, length));
+        throw base::inputError("{} must be finite and not negative, not {}", what, length);
     }
 }
 

@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/depth/cascade.h>
 #include <cdr/scene/camera.h>
 
@@ -23,7 +23,7 @@ constexpr double kUnitTolerance = 1e-15;
 
 const glm::dvec3& requireFinite(const glm::dvec3& v, const char* what) {
     if (!isFinite(v)) {
-        throw base::InputError(fmt::format("camera: {} must be finite", what));
+        throw base::inputError("camera: {} must be finite", what);
     }
     return v;
 }
@@ -37,7 +37,7 @@ glm::dvec3 unit(const glm::dvec3& v, const char* what) {
     }
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     if (largest <= 0.0) {
-        throw base::InputError(fmt::format("camera: {} must not be zero", what));
+        throw base::inputError("camera: {} must not be zero", what);
     }
     const glm::dvec3 scaled = v / largest; // else squares of tiny and huge numbers leave the range
     return scaled / glm::length(scaled);
@@ -48,8 +48,7 @@ void requireUnit(const glm::dvec3& axis, const char* name) {
     constexpr double kMaxOff = 1e-5;
     const double length = glm::length(axis);
     if (!(std::abs(length - 1.0) <= kMaxOff)) {
-        throw base::InputError(
-            fmt::format("camera: its axis '{}' must have the length 1, not {}", name, length));
+        throw base::inputError("camera: its axis '{}' must have the length 1, not {}", name, length);
     }
 }
 
@@ -58,8 +57,8 @@ void requireShift(const Camera& camera) {
     const double most = kMaxLensShift * std::tan(0.5 * camera.fovY);
     const glm::dvec2& shift = camera.lensShift;
     if (!(std::abs(shift.x) <= most && std::abs(shift.y) <= most)) {
-        throw base::InputError(fmt::format("the shift of this lens must lie between {} and {}, not {} and {}",
-                                           -most, most, shift.x, shift.y));
+        throw base::inputError("the shift of this lens must lie between {} and {}, not {} and {}", -most,
+                               most, shift.x, shift.y);
     }
 }
 
@@ -163,9 +162,8 @@ double degreesOf(double radians) {
 Camera withLens(Camera camera, const LensEdges& edges) {
     const glm::dvec2 size(edges.right - edges.left, edges.up - edges.down);
     if (!(size.x > 0.0 && size.y > 0.0 && std::isfinite(size.x) && std::isfinite(size.y))) {
-        throw base::InputError(
-            fmt::format("the edges of a lens must be finite and in order, not {} to {} and {} to {}",
-                        edges.left, edges.right, edges.down, edges.up));
+        throw base::inputError("the edges of a lens must be finite and in order, not {} to {} and {} to {}",
+                               edges.left, edges.right, edges.down, edges.up);
     }
     camera.fovY = 2.0 * std::atan(0.5 * size.y);
     camera.lensShift = 0.5 * glm::dvec2(edges.left + edges.right, edges.down + edges.up);
@@ -175,21 +173,21 @@ Camera withLens(Camera camera, const LensEdges& edges) {
 
 void requireUsable(const Camera& camera) {
     if (!std::isfinite(camera.nearView) || camera.nearView <= 0.0) {
-        throw base::InputError(fmt::format("near must be finite and above 0, not {}", camera.nearView));
+        throw base::inputError("near must be finite and above 0, not {}", camera.nearView);
     }
     if (!std::isfinite(camera.farView) || camera.farView <= camera.nearView) {
-        throw base::InputError(
-            fmt::format("far must be finite and beyond near ({}), not {}", camera.nearView, camera.farView));
+        throw base::inputError("far must be finite and beyond near ({}), not {}", camera.nearView,
+                               camera.farView);
     }
     depth::requireRange(camera.nearView, camera.farView);
     if (!std::isfinite(camera.fovY) || camera.fovY <= 0.0 || camera.fovY >= std::numbers::pi) {
-        throw base::InputError(fmt::format("field of view must lie between 0 and 180 degrees, not {}",
-                                           camera.fovY * 180.0 / std::numbers::pi));
+        throw base::inputError("field of view must lie between 0 and 180 degrees, not {}",
+                               camera.fovY * 180.0 / std::numbers::pi);
     }
     if (camera.fovY < kMinFovY) {
-        throw base::InputError(fmt::format(
+        throw base::inputError(
             "field of view must be at least 1e-28 degrees, for which float32 has a projection, not {}",
-            camera.fovY * 180.0 / std::numbers::pi));
+            camera.fovY * 180.0 / std::numbers::pi);
     }
     requireShift(camera);
     if (!isFinite(camera.position)) {

@@ -1,8 +1,7 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 #include <cdr/scene/camera_recording.h>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -50,7 +49,7 @@ bool refuseNesting(int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
 double numberIn(const nlohmann::json& json, const char* key) {
     const nlohmann::json& value = json.at(key);
     if (!value.is_number()) {
-        throw base::InputError(fmt::format("{} must be a number", key));
+        throw base::inputError("{} must be a number", key);
     }
     return value.get<double>();
 }
@@ -59,7 +58,7 @@ glm::dvec3 vectorIn(const nlohmann::json& json, const char* key) {
     const nlohmann::json& value = json.at(key);
     if (!value.is_array() || value.size() != 3 || !value[0].is_number() || !value[1].is_number() ||
         !value[2].is_number()) {
-        throw base::InputError(fmt::format("{} must be three numbers", key));
+        throw base::inputError("{} must be three numbers", key);
     }
     return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
 }
@@ -111,11 +110,11 @@ CameraRecording recordingIn(const nlohmann::json& json) {
         throw base::InputError("is not a camera path of cdr-viewer");
     }
     if (json.at("version") != kFormatVersion) {
-        throw base::InputError(fmt::format("has another version than {}", kFormatVersion));
+        throw base::inputError("has another version than {}", kFormatVersion);
     }
     const nlohmann::json& cameras = json.at("cameras");
     if (!cameras.is_array() || cameras.empty() || cameras.size() > kMaxRecordedCameras) {
-        throw base::InputError(fmt::format("must hold 1 to {} cameras", kMaxRecordedCameras));
+        throw base::inputError("must hold 1 to {} cameras", kMaxRecordedCameras);
     }
     CameraRecording recording{.scene = json.at("scene").get<std::string>(), .cameras = {}};
     if (recording.scene.size() > kMaxSceneName) {
@@ -125,12 +124,12 @@ CameraRecording recordingIn(const nlohmann::json& json) {
         try {
             recording.cameras.push_back(cameraIn(cameras[i]));
         } catch (const base::InputError& error) {
-            throw base::InputError(fmt::format("camera {}: {}", i, error.what()));
+            throw base::inputError("camera {}: {}", i, error.what());
         }
         const double seconds = recording.seconds();
         if (!(seconds >= 0.0) || !std::isfinite(seconds) ||
             (i > 0 && seconds <= recording.cameras[i - 1].seconds)) {
-            throw base::InputError(fmt::format("camera {}: seconds must be finite and ascend from 0 on", i));
+            throw base::inputError("camera {}: seconds must be finite and ascend from 0 on", i);
         }
     }
     return recording;
@@ -156,7 +155,7 @@ CameraRecording readRecording(const std::filesystem::path& path) {
     try {
         return recordingIn(nlohmann::json::parse(bytes, refuseNesting));
     } catch (const base::InputError& error) {
-        throw base::InputError(fmt::format("{}: {}", platform::oneLine(path), error.what()));
+        throw base::inputError("{}: {}", platform::oneLine(path), error.what());
     } catch (const nlohmann::json::exception&) {
         throw base::InputError(platform::oneLine(path) + ": is not a camera path of cdr-viewer, or damaged");
     }

@@ -1,8 +1,6 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/scene/scene.h>
 #include <cdr/scene/world/check.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,9 +49,9 @@ float largestStretch(const glm::mat3& basis) {
 
 float placedRadius(const Scene& scene, std::uint32_t mesh, const glm::mat3& basis) {
     if (mesh >= scene.meshes.size()) {
-        throw base::InputError(fmt::format(
+        throw base::inputError(
             "scene: mesh {} of an instance is not there, the scene has {}; add meshes before their instances",
-            mesh, scene.meshes.size()));
+            mesh, scene.meshes.size());
     }
     return scene.meshes[mesh].boundingRadius * largestStretch(basis);
 }
@@ -73,8 +71,8 @@ PointLight directionalLight(const glm::dvec3& direction, const glm::vec3& color,
         throw base::InputError("a directional light needs a direction whose length is above 0 and finite");
     }
     if (!(radius > 0.0 && std::isfinite(kFadesAfter * distance))) {
-        throw base::InputError(
-            fmt::format("a directional light needs a radius that is above 0 and finite, not {}", radius));
+        throw base::inputError("a directional light needs a radius that is above 0 and finite, not {}",
+                               radius);
     }
     const PointLight light{.position = centre - glm::normalize(direction / largest) * distance,
                            .color = color,

@@ -1,9 +1,7 @@
 #include <cdr/base/enum_names.h>
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/scene/frustum.h>
 #include <cdr/scene/stereo_rig.h>
-
-#include <fmt/format.h>
 
 #include <cmath>
 
@@ -16,7 +14,7 @@ constexpr base::EnumNames<StereoMode, kStereoModes.size()> kStereoModeNames{
 
 void requireStereoDistance(double distance, const char* what) {
     if (!std::isfinite(distance) || distance <= 0.0) {
-        throw base::InputError(fmt::format("{} must be finite and above 0, not {}", what, distance));
+        throw base::inputError("{} must be finite and above 0, not {}", what, distance);
     }
 }
 
@@ -63,9 +61,9 @@ std::array<Camera, 2> eyesOf(const StereoRig& rig) {
     constexpr double kMaxLost = 1e-3;
     const double drawn = glm::length(eyes[1].position - eyes[0].position);
     if (std::abs(drawn - rig.eyeDistance) > kMaxLost * rig.eyeDistance) {
-        throw base::InputError(
-            fmt::format("eye distance {} is lost in the rounding of the camera's position, which makes it {}",
-                        rig.eyeDistance, drawn));
+        throw base::inputError(
+            "eye distance {} is lost in the rounding of the camera's position, which makes it {}",
+            rig.eyeDistance, drawn);
     }
     return eyes;
 }
@@ -78,10 +76,9 @@ std::uint32_t stereoShift(const StereoRig& rig, std::uint32_t width, std::uint32
     const Frustum frustum = frustumOf(rig.centre, width, height);
     const double shift = rig.eyeDistance / (2.0 * rig.convergence * frustum.tanX) * width;
     if (!(shift < width - 0.5)) {
-        throw base::InputError(
-            fmt::format("convergence distance {} is so near that the eyes' pictures, {} apart, "
-                        "would not overlap",
-                        rig.convergence, rig.eyeDistance));
+        throw base::inputError("convergence distance {} is so near that the eyes' pictures, {} apart, "
+                               "would not overlap",
+                               rig.convergence, rig.eyeDistance);
     }
     return static_cast<std::uint32_t>(std::lround(shift));
 }

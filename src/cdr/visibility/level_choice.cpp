@@ -1,5 +1,5 @@
 #include <cdr/base/enum_names.h>
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/base/suggest.h>
 #include <cdr/scene/lod/clusters.h>
 #include <cdr/scene/lod/levels.h>
@@ -67,8 +67,7 @@ Detail parseDetail(std::string_view text) {
 
 void requireUsable(const Detail& detail) {
     if (!std::isfinite(detail.pixels) || detail.pixels <= 0.0) {
-        throw base::InputError(
-            fmt::format("detail pixels must be finite and above 0, not {}", detail.pixels));
+        throw base::inputError("detail pixels must be finite and above 0, not {}", detail.pixels);
     }
 }
 

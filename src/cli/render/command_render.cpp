@@ -5,7 +5,7 @@
 #include "render_results.h"
 #include "sequence_name.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/base/suggest.h>
 #include <cdr/platform/file.h>
 #include <cdr/render/part_scene.h>
@@ -39,8 +39,7 @@ struct RenderPlan {
 /// Of the files that are read and written.
 void checkFiles(const RenderArguments& arguments, const RenderPlan& plan, CommandFiles& files) {
     if (plan.cameras.frames > 1 && !arguments.file.empty() && !plan.name.hasNumber()) {
-        throw base::InputError(
-            fmt::format("{}: several frames need a number in the name, such as %04d", arguments.file));
+        throw base::inputError("{}: several frames need a number in the name, such as %04d", arguments.file);
     }
     if (!arguments.file.empty()) {
         const std::string extension = platform::lowerExtension(plan.name.at(plan.cameras.first));
@@ -55,8 +54,7 @@ void checkFiles(const RenderArguments& arguments, const RenderPlan& plan, Comman
     }
     files.mayWrite("--trace", arguments.trace);
     if (!arguments.certify.empty() && platform::lowerExtension(arguments.certify) != ".json") {
-        throw base::InputError(
-            fmt::format("--certify: {} does not end in .json", arguments.certify.string()));
+        throw base::inputError("--certify: {} does not end in .json", arguments.certify.string());
     }
     files.mayWrite("--certify", arguments.certify);
     files.mayWrite("--state", arguments.state);
@@ -86,8 +84,8 @@ void requireOneView(const RenderArguments& arguments, const RenderPlan& plan) {
 /// base::InputError for --deform where nothing can bend.
 void requireBending(const RenderArguments& arguments) {
     if (arguments.deform && !scene::isGltfPath(arguments.scene)) {
-        throw base::InputError(fmt::format("--deform is for glTF files: {} has no skins and no morph targets",
-                                           arguments.scene.substr(0, 200)));
+        throw base::inputError("--deform is for glTF files: {} has no skins and no morph targets",
+                               arguments.scene.substr(0, 200));
     }
 }
 

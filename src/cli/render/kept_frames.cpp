@@ -1,9 +1,8 @@
 #include "kept_frames.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 
-#include <fmt/format.h>
 #include <program/sha256.h>
 
 #include <limits>
@@ -36,8 +35,8 @@ KeptFrames::KeptFrames(const fs::path& path, runs::UnitRun run, const Shape& sha
       m_made(m_file.made()) {
     for (const auto& [frame, made] : m_made) {
         if (!isKeptFrame(made, shape.frame(frame))) {
-            throw base::InputError(
-                fmt::format("{}: holds no results of render; remove it or name another file", path.string()));
+            throw base::inputError("{}: holds no results of render; remove it or name another file",
+                                   path.string());
         }
     }
     std::erase_if(m_made,

@@ -1,6 +1,6 @@
 #include "sequence_name.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 
 #include <fmt/format.h>
 
@@ -19,8 +19,7 @@ SequenceName::SequenceName(const std::string& pattern) : m_before(pattern) {
         end += 2;
     }
     if (end >= pattern.size() || pattern[end] != 'd' || pattern.find('%', end) != std::string::npos) {
-        throw base::InputError(
-            fmt::format("{}: a frame number is written as one %d or %04d", pattern.substr(0, 200)));
+        throw base::inputError("{}: a frame number is written as one %d or %04d", pattern.substr(0, 200));
     }
     m_before = pattern.substr(0, percent);
     m_after = pattern.substr(end + 1);

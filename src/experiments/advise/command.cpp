@@ -223,31 +223,27 @@ void run(Command& command, AdviseArguments& arguments) {
 }
 
 void addOptions(CLI::App& command, AdviseArguments& arguments) {
-    command.add_option("--near", arguments.camera.nearView, options::kNearHelp)->capture_default_str();
-    command.add_option("--far", arguments.camera.farView, options::kFarHelp)->capture_default_str();
-    command.add_option("--fov", arguments.fovDegrees, options::kFovHelp)->capture_default_str();
-    command.add_option("--height", arguments.height, "Height of the picture in pixels, for the formulas")
-        ->check(CLI::Range(1u, 1u << 20))
-        ->capture_default_str();
+    addValue(command, "--near", arguments.camera.nearView, options::kNearHelp);
+    addValue(command, "--far", arguments.camera.farView, options::kFarHelp);
+    addValue(command, "--fov", arguments.fovDegrees, options::kFovHelp);
+    addValue(command, "--height", arguments.height, "Height of the picture in pixels, for the formulas")
+        ->check(CLI::Range(1u, 1u << 20));
     command.add_option("--separation", arguments.separationView, "Gap that must be resolved, in scene units")
         ->required();
     command
         .add_option("--at", arguments.atView,
                     "Distance from the camera where it must be resolved, in scene units")
         ->default_str("that of --far");
-    command
-        .add_option("--span", arguments.spanView, "Extent in depth of what is visible there, in scene units")
-        ->capture_default_str();
+    addValue(command, "--span", arguments.spanView,
+             "Extent in depth of what is visible there, in scene units");
     command
         .add_option(
             "--sub-pixel-bits", arguments.subPixelBits,
             "Sub-pixel bits that the device rounds vertices to, 0 to 32; without it, both surfaces have the "
             "same outline, so that they are rounded alike")
         ->check(CLI::Range(0u, 32u));
-    command
-        .add_option("--slope", arguments.slope,
-                    "Slope of the surfaces: the tangent of their angle to the picture")
-        ->capture_default_str();
+    addValue(command, "--slope", arguments.slope,
+             "Slope of the surfaces: the tangent of their angle to the picture");
     options::addParsedList(command, "--format", arguments.formats, depth::parseDepthFormat, kFormatsHelp)
         ->default_str("all");
     addTechniques(command, arguments.techniques);

@@ -96,21 +96,16 @@ void run(Command& command, CoplanarArguments& arguments) {
 /// A list of factors of polygon offset.
 void addFactors(CLI::App& command, const char* name, std::vector<float>& factors, const char* help) {
     constexpr double kMost = 1e6;
-    command.add_option(name, factors, help)
-        ->delimiter(',')
-        ->check(options::numberFrom(-kMost, kMost))
-        ->capture_default_str();
+    addList(command, name, factors, help)->check(options::numberFrom(-kMost, kMost));
 }
 
 void addOptions(CLI::App& command, CoplanarArguments& arguments) {
     experiments::CoplanarOptions& options = arguments.options;
     addFrames(command, options.views,
               "Random views; each is repeated from 0.01 scene units aside, to count flips");
-    command
-        .add_option("--search-views", options.searchViews,
-                    "Views over which the settings of polygon offset are compared")
-        ->check(CLI::Range(1u, 10'000u))
-        ->capture_default_str();
+    addValue(command, "--search-views", options.searchViews,
+             "Views over which the settings of polygon offset are compared")
+        ->check(CLI::Range(1u, 10'000u));
     addFactors(command, "--slopes", options.offsets.slopes,
                "Slope factors of polygon offset, separated by commas");
     addFactors(command, "--constants", options.offsets.constants,

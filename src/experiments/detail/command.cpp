@@ -92,10 +92,9 @@ void addOptions(CLI::App& command, DetailArguments& arguments) {
     experiments::DetailOptions& options = arguments.options;
     addComparison(command, options, arguments.choice, arguments.folder);
     addState(command, arguments.state);
-    command.add_option("--pixels", options.pixels, "Largest error on screen of a level of detail, in pixels")
-        ->capture_default_str();
-    command.add_option("--depth", arguments.depth, options::mappingHelp())->capture_default_str();
-    command.add_option("--split", arguments.split, options::kSplitHelp)->capture_default_str();
+    addValue(command, "--pixels", options.pixels, "Largest error on screen of a level of detail, in pixels");
+    addValue(command, "--depth", arguments.depth, options::mappingHelp());
+    addValue(command, "--split", arguments.split, options::kSplitHelp);
 }
 
 } // namespace

@@ -84,12 +84,9 @@ void addOptions(CLI::App& command, EffectsArguments& arguments) {
     experiments::EffectsOptions& options = arguments.options;
     addComparison(command, options, arguments.choice, arguments.folder);
     addTechniques(command, options.techniques);
-    command.add_option("--occlusion", options.occlusionRadius, "Radius of ambient occlusion, in scene units")
-        ->capture_default_str();
-    command
-        .add_option("--fog", options.visibility,
-                    "Distance at which fog leaves 2 % of a colour, in scene units")
-        ->capture_default_str();
+    addValue(command, "--occlusion", options.occlusionRadius, "Radius of ambient occlusion, in scene units");
+    addValue(command, "--fog", options.visibility,
+             "Distance at which fog leaves 2 % of a colour, in scene units");
 }
 
 } // namespace

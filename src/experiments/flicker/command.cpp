@@ -222,11 +222,9 @@ void addOptions(CLI::App& command, FlickerArguments& arguments) {
         "behind them (cdr-behind)");
     command.add_flag("--fitted-range", arguments.fittedRange,
                      "Also measure standard with near and far fitted to what is visible (standard-fitted)");
-    command
-        .add_option("--flip-every", options.flipEvery,
-                    "Interval of the frames for which FLIP is computed; 1 is every frame")
-        ->check(CLI::Range(1u, kMaxFrames))
-        ->capture_default_str();
+    addValue(command, "--flip-every", options.flipEvery,
+             "Interval of the frames for which FLIP is computed; 1 is every frame")
+        ->check(CLI::Range(1u, kMaxFrames));
     addThreads(command, options.threads);
     options::addFile(command, "--state", options.state, std::string(kStateHelp) + ". FILE may be a folder");
     options::addFolder(command, "--videos", arguments.videos,

@@ -1,10 +1,9 @@
 #include "state.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 #include <cdr/platform/json_text.h>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <program/build_info.h>
 #include <program/sha256.h>
@@ -159,7 +158,7 @@ FlickerState readState(std::string_view text, const FlickerRun& run, const Flick
     } catch (const base::InputError& error) {
         what = error.what();
     }
-    throw base::InputError(fmt::format("{}: {}; remove it or name another file", name, what));
+    throw base::inputError("{}: {}; remove it or name another file", name, what);
 }
 
 std::string stateTextOf(const FlickerRun& run, const FlickerState& state) {

@@ -90,15 +90,11 @@ void run(Command& command, FocusArguments& arguments) {
 void addOptions(CLI::App& command, FocusArguments& arguments) {
     experiments::FocusOptions& options = arguments.options;
     addComparison(command, options, arguments.choice, arguments.folder);
-    command.add_option("--distance", options.lens.distance, "Distance in focus, in scene units")
-        ->capture_default_str();
-    command.add_option("--aperture", options.lens.aperture, "Diameter of the lens, in scene units")
-        ->capture_default_str();
-    command
-        .add_option("--cameras", options.cameras,
-                    "Cameras spread over the lens, whose pictures are averaged into the reference")
-        ->check(CLI::Range(1u, 4096u))
-        ->capture_default_str();
+    addValue(command, "--distance", options.lens.distance, "Distance in focus, in scene units");
+    addValue(command, "--aperture", options.lens.aperture, "Diameter of the lens, in scene units");
+    addValue(command, "--cameras", options.cameras,
+             "Cameras spread over the lens, whose pictures are averaged into the reference")
+        ->check(CLI::Range(1u, 4096u));
     options::addNamed(command, "--depth", options.mapping, depth::parseMapping, options::mappingHelp());
     options::addParsed(command, "--split", options.split, depth::parseSplit, options::kSplitHelp)
         ->default_str("where circles of confusion double");

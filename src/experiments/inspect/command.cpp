@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/image/codec.h>
 #include <cdr/platform/file.h>
 #include <cli/command.h>
@@ -170,8 +170,7 @@ void run(Command& command, InspectArguments& arguments) {
     options.judged.technique.format = depth::parseDepthFormat(arguments.format);
     if (!arguments.heatMap.empty()) {
         if (platform::lowerExtension(arguments.heatMap) != ".png") {
-            throw base::InputError(
-                fmt::format("--heat-map: {} does not end in .png", arguments.heatMap.string()));
+            throw base::inputError("--heat-map: {} does not end in .png", arguments.heatMap.string());
         }
         command.files().writes("--heat-map", arguments.heatMap);
     }
@@ -214,20 +213,14 @@ void run(Command& command, InspectArguments& arguments) {
 void addOptions(CLI::App& command, InspectArguments& arguments) {
     experiments::InspectOptions& options = arguments.options;
     command.add_option("scene", arguments.scene, options::sceneHelp())->required();
-    command
-        .add_option("--technique", arguments.technique,
-                    "Technique for --fail-above and --heat-map: " + options::techniqueHelp())
-        ->capture_default_str();
-    command
-        .add_option("--format", arguments.format,
-                    "Format of the depth buffer for --technique: d16, d24 or d32f")
-        ->capture_default_str();
+    addValue(command, "--technique", arguments.technique,
+             "Technique for --fail-above and --heat-map: " + options::techniqueHelp());
+    addValue(command, "--format", arguments.format,
+             "Format of the depth buffer for --technique: d16, d24 or d32f");
     addTechniques(command, options.techniques);
-    command
-        .add_option("--frames", arguments.views,
-                    "Views, spread evenly over the camera path; around the model if it has none")
-        ->check(CLI::Range(1u, kMaxViews))
-        ->capture_default_str();
+    addValue(command, "--frames", arguments.views,
+             "Views, spread evenly over the camera path; around the model if it has none")
+        ->check(CLI::Range(1u, kMaxViews));
     options::addCameraOptions(command, arguments.camera);
     options::addStillChoice(command, arguments.choice);
     command

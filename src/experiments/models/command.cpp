@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <cli/picture_folder.h>
@@ -89,15 +89,13 @@ std::vector<std::string> pictureNames(const std::vector<std::string>& files) {
     const auto twice = std::find_if(names.begin(), names.end(),
                                     [&](const std::string& name) { return !taken.insert(name).second; });
     const std::string& file = files[static_cast<std::size_t>(twice - names.begin())];
-    throw base::InputError(
-        fmt::format("two models would both be written as {}_*.png", nameWithFolders(file, 0)));
+    throw base::inputError("two models would both be written as {}_*.png", nameWithFolders(file, 0));
 }
 
 /// base::InputError for what is no model.
 void requireModels(const std::vector<std::string>& files) {
     if (files.size() > kMaxModels) {
-        throw base::InputError(
-            fmt::format("{} models are too many: at most {} are allowed", files.size(), kMaxModels));
+        throw base::inputError("{} models are too many: at most {} are allowed", files.size(), kMaxModels);
     }
     for (const std::string& file : files) {
         if (!scene::isGltfPath(file)) {
@@ -111,10 +109,9 @@ void requirePictureMemory(std::size_t models, const experiments::ModelsOptions& 
     const std::uint64_t bytes = models * experiments::kModelPictures * sizeof(image::Rgba8) *
                                 std::uint64_t{options.width} * options.height;
     if (bytes > kMaxPictureBytes) {
-        throw base::InputError(
-            fmt::format("the pictures of {} models at {}x{} take {} MiB, {} are allowed: give "
-                        "fewer models or a smaller --size",
-                        models, options.width, options.height, bytes >> 20u, kMaxPictureBytes >> 20u));
+        throw base::inputError("the pictures of {} models at {}x{} take {} MiB, {} are allowed: give "
+                               "fewer models or a smaller --size",
+                               models, options.width, options.height, bytes >> 20u, kMaxPictureBytes >> 20u);
     }
 }
 
@@ -189,9 +186,8 @@ void run(Command& command, ModelsArguments& arguments) {
 void addOptions(CLI::App& command, ModelsArguments& arguments) {
     command.add_option("models", arguments.files, "glTF files, .gltf or .glb")->required();
     options::addFolder(command, "--out", arguments.folder, "Folder for the pictures and one sheet of all");
-    command.add_option("--technique", arguments.technique, "Technique: " + options::techniqueHelp())
-        ->capture_default_str();
-    command.add_option("--light", arguments.light, options::kLightHelp)->capture_default_str();
+    addValue(command, "--technique", arguments.technique, "Technique: " + options::techniqueHelp());
+    addValue(command, "--light", arguments.light, options::kLightHelp);
     command.add_option("--time", arguments.seconds, "Time in the first animation of a model, in seconds");
     command.add_option("--camera", arguments.camera, options::kCameraHelp)
         ->default_str("one that the model fills");

@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <cli/picture_folder.h>
@@ -70,8 +70,7 @@ std::vector<scene::SceneSetup> openScenes(Command& command, const PicturesArgume
     const auto require = [&](const std::string& stem, const std::string& what) {
         const auto [other, isNew] = stems.try_emplace(stem, what);
         if (!isNew) {
-            throw base::InputError(
-                fmt::format("{} and {} would both be written as {}", other->second, what, stem));
+            throw base::inputError("{} and {} would both be written as {}", other->second, what, stem);
         }
     };
     std::vector<scene::SceneSetup> scenes;
@@ -112,9 +111,7 @@ void run(Command& command, PicturesArguments& arguments) {
 void addOptions(CLI::App& command, PicturesArguments& arguments) {
     experiments::PicturesOptions& options = arguments.options;
     options::addFolder(command, "--out", arguments.folder, "Folder for the pictures")->capture_default_str();
-    command.add_option("--scenes", arguments.scenes, "Scenes to render, separated by commas")
-        ->delimiter(',')
-        ->capture_default_str();
+    addList(command, "--scenes", arguments.scenes, "Scenes to render, separated by commas");
     addTechniques(command, options.techniques);
     addSize(command, options.width, options.height);
     addFrames(command, options.frames, "Frames of each scene, spread evenly over its camera path");

@@ -84,8 +84,8 @@ void run(Command& command, PrecisionArguments& arguments) {
 }
 
 void addOptions(CLI::App& command, PrecisionArguments& arguments) {
-    command.add_option("--near", arguments.options.nearView, options::kNearHelp)->capture_default_str();
-    command.add_option("--far", arguments.options.farView, options::kFarHelp)->capture_default_str();
+    addValue(command, "--near", arguments.options.nearView, options::kNearHelp);
+    addValue(command, "--far", arguments.options.farView, options::kFarHelp);
     options::addFile(command, "--curve", arguments.curveFile,
                      "Write the curves of the thesis' Figure 4.1 as CSV to FILE");
 }

@@ -1,9 +1,7 @@
 #include "resolved.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/measure/compare/wrong_pixels.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -53,8 +51,7 @@ scenes::LadderOptions probeLadder(double distanceView, std::optional<double> nea
                                   std::optional<double> farView) {
     // Beyond, float64 has no place for the ladder's cubes. NaN is refused too.
     if (!(distanceView >= 0.1 && distanceView <= 1e16)) {
-        throw base::InputError(
-            fmt::format("a probe's distance must be from 0.1 to 1e16, not {}", distanceView));
+        throw base::inputError("a probe's distance must be from 0.1 to 1e16, not {}", distanceView);
     }
     return {.distanceView = distanceView,
             .nearView = nearView.value_or(0.001),

@@ -167,8 +167,7 @@ void run(Command& command, RivalsArguments& arguments) {
 
 void addOptions(CLI::App& command, RivalsArguments& arguments) {
     experiments::RivalsOptions& options = arguments.options;
-    command.add_option("SCENE", arguments.scenes, "Scenes, separated by spaces: " + options::sceneHelp())
-        ->capture_default_str();
+    addValue(command, "SCENE", arguments.scenes, "Scenes, separated by spaces: " + options::sceneHelp());
     addDistances(command, options.distancesView);
     addTechniques(command, arguments.techniques);
     addRivalList(command, arguments.chosenRivals, "all that the device can draw");

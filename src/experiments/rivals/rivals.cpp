@@ -2,7 +2,7 @@
 
 #include "drawer.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
 #include <experiments/orbit/orbit.h>
@@ -99,8 +99,8 @@ class RivalsRun {
         const auto found = std::ranges::find_if(
             options.contenders, [&](const NamedContender& named) { return named.name == options.baseline; });
         if (found == options.contenders.end() || found->isRival()) {
-            throw base::InputError(fmt::format(
-                "{} must be among the techniques, because times are relative to it", options.baseline));
+            throw base::inputError("{} must be among the techniques, because times are relative to it",
+                                   options.baseline);
         }
         return static_cast<std::size_t>(found - options.contenders.begin());
     }

@@ -1,5 +1,5 @@
 #include <cdr/base/enum_names.h>
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 #include <cli/command.h>
 #include <cli/commands.h>
@@ -186,9 +186,9 @@ void run(Command& command, ScalingArguments& arguments) {
     const auto differs = std::find_if(result.points.begin(), result.points.end(),
                                       [](const auto& point) { return !point.sameImage; });
     if (differs != result.points.end()) {
-        throw base::RunError(
-            fmt::format("{} targets, {} cascades, {} draws: the image of {} threads differs from that of one",
-                        nameOf(differs->targets), differs->cascades, differs->draws, differs->threads));
+        throw base::runError(
+            "{} targets, {} cascades, {} draws: the image of {} threads differs from that of one",
+            nameOf(differs->targets), differs->cascades, differs->draws, differs->threads);
     }
 }
 
@@ -208,9 +208,7 @@ void excludeThreadOptions(CLI::App& command) {
 
 void addOptions(CLI::App& command, ScalingArguments& arguments) {
     experiments::ScalingOptions& options = arguments.options;
-    command.add_option("--draws", options.draws, "Numbers of cubes to measure, separated by commas")
-        ->delimiter(',')
-        ->capture_default_str();
+    addList(command, "--draws", options.draws, "Numbers of cubes to measure, separated by commas");
     command
         .add_option("--threads", options.threads,
                     "Numbers of CPU threads to measure, separated by commas; 1 is always added")
@@ -226,10 +224,8 @@ void addOptions(CLI::App& command, ScalingArguments& arguments) {
     command.add_flag_callback(
         "--free", [&options] { options.placement = platform::Placement::free; },
         "Do not bind each thread to a CPU: the operating system chooses");
-    command.add_option("--cascades", options.cascades, "Numbers of cascades to measure, separated by commas")
-        ->delimiter(',')
-        ->capture_default_str();
-    command.add_option("--repeats", options.repeats, kRepeatsHelp)->capture_default_str();
+    addList(command, "--cascades", options.cascades, "Numbers of cascades to measure, separated by commas");
+    addValue(command, "--repeats", options.repeats, kRepeatsHelp);
     addSize(command, options.width, options.height);
     addSeed(command, options.seed);
     addRankSweepOptions(command, arguments.ranks);

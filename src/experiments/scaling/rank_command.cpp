@@ -1,6 +1,6 @@
 #include "rank_command.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 
 #include <fmt/format.h>
 
@@ -19,8 +19,8 @@ constexpr std::size_t kMaxProjected = 1'000'000;
 void requireSameImages(const std::vector<experiments::RankPoint>& points) {
     const auto differs = std::ranges::find_if(points, [](const auto& point) { return !point.sameImage; });
     if (differs != points.end()) {
-        throw base::RunError(fmt::format("{} cascades: the image of {} ranks differs from that of one",
-                                         differs->cascades, differs->ranks));
+        throw base::runError("{} cascades: the image of {} ranks differs from that of one", differs->cascades,
+                             differs->ranks);
     }
 }
 
@@ -29,15 +29,12 @@ void requireSameImages(const std::vector<experiments::RankPoint>& points) {
 void addRankSweepOptions(CLI::App& command, RankSweepArguments& arguments) {
     command.add_flag("--ranks", arguments.isAsked,
                      "Measure MPI ranks that divide the cascades of a frame, instead of threads");
-    command
-        .add_option("--heights", arguments.heights,
-                    "Heights of the 16:9 pictures to measure in pixels, separated by commas")
-        ->delimiter(',')
-        ->capture_default_str();
+    addList(command, "--heights", arguments.heights,
+            "Heights of the 16:9 pictures to measure in pixels, separated by commas");
     command.add_option(
         "--project", arguments.nodes,
         "Predict the time of a run on up to this many nodes, from measured frames of --size and of one --draws");
-    command.add_option("--frames", arguments.frames, "Frames of the predicted run")->capture_default_str();
+    addValue(command, "--frames", arguments.frames, "Frames of the predicted run");
 }
 
 void runRankSweep(Command& command, experiments::RankSweepOptions options,
@@ -45,7 +42,7 @@ void runRankSweep(Command& command, experiments::RankSweepOptions options,
     options.sizes.clear();
     for (const std::uint32_t height : arguments.heights) {
         if (height < 1 || height > kMaxHeight) {
-            throw base::InputError(fmt::format("--heights must be 1 to {}, not {}", kMaxHeight, height));
+            throw base::inputError("--heights must be 1 to {}, not {}", kMaxHeight, height);
         }
         options.sizes.push_back({.width = (height * 16 + 8) / 9, .height = height});
     }
@@ -75,8 +72,7 @@ void runProjection(Command& command, const experiments::FrameCostOptions& option
                    const RankSweepArguments& arguments) {
     for (const std::size_t number : {arguments.nodes, arguments.frames}) {
         if (number < 1 || number > kMaxProjected) {
-            throw base::InputError(
-                fmt::format("--project and --frames must be 1 to {}, not {}", kMaxProjected, number));
+            throw base::inputError("--project and --frames must be 1 to {}, not {}", kMaxProjected, number);
         }
     }
     const auto [costs, run] = experiments::measureFrameCosts(command.device(), options, command.ranks());

@@ -1,6 +1,6 @@
 #include "rank_sweep.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/allocated_bytes.h>
 #include <cdr/platform/stopwatch.h>
 #include <cdr/render/part_scene.h>
@@ -192,8 +192,7 @@ void requireUsable(const RankSweepOptions& options) {
     }
     for (const unsigned cascades : options.cascades) {
         if (cascades < 1 || cascades > depth::kMaxCascades) {
-            throw base::InputError(
-                fmt::format("cascades must be 1 to {}, not {}", depth::kMaxCascades, cascades));
+            throw base::inputError("cascades must be 1 to {}, not {}", depth::kMaxCascades, cascades);
         }
     }
     if (options.cubes < 1 || options.cubes > scene::kMaxObjects || options.repeats < 1 ||

@@ -1,6 +1,6 @@
 #include "thread_sweep.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <scenes/cubes.h>
 
 #include <fmt/format.h>
@@ -45,11 +45,11 @@ ScalingFit fit(const std::vector<ScalingPoint>& points) {
 template <typename Value>
 void requireAll(const char* what, const std::vector<Value>& values, std::size_t most) {
     if (values.empty()) {
-        throw base::InputError(fmt::format("scaling: at least one number of {} is needed", what));
+        throw base::inputError("scaling: at least one number of {} is needed", what);
     }
     for (const Value value : values) {
         if (value < 1 || value > most) {
-            throw base::InputError(fmt::format("{} must be 1 to {}, not {}", what, most, value));
+            throw base::inputError("{} must be 1 to {}, not {}", what, most, value);
         }
     }
 }

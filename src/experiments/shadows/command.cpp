@@ -103,21 +103,13 @@ void run(Command& command, ShadowArguments& arguments) {
 
 void addOptions(CLI::App& command, ShadowArguments& arguments) {
     experiments::ShadowExperiment& experiment = arguments.experiment;
-    command.add_option("scene", arguments.scene, "A generated scene with lights, or a .gltf or .glb file")
-        ->capture_default_str();
-    command
-        .add_option("--techniques", experiment.techniques,
-                    "Techniques to compare, separated by commas: " + options::techniqueHelp())
-        ->delimiter(',')
-        ->capture_default_str();
-    command
-        .add_option("--methods", experiment.methods,
-                    "Shadow methods to compare, separated by commas: anchored, plain (the usual method)")
-        ->delimiter(',')
-        ->capture_default_str();
-    command.add_option("--shadow-texels", experiment.options.shadows.maxTexels, options::shadowTexelsHelp())
-        ->check(CLI::Range(render::kMinShadowTexels, render::kMaxShadowTexels))
-        ->capture_default_str();
+    addValue(command, "scene", arguments.scene, "A generated scene with lights, or a .gltf or .glb file");
+    addList(command, "--techniques", experiment.techniques,
+            "Techniques to compare, separated by commas: " + options::techniqueHelp());
+    addList(command, "--methods", experiment.methods,
+            "Shadow methods to compare, separated by commas: anchored, plain (the usual method)");
+    addValue(command, "--shadow-texels", experiment.options.shadows.maxTexels, options::shadowTexelsHelp())
+        ->check(CLI::Range(render::kMinShadowTexels, render::kMaxShadowTexels));
     options::addNamed(command, "--surface", arguments.experiment.options.surface, render::parseSurfacePath,
                       options::kSurfaceHelp);
     options::addFrameOptions(command, arguments.camera);

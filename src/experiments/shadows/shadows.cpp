@@ -1,6 +1,6 @@
 #include "shadows.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/platform/host_memory.h>
 #include <cdr/render/renderer.h>
@@ -58,7 +58,7 @@ void runShadows(const gpu::Device& device, const scene::SceneSetup& setup,
     const scene::Scene& scene = setup.scene;
     const std::vector<std::uint32_t> lights = scene::shadowLights(scene.lights);
     if (lights.empty()) {
-        throw base::InputError(fmt::format("{}: it has no light that could cast a shadow", scene.name));
+        throw base::inputError("{}: it has no light that could cast a shadow", scene.name);
     }
     const std::uint64_t pixels = std::uint64_t{experiment.options.width} * experiment.options.height;
     platform::requireHostBytes(

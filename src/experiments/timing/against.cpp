@@ -2,7 +2,7 @@
 
 #include "timing_document.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 
 #include <fmt/format.h>
@@ -105,8 +105,8 @@ void requireSameDevice(const Run& here, const Run& against, const fs::path& prog
         const std::string& ours = here.document.*part;
         const std::string& theirs = against.document.*part;
         if (ours != theirs) {
-            throw base::InputError(fmt::format("{} draws with another device: {} instead of {}",
-                                               program.string(), theirs, ours));
+            throw base::inputError("{} draws with another device: {} instead of {}", program.string(), theirs,
+                                   ours);
         }
     }
 }

@@ -82,14 +82,11 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
             fmt::format("Scene to draw: {}; only traffic moves",
                         fmt::join(experiments::timingSceneNames(), ", ")))
         ->default_str(std::string(nameOf(options.scene)));
-    command
-        .add_option(
-            "--in-flight", options.framesInFlight,
-            fmt::format("Frames in flight, 1 to {}: 1 measures latency, as the thesis does, more measure "
-                        "throughput",
-                        render::kMaxFramesInFlight))
-        ->check(CLI::Range(std::size_t{1}, render::kMaxFramesInFlight))
-        ->capture_default_str();
+    addValue(command, "--in-flight", options.framesInFlight,
+             fmt::format("Frames in flight, 1 to {}: 1 measures latency, as the thesis does, more measure "
+                         "throughput",
+                         render::kMaxFramesInFlight))
+        ->check(CLI::Range(std::size_t{1}, render::kMaxFramesInFlight));
     addSeed(command, options.seed);
     command
         .add_option(
@@ -104,11 +101,10 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
         command.add_option("--against", arguments.against,
                            "Compare frame times with PROGRAM, another build of cdr; both run in turns");
     against->type_name("PROGRAM");
-    command
-        .add_option("--rounds", arguments.rounds, "Rounds; in each, this build runs twice and the other once")
+    addValue(command, "--rounds", arguments.rounds,
+             "Rounds; in each, this build runs twice and the other once")
         ->check(CLI::Range(1u, 1000u))
-        ->needs(against)
-        ->capture_default_str();
+        ->needs(against);
     CLI::Option* stages = command.add_flag(
         "--stages", arguments.stages, "Measure what each stage of a frame costs, for standard and --modes");
     stages->excludes(against);

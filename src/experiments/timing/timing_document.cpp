@@ -1,8 +1,7 @@
 #include "timing_document.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -29,7 +28,7 @@ std::string textAt(const nlohmann::json& object, const std::string& key, const s
         return otherwise;
     }
     if (!found->is_string() || !isPrintableName(found->get_ref<const std::string&>())) {
-        throw base::InputError(fmt::format("'{}' is no short text in one line", key));
+        throw base::inputError("'{}' is no short text in one line", key);
     }
     return found->get<std::string>();
 }
@@ -45,7 +44,7 @@ std::pair<std::string, double> modeOf(const nlohmann::json& row) {
     const auto us = row.find("median_us");
     if (us == row.end() || !us->is_number() || !std::isfinite(us->get<double>()) ||
         us->get<double>() <= 0.0) {
-        throw base::InputError(fmt::format("'median_us' of {} is no finite number over 0", name));
+        throw base::inputError("'median_us' of {} is no finite number over 0", name);
     }
     return {name, us->get<double>()};
 }
@@ -68,7 +67,7 @@ TimingDocument documentOf(const nlohmann::json& json) {
         throw base::InputError("'device' is no object");
     }
     if (!results.is_array() || results.empty() || results.size() > kMaxTimingRows) {
-        throw base::InputError(fmt::format("'results' is no list of 1 to {} modes", kMaxTimingRows));
+        throw base::inputError("'results' is no list of 1 to {} modes", kMaxTimingRows);
     }
     TimingDocument document{.commit = textAt(json, "commit", "unknown"),
                             .device = textAt(device, "name", ""),
@@ -83,15 +82,14 @@ TimingDocument documentOf(const nlohmann::json& json) {
 TimingDocument readTimingDocument(std::string_view text, const std::string& program) {
     try {
         if (text.size() > kMaxTimingBytes) {
-            throw base::InputError(fmt::format("they have more than {} MiB", kMaxTimingBytes >> 20u));
+            throw base::inputError("they have more than {} MiB", kMaxTimingBytes >> 20u);
         }
         const nlohmann::json json = parseBounded(text);
         if (json.is_object() && json.contains("results") && json.contains("device")) {
             return documentOf(json);
         }
     } catch (const base::InputError& error) {
-        throw base::InputError(
-            fmt::format("{} wrote timing results that cannot be used: {}", program, error.what()));
+        throw base::inputError("{} wrote timing results that cannot be used: {}", program, error.what());
     }
     throw base::InputError(program + " wrote no timing results");
 }

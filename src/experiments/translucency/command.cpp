@@ -147,25 +147,19 @@ void run(Command& command, TranslucencyArguments& arguments) {
 
 void addOptions(CLI::App& command, TranslucencyArguments& arguments) {
     experiments::TranslucencyExperiment& experiment = arguments.experiment;
-    command
-        .add_option("scene", experiment.scene,
-                    "A generated scene with translucent surfaces, or a .gltf or .glb file")
-        ->capture_default_str();
+    addValue(command, "scene", experiment.scene,
+             "A generated scene with translucent surfaces, or a .gltf or .glb file");
     options::addMoment(command, arguments.choice);
     addSize(command, experiment.width, experiment.height);
     options::addNamed(command, "--depth", arguments.experiment.mapping, depth::parseMapping,
                       options::mappingHelp());
-    command
-        .add_option("--cascades", experiment.cascades, "Numbers of cascades to measure, separated by commas")
-        ->delimiter(',')
-        ->capture_default_str();
-    command.add_option("--repeats", experiment.repeats, std::string(kRepeatsHelp) + "; 0 measures no times")
-        ->check(CLI::Range(std::size_t{0}, kMaxRepeats))
-        ->capture_default_str();
+    addList(command, "--cascades", experiment.cascades,
+            "Numbers of cascades to measure, separated by commas");
+    addValue(command, "--repeats", experiment.repeats, std::string(kRepeatsHelp) + "; 0 measures no times")
+        ->check(CLI::Range(std::size_t{0}, kMaxRepeats));
     addThreads(command, experiment.threads);
-    command.add_option("--translucency-memory", arguments.memoryMiB, options::kTranslucencyMemoryHelp)
-        ->check(CLI::Range(std::uint64_t{1}, kMaxTranslucencyMiB))
-        ->capture_default_str();
+    addValue(command, "--translucency-memory", arguments.memoryMiB, options::kTranslucencyMemoryHelp)
+        ->check(CLI::Range(std::uint64_t{1}, kMaxTranslucencyMiB));
     addSeed(command, experiment.seed);
     addState(command, arguments.state);
     options::addFolder(command, "--out", arguments.folder,

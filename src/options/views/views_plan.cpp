@@ -4,13 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <cdr/base/enum_names.h>
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/base/suggest.h>
 #include <cdr/image/beside.h>
 #include <cdr/render/views/joined_frame.h>
 #include <cdr/scene/cube_sides.h>
-
-#include <fmt/format.h>
 
 #include <cmath>
 
@@ -50,7 +48,7 @@ ViewsKind parseKind(std::string_view name) {
 void requireStereoAlone(const ViewsArguments& arguments) {
     const auto refuse = [](bool isGiven, const char* option) {
         if (isGiven) {
-            throw base::InputError(fmt::format("{} is for two eyes: give --stereo too", option));
+            throw base::inputError("{} is for two eyes: give --stereo too", option);
         }
     };
     refuse(arguments.eyeDistance.has_value(), "--eye-distance");
@@ -92,8 +90,8 @@ ViewsPlan::ViewsPlan(const ViewsArguments& arguments, std::uint32_t width, std::
       m_width(width),
       m_height(height) {
     if (m_kind == ViewsKind::six && width != height) {
-        throw base::InputError(fmt::format(
-            "--views six has square pictures: give a --size such as 512x512, not {}x{}", width, height));
+        throw base::inputError("--views six has square pictures: give a --size such as 512x512, not {}x{}",
+                               width, height);
     }
     if (!arguments.stereo) {
         requireStereoAlone(arguments);
@@ -108,9 +106,9 @@ ViewsPlan::ViewsPlan(const ViewsArguments& arguments, std::uint32_t width, std::
         throw base::InputError("--stereo needs an --eye-distance");
     }
     if (!arguments.converge && m_rig.mode != scene::StereoMode::parallel) {
-        throw base::InputError(
-            fmt::format("--stereo {} needs a distance at which both pictures coincide: give --converge",
-                        nameOf(m_rig.mode)));
+        throw base::inputError(
+            "--stereo {} needs a distance at which both pictures coincide: give --converge",
+            nameOf(m_rig.mode));
     }
     m_rig.eyeDistance = *arguments.eyeDistance;
     if (arguments.converge && !std::isfinite(*arguments.converge)) {

@@ -2,12 +2,11 @@
 #include "soak.h"
 
 #include <CLI/CLI.hpp>
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/standard_streams.h>
 #include <scenes/open_scene.h>
 #include <viewer/session/program.h>
 
-#include <fmt/format.h>
 #include <options/number_checks.h>
 #include <options/parsed_option.h>
 #include <program/allocator.h>
@@ -72,8 +71,7 @@ void requireSteadyMemory(const Soak& soak, const DriveArguments& arguments) {
     const bool isShort = *arguments.soakSeconds < kShortSoakSeconds;
     const double most = arguments.largestGrowth.value_or(isShort ? kMaxGrowth : kLargestGrowth);
     if (const auto growth = soak.growth(); growth && *growth > most) {
-        throw base::RunError(
-            fmt::format("memory grew by {:.2f} % in the soak, where {:.2f} % is allowed", *growth, most));
+        throw base::runError("memory grew by {:.2f} % in the soak, where {:.2f} % is allowed", *growth, most);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "script.h"
 
+#include <cdr/base/format_error.h>
 #include <cdr/base/suggest.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/platform/file.h>
@@ -42,7 +43,7 @@ int keyOf(const std::string& name) {
             return GLFW_KEY_F1 + i - 1;
         }
     }
-    throw base::InputError(fmt::format("no key '{}'", name.substr(0, 20)));
+    throw base::inputError("no key '{}'", name.substr(0, 20));
 }
 
 /// The words of one line, taken in turn.
@@ -53,7 +54,7 @@ class Words {
     std::string next(const char* what) {
         std::string word;
         if (!(m_words >> word)) {
-            throw base::InputError(fmt::format("{} missing", what));
+            throw base::inputError("{} missing", what);
         }
         return word;
     }
@@ -66,7 +67,7 @@ class Words {
     static int wholeOf(const char* what, const std::string& word, int low, int high) {
         const double value = base::parseNumber(what, word);
         if (value < low || value > high || value != static_cast<double>(static_cast<int>(value))) {
-            throw base::InputError(fmt::format("{} must be {} to {}", what, low, high));
+            throw base::inputError("{} must be {} to {}", what, low, high);
         }
         return static_cast<int>(value);
     }
@@ -75,13 +76,13 @@ class Words {
         std::string words;
         std::getline(m_words >> std::ws, words);
         if (words.empty()) {
-            throw base::InputError(fmt::format("{} missing", what));
+            throw base::inputError("{} missing", what);
         }
         return words;
     }
     void requireEnd() {
         if (const std::string word = nextOr(""); !word.empty()) {
-            throw base::InputError(fmt::format("'{}' is one word too many", word.substr(0, 20)));
+            throw base::inputError("'{}' is one word too many", word.substr(0, 20));
         }
     }
 
@@ -206,7 +207,7 @@ std::vector<ScriptStep> parseScript(const std::string& text, const std::string& 
         try {
             readLine(line, steps);
         } catch (const base::InputError& error) {
-            throw base::InputError(fmt::format("{}, line {}: {}", name, number, error.what()));
+            throw base::inputError("{}, line {}: {}", name, number, error.what());
         }
     }
     return steps;

@@ -2,7 +2,7 @@
 
 #include "state_line.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/image/codec.h>
 #include <cdr/platform/standard_streams.h>
 #include <viewer/state/overloaded.h>
@@ -31,7 +31,7 @@ void savePicture(const std::filesystem::path& file, const ViewerModel& model) {
 ItemPlaces::Place ScriptPlayer::placeOf(const std::string& name, const ItemPlaces& places) {
     const auto place = places.find(name);
     if (!place) {
-        throw base::RunError(fmt::format("script: no item '{}' is shown", name));
+        throw base::runError("script: no item '{}' is shown", name);
     }
     return *place;
 }
@@ -45,7 +45,7 @@ void ScriptPlayer::clickItem(const ClickItem& click, ItemPlaces& places) {
         return;
     }
     if (!place.isInView) {
-        throw base::RunError(fmt::format("script: the item '{}' cannot be scrolled into view", click.name));
+        throw base::runError("script: the item '{}' cannot be scrolled into view", click.name);
     }
     m_steps.push_front(WaitUi{2}); // for what the click opens to be drawn
     m_steps.push_front(InputEvent(ButtonInput{.button = 0, .pressed = false}));

@@ -20,10 +20,6 @@ std::size_t SoakInput::pick(std::size_t count) {
     return std::min(static_cast<std::size_t>(uniform(0.0, static_cast<double>(count))), count - 1);
 }
 
-bool SoakInput::chance(double share) {
-    return uniform(0.0, 1.0) < share;
-}
-
 void SoakInput::moveMouse(CameraInput& input) {
     constexpr double kFarthestMove = 40.0; // pixels a frame
     m_drags = chance(0.03) ? !m_drags : m_drags;

@@ -45,7 +45,7 @@ class SoakInput {
   private:
     double uniform(double low, double high);
     std::size_t pick(std::size_t count); ///< below count
-    bool chance(double share);
+    bool chance(double share) { return uniform(0.0, 1.0) < share; }
     void moveMouse(CameraInput& input);
     void changeSettings();
     void changeFinish();

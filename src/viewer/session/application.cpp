@@ -64,10 +64,6 @@ bool Application::goesOn() const {
     return !m_quits && !isOver && !m_window.isClosing();
 }
 
-bool Application::waitsForPicture() const {
-    return m_player != nullptr && m_playerWaits && !m_session.isSettled();
-}
-
 void Application::wait() const {
     const bool isPlayed = m_player != nullptr;
     const bool isMinimised = m_window.extent().width == 0 || m_window.extent().height == 0;

@@ -41,7 +41,7 @@ class Application {
     using Clock = std::chrono::steady_clock;
     bool goesOn() const;
     /// Whether there is nothing to do but for the renderer, which wakes this.
-    bool waitsForPicture() const;
+    bool waitsForPicture() const { return m_player != nullptr && m_playerWaits && !m_session.isSettled(); }
     void wait() const;
     void stepPlayer();
     double secondsOfUpdate();

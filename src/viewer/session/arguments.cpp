@@ -1,7 +1,7 @@
 #include "arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/image/picture_size.h>
 #include <viewer/state/command_line.h>
 #include <viewer/window/window.h>
@@ -22,7 +22,7 @@ namespace cdr::viewer {
 namespace {
 
 void addViewOptions(CLI::App& program, Arguments& arguments) {
-    program.add_option("scene", arguments.scene, options::sceneHelp())->capture_default_str();
+    options::addValue(program, "scene", arguments.scene, options::sceneHelp());
     options::addSeed(program, arguments.seed);
     options::addColours(program, arguments.colours);
     options::addLayers(program, arguments.layers);
@@ -100,7 +100,7 @@ void addMeasuringOptions(CLI::App& program, Arguments& arguments) {
 std::array<depth::Technique, 2> parsePair(std::string_view text) {
     const std::size_t comma = text.find(',');
     if (comma == std::string_view::npos) {
-        throw base::InputError(fmt::format("--compare must be LEFT,RIGHT, not '{}'", text.substr(0, 60)));
+        throw base::inputError("--compare must be LEFT,RIGHT, not '{}'", text.substr(0, 60));
     }
     return {depth::parseTechnique(text.substr(0, comma)), depth::parseTechnique(text.substr(comma + 1))};
 }
@@ -109,8 +109,8 @@ PictureExtent parseWindowSize(std::string_view text) {
     const auto size = image::parsePictureSize(text);
     constexpr auto kMax = static_cast<std::uint32_t>(kMaxWindowSide);
     if (!size || size->width > kMax || size->height > kMax) {
-        throw base::InputError(fmt::format("size must be WIDTHxHEIGHT, 1 to {}, such as 1280x720, not '{}'",
-                                           kMaxWindowSide, text.substr(0, 60)));
+        throw base::inputError("size must be WIDTHxHEIGHT, 1 to {}, such as 1280x720, not '{}'",
+                               kMaxWindowSide, text.substr(0, 60));
     }
     return {.width = size->width, .height = size->height};
 }

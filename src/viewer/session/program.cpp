@@ -2,7 +2,7 @@
 
 #include "application.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/failure.h>
 #include <cdr/platform/standard_streams.h>
 #include <cdr/platform/unfinished_file.h>
@@ -24,8 +24,7 @@ void runViewer(const Arguments& arguments, Player* player) {
     }
     for (const auto& log : logs) {
         if (const auto messages = log->messages(); !messages.empty()) {
-            throw base::RunError(
-                fmt::format("{} validation messages, the first: {}", messages.size(), messages.front()));
+            throw base::runError("{} validation messages, the first: {}", messages.size(), messages.front());
         }
     }
 }

@@ -1,6 +1,6 @@
 #include "startup.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/image/codec.h>
 #include <cdr/platform/file.h>
 #include <cdr/render/renderer_setup.h>
@@ -111,7 +111,7 @@ std::filesystem::path freeName(const std::string& stem, const std::string& exten
             return name;
         }
     }
-    throw base::InputError(fmt::format("no free name {}-NNNN{} here", stem, extension));
+    throw base::inputError("no free name {}-NNNN{} here", stem, extension);
 }
 
 } // namespace cdr::viewer

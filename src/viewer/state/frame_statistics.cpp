@@ -57,20 +57,8 @@ StageSummary FrameStatistics::summarise(std::size_t series) const {
             .max = m_sorted.back()};
 }
 
-StageSummary FrameStatistics::summary(FrameStage stage) const {
-    return summarise(static_cast<std::size_t>(stage));
-}
-
-StageSummary FrameStatistics::total() const {
-    return summarise(kSeries - 1);
-}
-
 std::span<const float> FrameStatistics::ring(FrameStage stage) const {
     return std::span(m_rings[static_cast<std::size_t>(stage)]).first(m_frames);
-}
-
-std::span<const float> FrameStatistics::totalRing() const {
-    return std::span(m_rings.back()).first(m_frames);
 }
 
 } // namespace cdr::viewer

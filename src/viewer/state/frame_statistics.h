@@ -44,13 +44,13 @@ class FrameStatistics {
 
     std::size_t frames() const { return m_frames; } ///< at most the window
     /// All zero without a frame.
-    StageSummary summary(FrameStage stage) const;
+    StageSummary summary(FrameStage stage) const { return summarise(static_cast<std::size_t>(stage)); }
     /// Of all parts together, frame by frame.
-    StageSummary total() const;
+    StageSummary total() const { return summarise(kSeries - 1); }
 
     /// The kept frames' times as a ring: the oldest is at oldest(), what follows wraps around.
     std::span<const float> ring(FrameStage stage) const;
-    std::span<const float> totalRing() const;
+    std::span<const float> totalRing() const { return std::span(m_rings.back()).first(m_frames); }
     std::size_t oldest() const { return m_frames < m_window ? 0 : m_next; }
 
   private:

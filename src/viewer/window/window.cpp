@@ -1,16 +1,13 @@
 #include "window.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <viewer/state/overloaded.h>
-
-#include <fmt/format.h>
 
 // vulkan.hpp stands above, so that GLFW declares its Vulkan functions.
 #include <GLFW/glfw3.h>
 #include <imgui_impl_glfw.h>
 
 #include <cmath>
-#include <utility>
 
 namespace cdr::viewer {
 
@@ -26,8 +23,7 @@ std::string lastError() {
 
 WindowSystem::WindowSystem(const std::string& fallback) {
     if (glfwInit() != GLFW_TRUE) {
-        throw base::RunError(
-            fmt::format("no window system ({}); without one, render with: {}", lastError(), fallback));
+        throw base::runError("no window system ({}); without one, render with: {}", lastError(), fallback);
     }
     if (glfwVulkanSupported() != GLFW_TRUE) {
         glfwTerminate();
@@ -116,7 +112,7 @@ Window::Window(const WindowSystem&, std::uint32_t width, std::uint32_t height, c
     m_handle.reset(
         glfwCreateWindow(static_cast<int>(width), static_cast<int>(height), title.c_str(), nullptr, nullptr));
     if (m_handle == nullptr) {
-        throw base::RunError(fmt::format("no window: {}", lastError()));
+        throw base::runError("no window: {}", lastError());
     }
     GLFWwindow* window = m_handle.get();
     glfwSetWindowUserPointer(window, this);
@@ -145,10 +141,6 @@ vk::UniqueSurfaceKHR Window::makeSurface(vk::Instance instance) const {
 
 void Window::wait(double seconds) const {
     glfwWaitEventsTimeout(seconds);
-}
-
-std::vector<InputEvent> Window::takeEvents() {
-    return std::exchange(m_events, {});
 }
 
 void Window::inject(const InputEvent& event) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct GLFWwindow;
@@ -53,7 +54,7 @@ class Window {
     /// Processes what has arrived; waits for it at most that long.
     void wait(double seconds) const;
     /// What happened since the last call, in order.
-    std::vector<InputEvent> takeEvents();
+    std::vector<InputEvent> takeEvents() { return std::exchange(m_events, {}); }
     /// Calls the callbacks that GLFW would call.
     void inject(const InputEvent& event);
 

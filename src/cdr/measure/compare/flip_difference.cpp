@@ -1,8 +1,6 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/measure/compare/flip_color.h>
 #include <cdr/measure/compare/flip_difference.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -191,8 +189,7 @@ class FlipDifference::Tile {
 FlipDifference::FlipDifference(const Viewing& viewing) : m_reach(0) {
     const double scale = viewing.pixelsPerDegree;
     if (!(scale >= 1.0 && scale <= 1000.0)) {
-        throw base::InputError(
-            fmt::format("FLIP: a degree must span 1 to 1000 pixels, not {}", viewing.pixelsPerDegree));
+        throw base::inputError("FLIP: a degree must span 1 to 1000 pixels, not {}", viewing.pixelsPerDegree);
     }
     const auto radius = static_cast<std::uint32_t>(
         std::ceil(3.0 * std::sqrt(kBlueYellow[0].b / (2.0 * std::numbers::pi * std::numbers::pi)) * scale));
@@ -247,8 +244,8 @@ float combine(float colorDifference, float edgeDifference, float pointDifference
 image::ImageFloat FlipDifference::map(const image::ImageRgba8& reference, const image::ImageRgba8& test,
                                       platform::WorkerPool& workers) const {
     if (reference.width != test.width || reference.height != test.height) {
-        throw base::InputError(fmt::format("FLIP: {}x{} differs from {}x{}", reference.width,
-                                           reference.height, test.width, test.height));
+        throw base::inputError("FLIP: {}x{} differs from {}x{}", reference.width, reference.height,
+                               test.width, test.height);
     }
     image::ImageFloat map(test.width, test.height);
     const std::uint32_t columns = (test.width + kTileSide - 1) / kTileSide;

@@ -1,7 +1,5 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/measure/compare/wrong_pixels.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -16,8 +14,7 @@ constexpr image::Rgba8 kWrongOnEdge{255, 165, 0, 255};
 template <typename A, typename B>
 void requireSameSize(const image::Raster<A>& a, const image::Raster<B>& b, const char* what) {
     if (a.width != b.width || a.height != b.height) {
-        throw base::InputError(
-            fmt::format("{}: {}x{} differs from {}x{}", what, a.width, a.height, b.width, b.height));
+        throw base::inputError("{}: {}x{} differs from {}x{}", what, a.width, a.height, b.width, b.height);
     }
 }
 

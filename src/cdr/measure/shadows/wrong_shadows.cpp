@@ -1,7 +1,5 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/measure/shadows/wrong_shadows.h>
-
-#include <fmt/format.h>
 
 namespace cdr::measure {
 
@@ -31,8 +29,8 @@ Verdict verdictAt(const RenderedLight& light, const ShadowImage& truth, std::uin
 template <typename Take>
 void forVerdicts(const RenderedLight& light, const ShadowImage& truth, const Take& take) {
     if (light.reached.width != truth.width || light.reached.height != truth.height) {
-        throw base::InputError(fmt::format("shadows: {}x{} differs from {}x{}", light.reached.width,
-                                           light.reached.height, truth.width, truth.height));
+        throw base::inputError("shadows: {}x{} differs from {}x{}", light.reached.width, light.reached.height,
+                               truth.width, truth.height);
     }
     for (std::uint32_t y = 0; y < truth.height; ++y) {
         for (std::uint32_t x = 0; x < truth.width; ++x) {

@@ -1,10 +1,8 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/measure/truth/object_ray.h>
 #include <cdr/measure/truth/truth_air.h>
 #include <cdr/measure/truth/truth_light.h>
 #include <cdr/measure/truth/truth_shading.h>
-
-#include <fmt/format.h>
 
 #include <cmath>
 #include <optional>
@@ -26,7 +24,7 @@ struct Box {
 
 Box boxOf(const scene::Scene& scene, const scene::Camera& camera, std::size_t i) {
     const auto fail = [&](const char* what) {
-        throw base::InputError(fmt::format("truth picture: instance {} {}", i, what));
+        throw base::inputError("truth picture: instance {} {}", i, what);
     };
     const auto& halfSides = scene.meshes.at(scene.instances.mesh[i]).boxHalfSides;
     const scene::Material& material = scene.materials.at(scene.instances.material[i]);
@@ -54,8 +52,7 @@ std::vector<std::optional<Box>> boxesOf(const scene::Scene& scene, const scene::
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         std::optional<Box>& box = boxes.at(scene.instances.object[i]);
         if (box) {
-            throw base::InputError(
-                fmt::format("truth picture: object {} has two instances", scene.instances.object[i]));
+            throw base::inputError("truth picture: object {} has two instances", scene.instances.object[i]);
         }
         box = boxOf(scene, camera, i);
     }
@@ -90,8 +87,8 @@ image::Rgba8 shade(const scene::Scene& scene, const scene::Camera& camera, const
 template <typename A, typename B>
 void requireShadedSize(const image::Raster<A>& a, const image::Raster<B>& b) {
     if (a.width != b.width || a.height != b.height) {
-        throw base::InputError(
-            fmt::format("truth picture: {}x{} differs from {}x{}", a.width, a.height, b.width, b.height));
+        throw base::inputError("truth picture: {}x{} differs from {}x{}", a.width, a.height, b.width,
+                               b.height);
     }
 }
 

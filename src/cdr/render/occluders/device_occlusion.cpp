@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/occluders/device_occlusion.h>
@@ -11,8 +11,6 @@
 #include <cdr/shaders/reduce_depth_comp.h>
 #include <cdr/shaders/reduce_depth_squares_comp.h>
 #include <cdr/visibility/occluders.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -89,18 +87,18 @@ std::uint64_t DeviceOcclusion::predictBytes(const gpu::Device& device, vk::Exten
 void DeviceOcclusion::requireLimits(const gpu::Device& device, vk::Extent2D extent) {
     const std::uint64_t bytes = occluderCopyBytes(extent);
     if (bytes > device.info().maxStorageBufferBytes) {
-        throw base::RunError(fmt::format(
+        throw base::runError(
             "occlusion culling of a {}x{} picture on the device needs a {} byte buffer, {} allows {}",
-            extent.width, extent.height, bytes, device.info().name, device.info().maxStorageBufferBytes));
+            extent.width, extent.height, bytes, device.info().name, device.info().maxStorageBufferBytes);
     }
     // The passes that count read both sets.
     constexpr std::uint32_t kBothSets = BinningPass::kBindings + kBuffers;
     const std::uint32_t most =
         vk::PhysicalDevice(device.physical()).getProperties().limits.maxPerStageDescriptorStorageBuffers;
     if (most < kBothSets) {
-        throw base::RunError(
-            fmt::format("occlusion culling on the device needs {} storage buffers in a shader, {} allows {}",
-                        kBothSets, device.info().name, most));
+        throw base::runError(
+            "occlusion culling on the device needs {} storage buffers in a shader, {} allows {}", kBothSets,
+            device.info().name, most);
     }
     gpu::requireGroups(device, partsOf(tilesOf(extent).size(), kReduceInvocations),
                        "occlusion culling on the device");

@@ -1,9 +1,7 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/render/output/motion_history.h>
 #include <cdr/render/upload/last_vertices.h>
 #include <cdr/scene/world/change_log.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -92,9 +90,9 @@ std::vector<MovedObject> oncePerObject(std::vector<MovedObject> moved,
         if (!areAll || !std::all_of(first, end, [&](const MovedObject& part) {
                 return &part == &move.part || isOfMove(move, part);
             })) {
-            throw base::InputError(fmt::format("motion needs each object to move as one, and instances of "
-                                               "object {} moved apart",
-                                               first->object));
+            throw base::inputError("motion needs each object to move as one, and instances of "
+                                   "object {} moved apart",
+                                   first->object);
         }
         objects.push_back(move.part);
         first = end;
@@ -175,10 +173,6 @@ FrameMotion MotionHistory::follow(const DrawnScene& drawn, const scene::Camera& 
         ++m_instances[object];
     }
     return motion;
-}
-
-void MotionHistory::forget() {
-    *this = {};
 }
 
 } // namespace cdr::render

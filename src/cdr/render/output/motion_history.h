@@ -41,7 +41,7 @@ class MotionHistory {
     FrameMotion follow(const DrawnScene& drawn, const scene::Camera& camera);
 
     /// The next frame is a first one.
-    void forget();
+    void forget() { *this = {}; }
 
   private:
     /// A place of the scene's instances in the last frame.

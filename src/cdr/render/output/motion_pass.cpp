@@ -1,12 +1,10 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/commands.h>
 #include <cdr/render/output/motion_pass.h>
 #include <cdr/render/output/motion_records.h>
 #include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/output_motion_frag.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <span>
@@ -33,8 +31,8 @@ std::size_t bytesOf(std::size_t records) {
 gpu::Buffer makeInput(const gpu::Device& device, std::uint64_t bytes, const char* name) {
     const std::uint64_t most = device.info().maxStorageBufferBytes / kRoomStep * kRoomStep;
     if (bytes > most) {
-        throw base::RunError(fmt::format("motion: {} take {} bytes, more than the {} of a buffer of {}", name,
-                                         bytes, most, device.info().name));
+        throw base::runError("motion: {} take {} bytes, more than the {} of a buffer of {}", name, bytes,
+                             most, device.info().name);
     }
     const std::uint64_t room = std::min(roundedUp(bytes + bytes / 2), most);
     if (gpu::takesDeviceBytes(device, gpu::MemoryUse::hostWrites)) {

@@ -70,10 +70,6 @@ FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOp
            .depthCompare = writesDepth(options) ? vk::CompareOp::eAlways : vk::CompareOp::eEqual,
            .blend = options.blend})) {}
 
-PassInputs FullscreenPass::makeInputs() const {
-    return {m_device, m_setLayout, *m_sampler};
-}
-
 void FullscreenPass::record(vk::CommandBuffer primary, std::span<const Draw> draws,
                             const Scope& scope) const {
     const std::array colors{colorAttachment(scope.into.view(), scope.load, scope.clear),

@@ -57,7 +57,7 @@ class FullscreenPass {
     FullscreenPass(const gpu::Device& device, const FullscreenPassOptions& options);
 
     /// Inputs with nothing set; they must not outlive the pass.
-    PassInputs makeInputs() const;
+    PassInputs makeInputs() const { return {m_device, m_setLayout, *m_sampler}; }
 
     const gpu::SetLayout& setLayout() const { return m_setLayout; }
 

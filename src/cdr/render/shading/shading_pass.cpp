@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/commands.h>
 #include <cdr/render/shading/air_record.h>
 #include <cdr/render/shading/finish.h>
@@ -18,8 +18,6 @@
 #include <cdr/shaders/shading_occluded_shadowed_frag.h>
 #include <cdr/shaders/shading_shadowed_frag.h>
 #include <cdr/shaders/shading_vert.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -160,8 +158,8 @@ std::size_t ShadingPass::maxLights(const gpu::Device& device) {
 
 ShadingInputs ShadingPass::makeInputs(std::size_t lights) const {
     if (lights > maxLights(m_device)) {
-        throw base::RunError(fmt::format("the scene has {} lights, and a buffer of {} has room for {}",
-                                         lights, m_device.info().name, maxLights(m_device)));
+        throw base::runError("the scene has {} lights, and a buffer of {} has room for {}", lights,
+                             m_device.info().name, maxLights(m_device));
     }
     ShadingInputs inputs;
     inputs.m_effects = m_effects;

@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/rounding.h>
@@ -36,15 +36,15 @@ constexpr std::size_t kCommandInvocations = 64;
 
 const gpu::Device& checked(const gpu::Device& device, const scene::Instances& instances) {
     if (!device.info().gpuDrivenMissing.empty()) {
-        throw base::InputError(fmt::format("{} cannot draw gpu-driven: it lacks {}", device.info().name,
-                                           fmt::join(device.info().gpuDrivenMissing, ", ")));
+        throw base::inputError("{} cannot draw gpu-driven: it lacks {}", device.info().name,
+                               fmt::join(device.info().gpuDrivenMissing, ", "));
     }
     const std::size_t largest = instances.size() * sizeof(shaders::InstanceLook);
     if (largest > device.info().maxStorageBufferBytes) {
-        throw base::RunError(fmt::format("{} instances need a {} byte buffer to be drawn gpu-driven, {} "
-                                         "allows {}",
-                                         instances.size(), largest, device.info().name,
-                                         device.info().maxStorageBufferBytes));
+        throw base::runError("{} instances need a {} byte buffer to be drawn gpu-driven, {} "
+                             "allows {}",
+                             instances.size(), largest, device.info().name,
+                             device.info().maxStorageBufferBytes);
     }
     gpu::requireDeviceBytes(device, largest + instances.size() * sizeof(shaders::InstanceSphere),
                             "a gpu-driven scene");
@@ -330,10 +330,6 @@ void BinningPass::recordCopies(vk::CommandBuffer commands, const Copies& copies)
         m_scatter.record(commands, copies.scattered);
     }
     awaitScene(commands, PipelineStage::eComputeShader, Access::eShaderStorageRead);
-}
-
-std::uint64_t BinningPass::blocks() const {
-    return (instances() + shaders::kBinBlock - 1) / shaders::kBinBlock;
 }
 
 std::uint64_t BinningPass::listGroups(std::size_t cascades) const {

@@ -98,7 +98,8 @@ class BinningPass {
     Tables tables() const;
     void copyAll(Copies& copies) const;
     bool copyChanges(const Changes& changes, Copies& copies) const;
-    std::uint64_t blocks() const;                         ///< groups that count and fill
+    /// Groups that count and fill.
+    std::uint64_t blocks() const { return (instances() + shaders::kBinBlock - 1) / shaders::kBinBlock; }
     std::uint64_t listGroups(std::size_t cascades) const; ///< that list commands
     gpu::Pipeline makePipeline(const gpu::Spirv& spirv, const char* name) const;
 

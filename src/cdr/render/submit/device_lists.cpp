@@ -1,9 +1,7 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/submit/device_lists.h>
 #include <cdr/shaders/binning_shared.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,8 +70,8 @@ void DeviceLists::grow(List list, std::size_t bytes) {
     }
     bytes = std::max<std::size_t>(bytes, sizeof(shaders::DrawRecord)); // no buffer is empty
     if (bytes > m_device.info().maxStorageBufferBytes) {
-        throw base::RunError(fmt::format("gpu-driven draws need a {} byte buffer, {} allows {}", bytes,
-                                         m_device.info().name, m_device.info().maxStorageBufferBytes));
+        throw base::runError("gpu-driven draws need a {} byte buffer, {} allows {}", bytes,
+                             m_device.info().name, m_device.info().maxStorageBufferBytes);
     }
     gpu::requireDeviceBytes(m_device, bytes, "a list of gpu-driven draws");
     m_lists[list] =

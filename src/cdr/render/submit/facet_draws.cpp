@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/render/submit/facet_draws.h>
 
 #include <fmt/format.h>
@@ -28,8 +28,8 @@ std::size_t FacetDraws::mostDraws(std::size_t draws) const {
         vk::PhysicalDevice(device().physical()).getProperties().limits.maxTexelBufferElements;
     const std::uint64_t texels = draws * most.facets * kTexelsPerFacet;
     if (texels > maxTexels) {
-        throw base::RunError(fmt::format("{} draws have facets of {} texels, {} reads {}", draws, texels,
-                                         device().info().name, maxTexels));
+        throw base::runError("{} draws have facets of {} texels, {} reads {}", draws, texels,
+                             device().info().name, maxTexels);
     }
     return maxTexels / kTexelsPerFacet / std::max(most.facets, 1u);
 }

@@ -89,14 +89,6 @@ std::span<const vk::CommandBuffer> GpuDrivenPath::end(const FrameView&) {
     return {&m_primary, 1};
 }
 
-void GpuDrivenPath::noteLaunched() {
-    m_binning.noteLaunched();
-}
-
-void GpuDrivenPath::noteDropped() {
-    m_binning.noteDropped();
-}
-
 bool GpuDrivenPath::settle(FrameStats& stats) {
     const shaders::BinningResult* first = m_first ? m_first->settle() : nullptr;
     const shaders::BinningResult* result = m_lists.settle();

@@ -26,8 +26,8 @@ class GpuDrivenPath final : public DrawPath {
     void drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) override;
     std::span<const vk::CommandBuffer> endDraws(const FrameView& view) override;
     std::span<const vk::CommandBuffer> end(const FrameView& view) override;
-    void noteLaunched() override;
-    void noteDropped() override;
+    void noteLaunched() override { m_binning.noteLaunched(); }
+    void noteDropped() override { m_binning.noteDropped(); }
     bool settle(FrameStats& stats) override;
 
   private:

@@ -27,10 +27,6 @@ InstanceScatter::InstanceScatter(const gpu::Device& device)
           "scatter layout")),
       m_pipeline(gpu::makeComputePipeline(device, {"scatter", gpu::Spirv(kScatterComp), m_layout})) {}
 
-InstanceScatter::Slot InstanceScatter::makeSlot() const {
-    return {.set = {m_device, m_setLayout}};
-}
-
 std::size_t InstanceScatter::most() const {
     return std::min<std::size_t>(m_device.info().maxStorageBufferBytes / sizeof(shaders::InstanceChange),
                                  kMostGroups * kChangesPerGroup);

@@ -22,7 +22,7 @@ class InstanceScatter {
         gpu::Buffer changes{};
         std::uint32_t count = 0;
     };
-    Slot makeSlot() const;
+    Slot makeSlot() const { return {.set = {m_device, m_setLayout}}; }
 
     /// How many changes a frame may have.
     std::size_t most() const;

@@ -79,8 +79,4 @@ std::span<const vk::CommandBuffer> PrimaryPath::endDraws(const FrameView& view) 
     return std::span(m_commands).subspan(std::exchange(m_ended, m_commands.size()));
 }
 
-std::span<const vk::CommandBuffer> PrimaryPath::end(const FrameView& view) {
-    return endDraws(view);
-}
-
 } // namespace cdr::render

@@ -27,7 +27,7 @@ class PrimaryPath final : public DrawPath {
     vk::CommandBuffer primary() override;
     void drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) override;
     std::span<const vk::CommandBuffer> endDraws(const FrameView& view) override;
-    std::span<const vk::CommandBuffer> end(const FrameView& view) override;
+    std::span<const vk::CommandBuffer> end(const FrameView& view) override { return endDraws(view); }
     bool settle(FrameStats&) override { return true; }
     vk::BufferView facets() const override { return m_draws->facets(); }
 

@@ -3,7 +3,7 @@
 #include "single.h"
 
 #include <cdr/base/enum_names.h>
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 
 #include <fmt/format.h>
 
@@ -38,8 +38,8 @@ std::uint32_t parseLayers(std::string_view text) {
     std::uint32_t layers = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), layers);
     if (error != std::errc() || end != text.data() + text.size()) {
-        throw base::InputError(fmt::format("pool:N takes a whole number of layers, {} to {}, not '{}'",
-                                           kMinPoolLayers, kMaxPoolLayers, text.substr(0, 60)));
+        throw base::inputError("pool:N takes a whole number of layers, {} to {}, not '{}'", kMinPoolLayers,
+                               kMaxPoolLayers, text.substr(0, 60));
     }
     return layers;
 }
@@ -64,8 +64,7 @@ TargetsChoice::TargetsChoice(TargetsKind ofKind)
 
 TargetsChoice TargetsChoice::pool(std::uint32_t layers) {
     if (layers < kMinPoolLayers || layers > kMaxPoolLayers) {
-        throw base::InputError(
-            fmt::format("a pool has {} to {} layers, not {}", kMinPoolLayers, kMaxPoolLayers, layers));
+        throw base::inputError("a pool has {} to {} layers, not {}", kMinPoolLayers, kMaxPoolLayers, layers);
     }
     TargetsChoice choice(TargetsKind::pool);
     choice.layers = layers;
@@ -84,14 +83,9 @@ TargetsChoice parseTargets(std::string_view text) {
         return kind;
     }
     if (kind != TargetsKind::pool) {
-        throw base::InputError(
-            fmt::format("targets {} take no number of layers, only pool:N does", nameOf(kind)));
+        throw base::inputError("targets {} take no number of layers, only pool:N does", nameOf(kind));
     }
     return TargetsChoice::pool(parseLayers(text.substr(colon + 1)));
-}
-
-DepthSlice Targets::depthSlice(std::size_t, std::size_t) const {
-    return {};
 }
 
 void Targets::begin(vk::CommandBuffer) const {}

@@ -35,7 +35,7 @@ class Targets {
     Targets& operator=(const Targets&) = delete;
 
     /// Slice of the depth range in which cascade `cascade` of `cascades` draws: all of it, unless they share.
-    virtual DepthSlice depthSlice(std::size_t cascade, std::size_t cascades) const;
+    virtual DepthSlice depthSlice(std::size_t /*cascade*/, std::size_t /*cascades*/) const { return {}; }
 
     /// Takes the images over from whoever used them before, as far as that can be done ahead of record(). That follows in
     /// the same frame. Other targets' draws may lie in between, and then need not wait for each other.

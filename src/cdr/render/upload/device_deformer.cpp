@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/rounding.h>
 #include <cdr/gpu/upload.h>
 #include <cdr/render/materials/packed_vertex.h>
@@ -26,8 +26,8 @@ constexpr std::size_t kMaxSlots = kMaxFramesInFlight + 1;
 const gpu::Device& deforming(const gpu::Device& device) {
     const gpu::DeviceInfo& info = device.info();
     if (!info.deformMissing.empty()) {
-        throw base::InputError(fmt::format("{} cannot deform meshes: it lacks {}", info.name,
-                                           fmt::join(info.deformMissing, ", ")));
+        throw base::inputError("{} cannot deform meshes: it lacks {}", info.name,
+                               fmt::join(info.deformMissing, ", "));
     }
     return device;
 }
@@ -101,8 +101,8 @@ void DeviceDeformer::provide(std::span<const DeformJob> jobs) {
         const std::uint64_t bytes = countWords(*deformer) * sizeof(std::uint32_t);
         const std::string what = fmt::format("mesh {}, which the device deforms,", job.mesh);
         if (bytes > m_device.info().maxStorageBufferBytes) {
-            throw base::RunError(fmt::format("{} needs a {} byte buffer, {} allows {}", what, bytes,
-                                             m_device.info().name, m_device.info().maxStorageBufferBytes));
+            throw base::runError("{} needs a {} byte buffer, {} allows {}", what, bytes, m_device.info().name,
+                                 m_device.info().maxStorageBufferBytes);
         }
         gpu::requireDeviceBytes(m_device, bytes, what);
         const DeformerWords made = wordsOf(*deformer);

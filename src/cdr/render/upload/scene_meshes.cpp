@@ -1,10 +1,8 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/upload.h>
 #include <cdr/render/materials/packed_vertex.h>
 #include <cdr/render/upload/closed_mesh.h>
 #include <cdr/render/upload/scene_meshes.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -129,9 +127,9 @@ void SceneMeshes::requireRoom(const scene::Scene& scene) const {
     const Counts needed = countsOf(scene);
     const Counts room = most();
     if (needed.vertices > room.vertices || needed.indices > room.indices) {
-        throw base::RunError(fmt::format(
+        throw base::runError(
             "the meshes of scene {} have {} vertices and {} indices, {} has buffers for {} and {}",
-            scene.name, needed.vertices, needed.indices, m_device.info().name, room.vertices, room.indices));
+            scene.name, needed.vertices, needed.indices, m_device.info().name, room.vertices, room.indices);
     }
 }
 
@@ -139,9 +137,8 @@ void SceneMeshes::requireIndices(const scene::Scene& scene, std::uint32_t mesh) 
     const std::size_t vertices = scene.meshes[mesh].vertices.size();
     const std::uint64_t nameable = std::uint64_t{m_device.info().maxIndex} + 1;
     if (vertices > nameable) {
-        throw base::InputError(
-            fmt::format("mesh {} of scene {} has {} vertices, {} draws at most {} of a mesh", mesh,
-                        scene.name, vertices, m_device.info().name, nameable));
+        throw base::inputError("mesh {} of scene {} has {} vertices, {} draws at most {} of a mesh", mesh,
+                               scene.name, vertices, m_device.info().name, nameable);
     }
 }
 

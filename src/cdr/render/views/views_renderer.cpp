@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/gpu/commands.h>
 #include <cdr/platform/stage_watch.h>
 #include <cdr/platform/stopwatch.h>
@@ -7,8 +7,6 @@
 #include <cdr/render/frame_split.h>
 #include <cdr/render/views/views_renderer.h>
 #include <cdr/visibility/cull_cells.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
@@ -19,7 +17,7 @@ namespace {
 
 void requireCameras(std::span<const scene::Camera> cameras, std::size_t views) {
     if (cameras.size() != views) {
-        throw base::InputError(fmt::format("{} cameras were given for {} views", cameras.size(), views));
+        throw base::inputError("{} cameras were given for {} views", cameras.size(), views);
     }
     for (const scene::Camera& camera : cameras) {
         scene::requireUsable(camera);
@@ -33,7 +31,7 @@ void requireCameras(std::span<const scene::Camera> cameras, std::size_t views) {
 
 void requireFrames(std::span<const HostFrame> frames, std::size_t views) {
     if (frames.size() != views) {
-        throw base::InputError(fmt::format("{} frames were given for {} views", frames.size(), views));
+        throw base::inputError("{} frames were given for {} views", frames.size(), views);
     }
     std::vector<VkImage> images;
     for (const HostFrame& frame : frames) {
@@ -80,7 +78,7 @@ template <typename Make>
 ViewsRenderer::ViewsRenderer(std::size_t views, const RenderOptions& options, const Make& make)
     : m_split(std::make_unique<FrameSplit>(options.technique)) {
     if (views == 0 || views > kMaxViews) {
-        throw base::InputError(fmt::format("views must be 1 to {}, not {}", kMaxViews, views));
+        throw base::inputError("views must be 1 to {}, not {}", kMaxViews, views);
     }
     for (std::size_t view = 0; view < views; ++view) {
         m_views.push_back(make());

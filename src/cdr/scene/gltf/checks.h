@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cdr/base/error.h>
-
-#include <fmt/format.h>
+#include <cdr/base/format_error.h>
 
 #include <algorithm>
 #include <array>
@@ -18,7 +16,7 @@ namespace cdr::scene::gltf {
 /// Refuses the file being imported; importGltf() puts the file's name in front of the message.
 template <typename... Args>
 [[noreturn]] void refuse(fmt::format_string<Args...> what, Args&&... args) {
-    throw base::InputError(fmt::format(what, std::forward<Args>(args)...));
+    throw base::inputError(what, std::forward<Args>(args)...);
 }
 
 /// The item that a glTF index means; refuses an index without one. `kind` says what the items are, in the

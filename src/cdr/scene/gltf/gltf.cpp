@@ -15,6 +15,7 @@
 #include "part_names.h"
 #include "solids/solids.h"
 
+#include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 #include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/lod/mesh_pieces.h>
@@ -454,7 +455,7 @@ GltfImport importGltf(const ByteSource& file, const std::filesystem::path& path,
     try {
         return importParts(file, path, limits, scene);
     } catch (const base::InputError& error) {
-        throw base::InputError(fmt::format("{}: {}", platform::oneLine(path), oneLine(error.what())));
+        throw base::inputError("{}: {}", platform::oneLine(path), oneLine(error.what()));
     }
 }
 
@@ -469,8 +470,8 @@ GltfImport loadGltf(const std::filesystem::path& path, const GltfLimits& limits,
 GltfImport loadGltf(std::span<const std::byte> file, const std::string& name, const GltfLimits& limits,
                     std::optional<std::uint32_t> scene) {
     if (file.size() > limits.maxFileBytes) {
-        throw base::InputError(fmt::format("{}: its {} bytes are over the limit of {}", gltf::oneLine(name),
-                                           file.size(), limits.maxFileBytes));
+        throw base::inputError("{}: its {} bytes are over the limit of {}", gltf::oneLine(name), file.size(),
+                               limits.maxFileBytes);
     }
     const gltf::ByteSource bytes(std::span(reinterpret_cast<const std::uint8_t*>(file.data()), file.size()));
     return gltf::importGltf(bytes, name, limits, scene);

@@ -2,7 +2,7 @@
 #include "nodes/moving_lights.h"
 
 #include <cdr/base/enum_names.h>
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 #include <cdr/platform/worker_pool.h>
 #include <cdr/scene/animation/node_camera.h>
@@ -126,8 +126,8 @@ std::optional<GltfCamera> chosenCamera(const std::filesystem::path& path, const 
     for (std::size_t i = 0; i < std::min<std::size_t>(import.cameras.size(), 10); ++i) {
         names += fmt::format("{} {} '{}'", i == 0 ? ":" : ",", i, import.cameras[i].name);
     }
-    throw base::InputError(fmt::format("{}: camera {} does not exist, the scene has {}{}",
-                                       platform::oneLine(path), *choice, import.cameras.size(), names));
+    throw base::inputError("{}: camera {} does not exist, the scene has {}{}", platform::oneLine(path),
+                           *choice, import.cameras.size(), names);
 }
 
 constexpr base::EnumNames<ModelLight, kModelLights.size()> kLightNames{"light", {"lamps", "sky", "file"}};
@@ -147,8 +147,8 @@ std::optional<std::size_t> chosenAnimation(const std::filesystem::path& path,
         return std::nullopt;
     }
     if (animations.empty()) {
-        throw base::InputError(fmt::format(
-            "{}: it has no animations, which --animation, --time and --fps play", platform::oneLine(path)));
+        throw base::inputError("{}: it has no animations, which --animation, --time and --fps play",
+                               platform::oneLine(path));
     }
     if (!choice.animation) {
         return 0;
@@ -160,9 +160,8 @@ std::optional<std::size_t> chosenAnimation(const std::filesystem::path& path,
     for (std::size_t i = 0; i < std::min<std::size_t>(animations.size(), 10); ++i) {
         names += fmt::format("{} {} '{}'", i == 0 ? ":" : ",", i, animations[i].name);
     }
-    throw base::InputError(fmt::format("{}: animation '{}' does not exist, the file has {}{}",
-                                       platform::oneLine(path), choice.animation->substr(0, 60),
-                                       animations.size(), names));
+    throw base::inputError("{}: animation '{}' does not exist, the file has {}{}", platform::oneLine(path),
+                           choice.animation->substr(0, 60), animations.size(), names);
 }
 
 std::string animationsNote(const std::vector<Animation>& animations) {
@@ -361,22 +360,21 @@ bool isGltfPath(const std::filesystem::path& path) {
 
 void requireUsable(const GltfChoice& choice) {
     if (choice.seconds && !(*choice.seconds >= 0.0 && std::isfinite(*choice.seconds))) {
-        throw base::InputError(
-            fmt::format("--time must be finite and at least 0, in seconds, not {}", *choice.seconds));
+        throw base::inputError("--time must be finite and at least 0, in seconds, not {}", *choice.seconds);
     }
     if (choice.framesPerSecond &&
         !(*choice.framesPerSecond > 0.0 && *choice.framesPerSecond <= kMaxFramesPerSecond)) {
-        throw base::InputError(fmt::format("--fps must be above 0 and at most {}, not {}",
-                                           kMaxFramesPerSecond, *choice.framesPerSecond));
+        throw base::inputError("--fps must be above 0 and at most {}, not {}", kMaxFramesPerSecond,
+                               *choice.framesPerSecond);
     }
     if (choice.textureMiB && (*choice.textureMiB < 1 || *choice.textureMiB > kMaxTextureMiB)) {
-        throw base::InputError(fmt::format("--texture-memory must be from 1 to {}, in MiB, not {}",
-                                           kMaxTextureMiB, *choice.textureMiB));
+        throw base::inputError("--texture-memory must be from 1 to {}, in MiB, not {}", kMaxTextureMiB,
+                               *choice.textureMiB);
     }
     if (choice.pointRadius &&
         !(*choice.pointRadius >= kMinPointRadius && *choice.pointRadius <= kMaxPointRadius)) {
-        throw base::InputError(fmt::format("--points must be from {} to {}, in scene units, not {}",
-                                           kMinPointRadius, kMaxPointRadius, *choice.pointRadius));
+        throw base::inputError("--points must be from {} to {}, in scene units, not {}", kMinPointRadius,
+                               kMaxPointRadius, *choice.pointRadius);
     }
 }
 

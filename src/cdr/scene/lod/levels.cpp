@@ -1,9 +1,7 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/scene/lod/levels.h>
 #include <cdr/scene/lod/shared_mesh.h>
 #include <cdr/scene/lod/surface_distance.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -14,16 +12,14 @@ namespace {
 
 void requireUsableLevels(const LevelOptions& options) {
     if (!(options.ratio > 0.0 && options.ratio < 1.0)) {
-        throw base::InputError(
-            fmt::format("levels: the ratio must lie between 0 and 1, not {}", options.ratio));
+        throw base::inputError("levels: the ratio must lie between 0 and 1, not {}", options.ratio);
     }
     if (!(options.leastGain >= 0.0 && options.leastGain < 1.0)) {
-        throw base::InputError(
-            fmt::format("levels: the least gain must be at least 0 and below 1, not {}", options.leastGain));
+        throw base::inputError("levels: the least gain must be at least 0 and below 1, not {}",
+                               options.leastGain);
     }
     if (options.most > kMaxLevels) {
-        throw base::InputError(
-            fmt::format("levels: at most {} beside the mesh, not {}", kMaxLevels, options.most));
+        throw base::inputError("levels: at most {} beside the mesh, not {}", kMaxLevels, options.most);
     }
 }
 

@@ -1,7 +1,5 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/scene/world/check.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +13,7 @@ namespace {
 
 template <typename... Values>
 [[noreturn]] void refuseUse(fmt::format_string<Values...> format, Values&&... values) {
-    throw base::InputError(fmt::format(format, std::forward<Values>(values)...));
+    throw base::inputError(format, std::forward<Values>(values)...);
 }
 
 // With these an instance's radius is a finite float.

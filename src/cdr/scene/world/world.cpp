@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/scene/world/world.h>
 
 #include <fmt/format.h>
@@ -23,9 +23,9 @@ void requireAlike(const Deformer& deformer, const Mesh& mesh, const std::string&
     };
     const auto require = [&](bool isAlike, const char* part) {
         if (!isAlike) {
-            throw base::InputError(fmt::format("{}: its deformer has other {} than the mesh, and a pose "
-                                               "changes positions, normals and tangents alone",
-                                               what, part));
+            throw base::inputError("{}: its deformer has other {} than the mesh, and a pose "
+                                   "changes positions, normals and tangents alone",
+                                   what, part);
         }
     };
     require(areAlike(deformer.vertices, mesh.vertices, &Vertex::color), "colours");
@@ -97,7 +97,7 @@ void World::requireInstance(const InstanceOptions& options) const {
     m_meshes.places().require(options.mesh);
     m_materials.places().require(options.material);
     if (options.object > kMaxObjects) {
-        throw base::InputError(fmt::format("object {} is over the limit of {}", options.object, kMaxObjects));
+        throw base::inputError("object {} is over the limit of {}", options.object, kMaxObjects);
     }
     requireUsable(options.transform, "the new instance");
 }
@@ -142,8 +142,7 @@ void World::setTransform(InstanceHandle handle, const Transform& transform) {
 
 void World::setTransforms(std::span<const InstanceHandle> handles, std::span<const Transform> transforms) {
     if (handles.size() != transforms.size()) {
-        throw base::InputError(
-            fmt::format("{} instances cannot take {} transforms", handles.size(), transforms.size()));
+        throw base::inputError("{} instances cannot take {} transforms", handles.size(), transforms.size());
     }
     for (std::size_t i = 0; i < handles.size(); ++i) {
         m_instances.require(handles[i]);
@@ -221,8 +220,8 @@ Mesh& World::requireDeformable(MeshHandle handle, std::size_t vertices) {
     Mesh& mesh = m_scene.meshes[handle.index];
     const std::string what = nameOf("mesh", handle);
     if (vertices != mesh.vertices.size()) {
-        throw base::InputError(fmt::format("{}: {} vertices cannot stand in the place of {}", what, vertices,
-                                           mesh.vertices.size()));
+        throw base::inputError("{}: {} vertices cannot stand in the place of {}", what, vertices,
+                               mesh.vertices.size());
     }
     if (!mesh.levels.empty() || !mesh.clusters.clusters.empty()) {
         throw base::InputError(what + ": its levels of detail would not hold for other vertices");

@@ -68,10 +68,6 @@ MovingParts::MovingParts(const json& root, const PlacedNodes& nodes, Accessors& 
     }
 }
 
-bool MovingParts::moves(const MeshNode& node) const {
-    return m_animated[static_cast<std::size_t>(node.node)];
-}
-
 std::optional<std::size_t> MovingParts::skinOf(const MeshNode& node, const Primitive& primitive) const {
     return node.skin && hasJoints(primitive) ? std::optional(m_skins.at(*node.skin)) : std::nullopt;
 }

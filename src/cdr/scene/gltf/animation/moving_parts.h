@@ -31,7 +31,7 @@ class MovingParts {
                 MemoryPrediction& memory, Notes& notes);
 
     /// Whether an animation may move or deform what a node draws.
-    bool moves(const MeshNode& node) const;
+    bool moves(const MeshNode& node) const { return m_animated[static_cast<std::size_t>(node.node)]; }
     /// Whether a primitive deforms where a node draws it: it needs a mesh of its own there.
     bool deforms(const MeshNode& node, const Primitive& primitive) const;
     /// What such a primitive takes: its deformer, and what poses it.

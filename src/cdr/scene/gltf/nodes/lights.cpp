@@ -3,6 +3,8 @@
 #include "../checks.h"
 #include "../json.h"
 
+#include <cdr/base/format_error.h>
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -157,8 +159,7 @@ PointLight pointLightOf(const GltfLight& light, const glm::dvec3& centre, double
     const glm::vec3 color =
         light.color * static_cast<float>(light.direction ? strength : strength / (core * core));
     if (!std::isfinite(color.r + color.g + color.b)) {
-        throw base::InputError(
-            fmt::format("light '{}' is too strong for a scene of radius {}", light.name, radius));
+        throw base::inputError("light '{}' is too strong for a scene of radius {}", light.name, radius);
     }
     if (light.direction) {
         return directionalLight(*light.direction, color, centre, radius);
