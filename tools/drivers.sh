@@ -3,7 +3,7 @@
 # Usage: tools/drivers.sh system|mesa|swiftshader COMMAND [ARGUMENT...]
 #   system       the driver that the loader finds first
 #   mesa         lavapipe of the distribution's backports (packages mesa-vulkan-drivers and libdrm2)
-#   swiftshader  what Chromium draws with (package chromium; the installed one, where it is)
+#   swiftshader  what Chromium draws with (package chromium-common; the installed one, where it is)
 #
 # What is missing is downloaded through apt and unpacked into .cache/drivers. Nothing is installed.
 set -euo pipefail
@@ -57,13 +57,13 @@ fetch_swiftshader() {
         mkdir -p "$new/usr/lib/chromium"
         cp /usr/lib/chromium/libvk_swiftshader.so "$new/usr/lib/chromium"
         # shellcheck disable=SC2016
-        dpkg-query --showformat '${Package} ${Version}\n' --show chromium >"$new/packages"
+        dpkg-query --showformat '${Package} ${Version}\n' --show chromium-common >"$new/packages"
     else
-        echo "tools/drivers.sh: fetching chromium into $folder (81 MB, of which 5 MB stay)" >&2
-        (cd "$scratch" && apt-get download chromium) >"$scratch/log" 2>&1 </dev/null ||
-            { cat "$scratch/log" >&2 && fail "apt did not deliver chromium, which holds SwiftShader"; }
-        unpack chromium "$new" './usr/lib/chromium/libvk_swiftshader.so' ||
-            fail "this distribution's chromium holds no SwiftShader"
+        echo "tools/drivers.sh: fetching chromium-common into $folder (32 MB, of which 5 MB stay)" >&2
+        (cd "$scratch" && apt-get download chromium-common) >"$scratch/log" 2>&1 </dev/null ||
+            { cat "$scratch/log" >&2 && fail "apt did not deliver chromium-common, which holds SwiftShader"; }
+        unpack chromium-common "$new" './usr/lib/chromium/libvk_swiftshader.so' ||
+            fail "this distribution's chromium-common holds no SwiftShader"
     fi
     rm -rf "$folder" && mkdir -p "$unpacked" && mv "$new" "$folder"
 }
