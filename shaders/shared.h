@@ -51,6 +51,9 @@ CDR_CONST kFinishNeutral = 2u; // times an exposure, then tone mapping by Khrono
 // Most cascades, depth::kMaxCascades.
 CDR_CONST kCascadeSlots = 64u;
 
+// Lights that cast shadows: the channels of the mask that says which of them reach a surface. scene::kMaxShadowLights.
+CDR_CONST kShadowChannels = 4u;
+
 // A material's detail, in a uniform buffer.
 struct DetailRecord {
     vec4 emissionAndNormalScale;        // linear emission; the normal texture's scale

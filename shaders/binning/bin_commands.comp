@@ -3,9 +3,9 @@
 #include "binning/binning.glsl"
 
 // Last pass: one invocation per bucket and group lists the group's runs that have draws, in scene order, and counts them.
-layout(local_size_x = 64) in;
+layout(local_size_x = kCommandsBlock) in;
 
-// The level of detail a run's one instance is drawn at in a cascade, as scene::chooseLevels() has it.
+// The level of detail a run's one instance is drawn at in a cascade, as visibility::chooseLevels() has it.
 uint levelOf(KindRun run, uint cascade) {
     if (run.levels == 0u) {
         return 0u;

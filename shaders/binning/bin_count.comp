@@ -5,10 +5,10 @@
 #include "occluders/hidden.glsl"
 #endif
 
-// First pass: sphere against frustum and cascades, as scene::cullSpheres() and scene::binByDistance() do it, and how
+// First pass: sphere against frustum and cascades, as visibility::cullSpheres() and visibility::binByDistance() do it, and how
 // many instances of the block land in each bucket. CHOOSES_OCCLUDERS: none but occluders. DROPS_HIDDEN: none that they
 // hide, and the next frame is told what was seen.
-layout(local_size_x = 256) in;
+layout(local_size_x = kBinBlock) in;
 
 uint landingOf(InstanceSphere sphere) {
     double w = viewDistance(sphere);

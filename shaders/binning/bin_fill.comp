@@ -3,7 +3,7 @@
 #include "binning/binning.glsl"
 
 // Third pass: writes each landed instance's draw records, in instance order within a bucket, and where each run begins.
-layout(local_size_x = 256) in;
+layout(local_size_x = kBinBlock) in;
 
 // A row of (view * basis), as render::DrawRecordMaker turns it: in float64, then rounded.
 vec3 turned(double axis[3], InstanceLook look) {

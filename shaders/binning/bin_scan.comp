@@ -4,7 +4,7 @@
 
 // Second pass, one workgroup: turns the draws of each bucket and block into where they begin, bucket by bucket. The row
 // after the last bucket counts visible instances, so its first entry becomes the number of draws.
-layout(local_size_x = 256) in;
+layout(local_size_x = kBinBlock) in;
 
 shared uint sums[kBinBlock];
 

@@ -9,6 +9,9 @@ CDR_SHARED_BEGIN
 
 // Instances per workgroup, one invocation each.
 CDR_CONST kBinBlock = 256u;
+// Invocations per workgroup of bin_commands.comp, and of scatter.comp.
+CDR_CONST kCommandsBlock = 64u;
+CDR_CONST kChangesBlock = 256u;
 // A compact and a wide bucket per cascade, nearest cascade first, as visibility::DrawLists has them.
 CDR_CONST kBinBuckets = 128u;
 

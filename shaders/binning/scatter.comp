@@ -4,7 +4,7 @@
 #include "binning/binning_shared.h"
 
 // Before the passes that bin: puts what changed of some instances where they stand, one invocation for each.
-layout(local_size_x = 256) in;
+layout(local_size_x = kChangesBlock) in;
 
 layout(set = 0, binding = 0, std430) readonly buffer Changes { InstanceChange changes[]; };
 layout(set = 0, binding = 1, std430) writeonly buffer Spheres { InstanceSphere spheres[]; };

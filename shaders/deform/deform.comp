@@ -8,12 +8,9 @@ layout(local_size_x = kDeformBlock) in;
 
 layout(set = 0, binding = 0, std430) readonly buffer Deformer { uint rest[]; };
 layout(set = 0, binding = 1, std430) readonly buffer Pose { double pose[]; };
-layout(set = 0, binding = 2, std430) buffer Vertices { uint vertices[]; }; // PackedVertex: 7 words
-layout(set = 0, binding = 3, std430) buffer Details { uint details[]; };   // PackedDetail: 4 words
+layout(set = 0, binding = 2, std430) buffer Vertices { uint vertices[]; }; // PackedVertex
+layout(set = 0, binding = 3, std430) buffer Details { uint details[]; };   // PackedDetail
 layout(push_constant) uniform Push { DeformPush push; };
-
-const uint kVertexWords = 7u;
-const uint kDetailWords = 4u;
 
 struct Point {
     dvec3 position;

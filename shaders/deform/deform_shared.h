@@ -19,6 +19,9 @@ CDR_CONST kDeformSkin = 8u;    // joints place the vertices
 CDR_CONST kRestWords = 10u;
 // Words of what a target does to a vertex: the target, then its position, normal and tangent.
 CDR_CONST kDeltaWords = 10u;
+// Words of what is written: render::PackedVertex and PackedDetail.
+CDR_CONST kVertexWords = 7u;
+CDR_CONST kDetailWords = 4u;
 // Numbers of a pose before the weights: position and basis of its place, the deformer's centre, and one unused.
 CDR_CONST kPlaceNumbers = 16u;
 
@@ -34,6 +37,8 @@ struct DeformPush {
     uint firstDetailWord;
     uint flags;
 };
+
+static_assert(sizeof(DeformPush) == 36);
 
 CDR_SHARED_END
 

@@ -9,6 +9,8 @@ CDR_SHARED_BEGIN
 // Pixels along the side of a tile, and tiles along that of a square.
 CDR_CONST kTileSide = 8u;
 CDR_CONST kSquareSide = 8u;
+// Invocations per workgroup of reduce_depth.comp.
+CDR_CONST kReduceBlock = 64u;
 // Distances at which margins are known, each in the same ratio to the last.
 CDR_CONST kMarginNodes = 512u;
 

@@ -4,7 +4,7 @@
 #include "occluders/occluders.glsl"
 
 // From where on all is hidden: one invocation for each tile; with SQUARES, for each square of tiles.
-layout(local_size_x = 64) in;
+layout(local_size_x = kReduceBlock) in;
 
 float never() { return uintBitsToFloat(0x7f800000u); }
 // Of this pass and of the depths it reads.

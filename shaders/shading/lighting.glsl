@@ -78,7 +78,7 @@ struct LitPoint {
 
 // The share of a light that no shadow takes.
 #ifdef SHADOWED
-float shareOf(LitPoint point, uint light) { return light < 4u ? point.reached[light] : 1.0; }
+float shareOf(LitPoint point, uint light) { return light < kShadowChannels ? point.reached[light] : 1.0; }
 #else
 float shareOf(LitPoint point, uint light) { return 1.0; }
 #endif

@@ -8,12 +8,11 @@
 #define CDR_SHADERS_METALLIC_ROUGHNESS_GLSL
 
 #include "shared.h"
+#include "shading/brightest.glsl"
 
 const float kDielectric = 0.04; // what a dielectric mirrors at normal incidence
 // Lights are points: what is smoother would show a highlight smaller than a pixel.
 const float kMinRoughness = 0.08;
-// Half floats, and their sums where surfaces blend, must hold what a surface sends.
-const float kBrightest = 16.0;
 
 struct MetallicRoughness {
     vec3 diffuse; // albedo of what a dielectric does not mirror, times its share in the mix

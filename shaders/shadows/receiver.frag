@@ -22,7 +22,7 @@ layout(location = 0) out vec4 outReached;
 void main() {
     vec2 ray = rayHere();
     float reached = isReached(push, seenHere(ray).receiver, ray) ? 1.0 : 0.0;
-    for (uint i = 0u; i < 4u; ++i) {
+    for (uint i = 0u; i < kShadowChannels; ++i) {
         outReached[i] = i == push.channel ? reached : 1.0;
     }
 }

@@ -1,10 +1,10 @@
 // The emission buffer: beside the G-buffer of scenes that need one, 4 bytes a pixel, meaningful where the id word has
-// kIdEmits. Cube roots of emission as three unorm8, up to kMaxEmission; above them the share of ambient light that
+// kIdEmits. Cube roots of emission as three unorm8, up to kBrightest; above them the share of ambient light that
 // arrives, unorm8. A cube root's steps are 3 % of a colour as bright as white and finer below, and reach far above it.
 #ifndef CDR_SHADERS_EMISSION_GLSL
 #define CDR_SHADERS_EMISSION_GLSL
 
-const float kMaxEmission = 16.0; // kBrightest of metallic_roughness.glsl
+#include "shading/brightest.glsl"
 
 // Within 2e-5 of it, for x in [0, 1]. pow() takes a logarithm and an exponential, which cost a software rasteriser more than a texture.
 // A third of the bits of a float is a third of its logarithm, within 4 %. Two of Newton's steps towards the root's inverse follow.
@@ -17,13 +17,13 @@ vec3 cubeRoot(vec3 x) {
 }
 
 uint encodeEmission(vec3 emission, float openness) {
-    vec3 root = cubeRoot(clamp(emission * (1.0 / kMaxEmission), 0.0, 1.0));
+    vec3 root = cubeRoot(clamp(emission * (1.0 / kBrightest), 0.0, 1.0));
     return packUnorm4x8(vec4(root, openness));
 }
 
 vec3 emissionOf(uint word) {
     vec3 root = vec3((uvec3(word) >> uvec3(0u, 8u, 16u)) & 0xffu) * (1.0 / 255.0);
-    return root * root * root * kMaxEmission;
+    return root * root * root * kBrightest;
 }
 
 float opennessOf(uint word) { return float(word >> 24) * (1.0 / 255.0); }

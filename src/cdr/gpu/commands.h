@@ -36,7 +36,7 @@ class CommandPool {
 vk::CommandBuffer beginOnce(CommandPool& pool);
 
 /// Submits command buffers that run in this order, after `waits`, and signals `signals` and `done`. `done` is
-/// unsignalled until then, or null. base::RunError when the device is lost.
+/// unsignalled until then, or null. std::system_error when the device is lost.
 void submit(const Device& device, std::span<const vk::CommandBuffer> commands, vk::Fence done,
             std::span<const VkSemaphoreSubmitInfo> waits = {},
             std::span<const VkSemaphoreSubmitInfo> signals = {});
@@ -44,10 +44,10 @@ void submit(const Device& device, std::span<const vk::CommandBuffer> commands, v
 /// Waits for all that was submitted to the device's queue before.
 void waitForQueue(const Device& device);
 
-/// Waits for a submission and makes its fence unsignalled again. base::RunError when the device is lost.
+/// Waits for a submission and makes its fence unsignalled again. std::system_error when the device is lost.
 void waitAndReset(const Device& device, vk::Fence done);
 
-/// Waits until a timeline semaphore reaches a value. base::RunError when the device is lost.
+/// Waits until a timeline semaphore reaches a value. std::system_error when the device is lost.
 void waitForTimeline(const Device& device, vk::Semaphore timeline, std::uint64_t value);
 
 /// Records commands once, submits them and waits: for uploads, not for frames. What they copy is seen by all that is submitted

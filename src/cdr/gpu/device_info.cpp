@@ -14,10 +14,6 @@ namespace cdr::gpu {
 
 namespace {
 
-/// Storage buffers that the binning shaders bind, and the size of their workgroups.
-constexpr std::uint32_t kGpuDrivenStorageBuffers = 14;
-constexpr std::uint32_t kGpuDrivenInvocations = 256;
-
 constexpr base::EnumNames<DeviceKind, kDeviceKinds.size()> kKindNames{
     "kind", {"discrete", "integrated", "virtual", "cpu", "other"}};
 

@@ -3,6 +3,7 @@
 #include <cdr/gpu/device.h>
 #include <cdr/gpu/vulkan_hpp.h>
 
+#include <cstdint>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -11,6 +12,11 @@
 #include <vector>
 
 namespace cdr::gpu {
+
+/// Most storage buffers that shaders of gpu-driven draws bind, and most invocations of their workgroups: DeviceInfo::gpuDrivenMissing
+/// asks for them.
+inline constexpr std::uint32_t kGpuDrivenStorageBuffers = 14;
+inline constexpr std::uint32_t kGpuDrivenInvocations = 256;
 
 /// The names of those that are off.
 std::vector<std::string> thoseOff(std::initializer_list<std::pair<vk::Bool32, const char*>> features);

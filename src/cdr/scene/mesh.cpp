@@ -1,8 +1,7 @@
 #include <cdr/scene/mesh.h>
+#include <cdr/scene/rounded_up.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace cdr::scene {
 
@@ -11,10 +10,7 @@ float boundingRadiusOf(std::span<const Vertex> vertices) {
     for (const Vertex& vertex : vertices) {
         farthest = std::max(farthest, glm::length(glm::dvec3(vertex.position)));
     }
-    const auto radius = static_cast<float>(farthest);
-    return static_cast<double>(radius) < farthest
-               ? std::nextafter(radius, std::numeric_limits<float>::infinity())
-               : radius;
+    return roundedUp(farthest);
 }
 
 Mesh makeBox(const glm::vec3& halfSides) {

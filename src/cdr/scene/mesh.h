@@ -137,6 +137,11 @@ struct TextureUse {
     bool operator==(const TextureUse&) const = default;
 };
 
+/// Most of Material::baseColorFactor that counts: the largest half float. What is more would be infinite, and black times that no number.
+inline constexpr float kMaxBaseColor = 65504.0f;
+/// Most of MaterialDetail::normalScale that counts, and least below 0. Beyond it a normal lies in the surface, and products overflow.
+inline constexpr float kMaxNormalScale = 1e4f;
+
 /// What a material of glTF 2.0 has beside its base colour, metallic and roughness. Unlit ones are drawn with what they emit alone.
 struct MaterialDetail {
     std::optional<TextureUse>
@@ -144,17 +149,17 @@ struct MaterialDetail {
     std::optional<TextureUse> normal{};    ///< in tangent space, of data
     std::optional<TextureUse> occlusion{}; ///< red, of data: the share of ambient light that arrives
     std::optional<TextureUse> emissive{};  ///< of colour, multiplies `emission`
-    float normalScale = 1.0f;              ///< of what a normal texture says of x and y
-    float occlusionStrength = 1.0f;        ///< in [0, 1]: 0 is no occlusion
-    glm::vec3 emission{0.0f};              ///< linear, what the surface sends by itself, 0 or more
+    float normalScale = 1.0f;       ///< of x and y of a normal texture; beyond kMaxNormalScale as at it
+    float occlusionStrength = 1.0f; ///< in [0, 1]: 0 is no occlusion
+    glm::vec3 emission{0.0f};       ///< linear, what the surface sends by itself, 0 or more
 
     bool operator==(const MaterialDetail&) const = default;
 };
 
 /// How a surface looks.
 struct Material {
-    std::string name{};                                   ///< for messages and captures
-    glm::vec4 baseColorFactor{1.0f};                      ///< linear, 0 or more; alpha in [0, 1]
+    std::string name{};              ///< for messages and captures
+    glm::vec4 baseColorFactor{1.0f}; ///< linear, 0 or more, above kMaxBaseColor as at it; alpha in [0, 1]
     std::optional<std::uint32_t> baseColorTexture{};      ///< index into Scene::textures
     std::optional<MetallicRoughness> metallicRoughness{}; ///< empty: Lambert's law alone
     bool doubleSided = false;                             ///< else its back is not drawn

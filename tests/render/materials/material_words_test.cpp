@@ -100,6 +100,22 @@ TEST(MaterialWords, HoldTheCutoffBesideMetallicAndRoughness) {
     EXPECT_EQ(cutoffOf(wordsOf({.name = "half", .alphaCutoff = 0.5f})), 0.5f);
 }
 
+/// Infinity times a black texel would be no number.
+TEST(MaterialWords, OfABrightColorAreFinite) {
+    for (const float bright : {scene::kMaxBaseColor, 65520.0f, 1e6f, 3e38f}) {
+        const MaterialWords words =
+            wordsOf({.name = "bright", .baseColorFactor = {bright, 0.5f, bright, 1.0f}});
+        EXPECT_EQ(glm::unpackHalf2x16(words.baseColorRg), glm::vec2(65504.0f, 0.5f)) << bright;
+        EXPECT_EQ(glm::unpackHalf2x16(words.baseColorBa), glm::vec2(65504.0f, 1.0f)) << bright;
+    }
+}
+
+TEST(NormalScale, IsBoundedInBothDirections) {
+    EXPECT_EQ(normalScaleOf({.normalScale = 3e38f}), scene::kMaxNormalScale);
+    EXPECT_EQ(normalScaleOf({.normalScale = -3e38f}), -scene::kMaxNormalScale);
+    EXPECT_EQ(normalScaleOf({.normalScale = -2.5f}), -2.5f);
+}
+
 TEST(MaterialWords, UnlitCountsAsMatt) {
     EXPECT_EQ(wordsOf({.name = "unlit", .metallicRoughness = scene::MetallicRoughness{}, .unlit = true})
                       .cutoffAndMetallicRoughness &

@@ -100,6 +100,17 @@ TEST_F(GltfMemory, JointsOfPosesAreForetold) {
     expectSays(refusal(document, limits), ": the import would take ");
 }
 
+/// A file names a joint in two bytes, of which a skin keeps 136.
+TEST_F(GltfMemory, JointsOfSkinsAreForetold) {
+    Document document = triangle();
+    document.root["skins"] = {{{"joints", std::vector<int>(10'000, 0)}}};
+    document.root["nodes"][0]["skin"] = 0;
+    EXPECT_EQ(refusal(document), "loaded");
+    GltfLimits limits;
+    limits.maxBytes = 1'000'000;
+    expectSays(refusal(document, limits), "skin 0 '': the import would take ");
+}
+
 /// Each primitive of a mesh that deforms is posed by all weights of its node.
 TEST_F(GltfMemory, WeightsOfPosesAreForetold) {
     Document document = triangle();

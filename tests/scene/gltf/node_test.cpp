@@ -189,6 +189,8 @@ TEST_F(Gltf, UnsoundTransformsAreRefused) {
     };
     expectSays(withNode("translation", {1e308, 0, 0}), "its size or place is over what can be drawn");
     expectSays(withNode("scale", {1e38, 1e38, 1e38}), "its size or place is over what can be drawn");
+    expectSays(withNode("scale", {1e18, 1e18, 1e18}), "its size or place is over what can be drawn");
+    EXPECT_EQ(withNode("scale", {5e16, 5e16, 5e16}), "loaded");
     expectSays(withNode("rotation", {0, 0, 0, 0}), "has no direction");
     expectSays(withNode("translation", {1, 2}), "'translation' is not 3 numbers");
     expectSays(withNode("scale", "big"), "'scale' is not 3 numbers");

@@ -24,7 +24,7 @@ glm::dvec3 bumpedAt(const SurfacePoint& point, const glm::dvec3& normal, const g
     const double sense = std::copysign(1.0, tangent.w * glm::determinant(basis));
     const scene::MaterialDetail& detail = point.material.detail;
     const glm::dvec3 texel = glm::dvec3(point.sample(*detail.normal)) * 2.0 - 1.0;
-    const double scale = detail.normalScale;
+    const double scale = std::clamp(detail.normalScale, -scene::kMaxNormalScale, scene::kMaxNormalScale);
     return glm::normalize(texel.x * scale * along + texel.y * scale * sense * glm::cross(normal, along) +
                           texel.z * normal);
 }

@@ -35,7 +35,7 @@ glm::dvec4 SurfacePoint::sampleAt(const scene::TextureUse& use, const glm::dvec3
 }
 
 glm::dvec4 SurfacePoint::baseColorAt(const glm::dvec3& shares, double width) const {
-    glm::dvec4 color(material.baseColorFactor);
+    glm::dvec4 color(glm::min(material.baseColorFactor, scene::kMaxBaseColor));
     color *=
         interpolateAt(shares, [](const scene::Vertex& vertex) { return glm::dvec4(vertex.color) / 255.0; });
     return material.baseColorTexture

@@ -42,7 +42,7 @@ Box boxOf(const scene::Scene& scene, const scene::Camera& camera, std::size_t i)
             .objectToWorld = glm::dmat3(scene.instances.basis[i]),
             .worldToObject = inverse->worldToObject,
             .halfSides = glm::dvec3(*halfSides),
-            .baseColor = glm::dvec3(material.baseColorFactor),
+            .baseColor = glm::dvec3(glm::min(material.baseColorFactor, scene::kMaxBaseColor)),
             .metallicRoughness = material.metallicRoughness};
 }
 

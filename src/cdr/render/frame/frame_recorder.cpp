@@ -67,7 +67,8 @@ void FrameRecorder::recordReadSurfaces(FrameSlot& slot, const HostFrame* host,
                                        const visibility::VisibleCells& visible) const {
     FrameStats counted; // the frame's are those of the draws that are lit
     slot.readPath->bin(slot.view, visible, counted);
-    slot.readPath->begin(slot.view, {.into = host != nullptr ? host->commands : nullptr, .draw = {}});
+    const HostCommands into{.into = host != nullptr ? host->commands : nullptr, .draw = {}};
+    slot.readPath->begin(slot.view, into);
     m_passes.targets.begin(slot.readPath->primary());
     m_passes.targets.record(*slot.readPath, slot.view);
     gpu::pipelineBarrier(slot.readPath->primary(), {readBarrier(m_passes.targets.gbuffer())});

@@ -38,7 +38,7 @@ float leastAlphaOf(const scene::Material& material) {
 }
 
 MaterialWords wordsOf(const scene::Material& material) {
-    glm::vec4 color = material.baseColorFactor;
+    glm::vec4 color = glm::min(material.baseColorFactor, scene::kMaxBaseColor);
     float cutoff = material.alphaCutoff;
     // A half float would round the factor beside the cutoff.
     if (material.alphaMode == scene::AlphaMode::mask) {
@@ -51,6 +51,10 @@ MaterialWords wordsOf(const scene::Material& material) {
                 (std::bit_cast<std::uint32_t>(cutoff) & ~shaders::kMetallicRoughnessMask) | metallicRoughness,
             .baseColorRg = glm::packHalf2x16(glm::vec2(color.r, color.g)),
             .baseColorBa = glm::packHalf2x16(glm::vec2(color.b, color.a))};
+}
+
+float normalScaleOf(const scene::MaterialDetail& detail) {
+    return std::clamp(detail.normalScale, -scene::kMaxNormalScale, scene::kMaxNormalScale);
 }
 
 bool isMetallicRoughness(const scene::Material& material) {

@@ -21,6 +21,9 @@ float leastAlphaOf(const scene::Material& material);
 /// counts as 1. An unlit material counts as matt.
 MaterialWords wordsOf(const scene::Material& material);
 
+/// MaterialDetail::normalScale within its bounds.
+float normalScaleOf(const scene::MaterialDetail& detail);
+
 /// Whether a surface of it does.
 bool isMetallicRoughness(const scene::Material& material);
 

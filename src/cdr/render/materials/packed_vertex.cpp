@@ -1,11 +1,16 @@
 #include <cdr/render/materials/packed_vertex.h>
 #include <cdr/render/octahedral.h>
+#include <cdr/shaders/deform_shared.h>
 
 #include <glm/gtc/packing.hpp>
 
 #include <cstddef>
+#include <cstdint>
 
 namespace cdr::render {
+
+static_assert(sizeof(PackedVertex) == sizeof(std::uint32_t) * shaders::kVertexWords);
+static_assert(sizeof(PackedDetail) == sizeof(std::uint32_t) * shaders::kDetailWords);
 
 PackedVertex packed(const scene::Vertex& vertex) {
     return {vertex.position, glm::packSnorm2x16(encodeOctahedral(vertex.normal)), vertex.uv, vertex.color};

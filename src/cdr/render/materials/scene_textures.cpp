@@ -78,7 +78,7 @@ shaders::DetailRecord recordOf(const scene::Material& material) {
     const scene::MaterialDetail& detail = material.detail;
     const scene::MetallicRoughness metallicRoughness =
         material.metallicRoughness.value_or(scene::MetallicRoughness{.metallic = 0.0f, .roughness = 1.0f});
-    shaders::DetailRecord record{.emissionAndNormalScale = glm::vec4(detail.emission, detail.normalScale),
+    shaders::DetailRecord record{.emissionAndNormalScale = glm::vec4(detail.emission, normalScaleOf(detail)),
                                  .metallicRoughnessAndOcclusion = {metallicRoughness.metallic,
                                                                    metallicRoughness.roughness,
                                                                    detail.occlusionStrength, 0.0f},

@@ -10,6 +10,7 @@
 #include <cdr/shaders/occluders_shared.h>
 #include <cdr/shaders/reduce_depth_comp.h>
 #include <cdr/shaders/reduce_depth_squares_comp.h>
+#include <cdr/visibility/depth_tiles.h>
 #include <cdr/visibility/occluders.h>
 
 #include <algorithm>
@@ -22,7 +23,8 @@ namespace {
 constexpr auto kBufferType = vk::DescriptorType::eStorageBuffer;
 constexpr std::uint32_t kBuffers = 4; ///< of the set: occluders.glsl
 constexpr std::uint32_t kOcclusionSet = 1;
-constexpr std::uint32_t kReduceInvocations = 64;
+
+static_assert(shaders::kTileSide == visibility::DepthTiles::kSide); // both hide the same
 
 std::uint32_t partsOf(std::uint32_t whole, std::uint32_t part) {
     return (whole + part - 1) / part;
@@ -100,7 +102,7 @@ void DeviceOcclusion::requireLimits(const gpu::Device& device, vk::Extent2D exte
             "occlusion culling on the device needs {} storage buffers in a shader, {} allows {}", kBothSets,
             device.info().name, most);
     }
-    gpu::requireGroups(device, partsOf(tilesOf(extent).size(), kReduceInvocations),
+    gpu::requireGroups(device, partsOf(tilesOf(extent).size(), shaders::kReduceBlock),
                        "occlusion culling on the device");
 }
 
@@ -117,7 +119,7 @@ DeviceOcclusion::Slot DeviceOcclusion::makeSlot() const {
 
 void DeviceOcclusion::provideSeen(std::size_t instances) {
     // The passes write whole blocks.
-    const std::size_t blocks = (instances + shaders::kBinBlock - 1) / shaders::kBinBlock;
+    const std::size_t blocks = BinningPass::blocksOf(instances);
     const std::size_t bytes = std::max<std::size_t>(blocks, 1) * shaders::kBinBlock / 8;
     if (m_seen != nullptr && m_seen->size() >= bytes) {
         return;
@@ -179,7 +181,7 @@ void DeviceOcclusion::draw(vk::CommandBuffer primary, const Slot& slot,
     const Grid tiles = tilesOf(m_extent);
     const auto reduce = [&](vk::Pipeline pipeline, const Grid& grid) {
         primary.bindPipeline(vk::PipelineBindPoint::eCompute, pipeline);
-        primary.dispatch(partsOf(grid.size(), kReduceInvocations), 1, 1);
+        primary.dispatch(partsOf(grid.size(), shaders::kReduceBlock), 1, 1);
         gpu::memoryBarrier(primary, PipelineStage::eComputeShader, Access::eShaderStorageWrite,
                            PipelineStage::eComputeShader, kUsed);
     };

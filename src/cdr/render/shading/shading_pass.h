@@ -29,7 +29,7 @@ class ShadingInputs {
     void setFacets(vk::BufferView facets) { m_inputs.setTexels(kFacetsBinding, facets); }
     static constexpr std::uint32_t kFacetsBinding = 2;
 
-    /// shaders::ShadingHeader and the lights, as shaders/lighting.glsl reads them.
+    /// shaders::ShadingHeader and the lights, as shaders/shading/lighting.glsl reads them.
     const gpu::Buffer& lights() const { return m_lights; }
 
   private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/depth/cascade.h>
 #include <cdr/depth/occupancy.h>
 #include <cdr/scene/frustum.h>
 #include <cdr/visibility/cull_cells.h>
@@ -36,8 +37,9 @@ struct ReceiverSlice {
 
 /// By how much a slice's far end is farther than its near one: then a texel that suits one suits the other.
 inline constexpr double kSliceRatio = 2.0;
-/// Of a frame: intervals between powers of two, over a range of depth::kMaxFarOverNear.
+/// Of a frame: intervals between powers of two, over a range of depth::kMaxFarOverNear. It may begin and end within one.
 inline constexpr std::uint32_t kMaxReceiverSlices = 121;
+static_assert(kSliceRatio == 2.0 && depth::kMaxFarOverNear <= 0x1p120);
 
 /// Those of visible instances.
 std::vector<SeenSphere> seenSpheres(const scene::Camera& camera, const visibility::VisibleCells& visible);

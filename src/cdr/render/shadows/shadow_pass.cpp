@@ -4,11 +4,13 @@
 #include <cdr/render/shadows/receiver_push.h>
 #include <cdr/render/shadows/receiver_slices.h>
 #include <cdr/render/shadows/shadow_pass.h>
+#include <cdr/render/shadows/shadows.h>
 #include <cdr/render/targets/gbuffer.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/flat_anchors_vert.h>
 #include <cdr/shaders/receiver_facets_frag.h>
 #include <cdr/shaders/receiver_frag.h>
+#include <cdr/shaders/shared.h>
 
 #include <algorithm>
 #include <array>
@@ -19,6 +21,7 @@ namespace cdr::render {
 namespace {
 
 constexpr auto kMaskFormat = vk::Format::eR8G8B8A8Unorm;
+static_assert(shaders::kShadowChannels == kMaxShadowLights);
 constexpr auto kImage = vk::DescriptorType::eCombinedImageSampler;
 constexpr auto kBuffer = vk::DescriptorType::eStorageBuffer;
 constexpr auto kTexels = vk::DescriptorType::eUniformTexelBuffer;

@@ -1,5 +1,6 @@
 #include <cdr/base/format_error.h>
 #include <cdr/gpu/commands.h>
+#include <cdr/gpu/device_query.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/rounding.h>
 #include <cdr/render/stages.h>
@@ -31,8 +32,11 @@ enum SceneBuffer : std::size_t { kSpheres, kLooks, kMaterials, kRuns, kGroups, k
 constexpr std::size_t kMaxRunsPerGroup = 1024;
 /// Of a buffer of the scene: room for what is few at first, since all are staged again where one grows.
 constexpr std::size_t kMinBytes = 4096;
-/// Invocations a workgroup of bin_commands.comp.
-constexpr std::size_t kCommandInvocations = 64;
+
+static_assert(BinningPass::kBindings <= gpu::kGpuDrivenStorageBuffers);
+static_assert(shaders::kBinBlock <= gpu::kGpuDrivenInvocations &&
+              shaders::kCommandsBlock <= gpu::kGpuDrivenInvocations &&
+              shaders::kChangesBlock <= gpu::kGpuDrivenInvocations);
 
 const gpu::Device& checked(const gpu::Device& device, const scene::Instances& instances) {
     if (!device.info().gpuDrivenMissing.empty()) {
@@ -334,11 +338,11 @@ void BinningPass::recordCopies(vk::CommandBuffer commands, const Copies& copies)
 
 std::uint64_t BinningPass::listGroups(std::size_t cascades) const {
     const std::uint64_t lists = std::uint64_t{2} * cascades * m_groups.size();
-    return (lists + kCommandInvocations - 1) / kCommandInvocations;
+    return (lists + shaders::kCommandsBlock - 1) / shaders::kCommandsBlock;
 }
 
 void BinningPass::requireGroups(std::size_t cascades) const {
-    gpu::requireGroups(m_device, std::max(blocks(), listGroups(cascades)), "a gpu-driven scene");
+    gpu::requireGroups(m_device, std::max(blocksOf(instances()), listGroups(cascades)), "a gpu-driven scene");
 }
 
 void BinningPass::record(vk::CommandBuffer commands, Kept kept, std::size_t cascades,
@@ -353,9 +357,10 @@ void BinningPass::record(vk::CommandBuffer commands, Kept kept, std::size_t casc
         gpu::memoryBarrier(commands, PipelineStage::eComputeShader, Access::eShaderStorageWrite, readers,
                            access);
     };
-    dispatch(*m_count[static_cast<std::size_t>(kept)], blocks(), PipelineStage::eComputeShader, kUsed);
+    dispatch(*m_count[static_cast<std::size_t>(kept)], blocksOf(instances()), PipelineStage::eComputeShader,
+             kUsed);
     dispatch(*m_scan, 1, PipelineStage::eComputeShader, kUsed);
-    dispatch(*m_fill, blocks(), PipelineStage::eComputeShader, kUsed);
+    dispatch(*m_fill, blocksOf(instances()), PipelineStage::eComputeShader, kUsed);
     dispatch(*m_commands, listGroups(cascades),
              PipelineStage::eDrawIndirect | PipelineStage::eVertexAttributeInput | PipelineStage::eHost,
              Access::eIndirectCommandRead | Access::eVertexAttributeRead | Access::eHostRead);

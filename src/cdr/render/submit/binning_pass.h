@@ -16,7 +16,7 @@
 
 namespace cdr::render {
 
-/// A scene's instances on the device, and the compute passes that cull and bin them (shaders/binning.glsl). What changed
+/// A scene's instances on the device, and the compute passes that cull and bin them (shaders/binning/binning.glsl). What changed
 /// in the scene reaches them at the start of a frame's commands, by copies and an InstanceScatter. So no frame in flight is
 /// waited for.
 class BinningPass {
@@ -34,6 +34,11 @@ class BinningPass {
     /// @param occlusionLayout of the set that `occluders` and `shown` read; null: they are not asked for.
     BinningPass(const gpu::Device& device, const DrawnScene& drawn, visibility::DetailMode detail,
                 const gpu::SetLayout& occlusionLayout);
+
+    /// Groups that count and fill: blocks of shaders::kBinBlock.
+    static std::uint64_t blocksOf(std::size_t instances) {
+        return (instances + shaders::kBinBlock - 1) / shaders::kBinBlock;
+    }
 
     std::size_t instances() const { return m_looks.size(); }
     std::size_t runs() const { return m_runs.size(); }
@@ -98,8 +103,6 @@ class BinningPass {
     Tables tables() const;
     void copyAll(Copies& copies) const;
     bool copyChanges(const Changes& changes, Copies& copies) const;
-    /// Groups that count and fill.
-    std::uint64_t blocks() const { return (instances() + shaders::kBinBlock - 1) / shaders::kBinBlock; }
     std::uint64_t listGroups(std::size_t cascades) const; ///< that list commands
     gpu::Pipeline makePipeline(const gpu::Spirv& spirv, const char* name) const;
 

@@ -1,4 +1,5 @@
 #include <cdr/base/format_error.h>
+#include <cdr/depth/cascade.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/submit/device_lists.h>
 #include <cdr/shaders/binning_shared.h>
@@ -12,6 +13,9 @@ namespace {
 
 constexpr std::uint32_t kFirstList = 1 + BinningPass::kSceneBuffers;
 constexpr std::uint32_t kResult = BinningPass::kBindings - 1;
+
+static_assert(shaders::kCascadeSlots == depth::kMaxCascades);
+static_assert(shaders::kDetailPerCascade == static_cast<std::uint32_t>(visibility::DetailMode::perCascade));
 
 void copyTo(const glm::dvec3& from, double (&to)[3]) {
     std::copy_n(&from.x, 3, to);
@@ -94,7 +98,7 @@ void DeviceLists::growRecords(std::size_t draws) {
 void DeviceLists::growLists(std::size_t cascades) {
     m_binning.requireGroups(cascades);
     const std::size_t buckets = 2 * cascades;
-    const std::size_t blocks = (m_binning.instances() + shaders::kBinBlock - 1) / shaders::kBinBlock;
+    const std::size_t blocks = BinningPass::blocksOf(m_binning.instances());
     if (m_recordCapacity == 0 || m_recordCapacity < m_binning.instances()) {
         growRecords(m_binning.instances());
     }
@@ -113,8 +117,7 @@ void DeviceLists::prepare(const FrameView& view, depth::Mapping mapping) {
     growLists(view.cascades.size());
     shaders::BinningView block = viewOf(view, wideSpan(mapping, view.cascades.size()));
     block.instances = static_cast<std::uint32_t>(m_binning.instances());
-    block.blocks =
-        static_cast<std::uint32_t>((m_binning.instances() + shaders::kBinBlock - 1) / shaders::kBinBlock);
+    block.blocks = static_cast<std::uint32_t>(BinningPass::blocksOf(m_binning.instances()));
     block.runs = static_cast<std::uint32_t>(m_binning.runs());
     block.groups = static_cast<std::uint32_t>(m_binning.groups().size());
     block.recordCapacity = static_cast<std::uint32_t>(m_recordCapacity);

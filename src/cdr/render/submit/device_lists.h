@@ -14,7 +14,8 @@ class DeviceLists {
 
     /// Makes room and writes what the passes read. base::RunError, with both figures, where a list needs too much memory.
     void prepare(const FrameView& view, depth::Mapping mapping);
-    /// Once the passes ran. Null where records had too little room, which they now have.
+    /// Once the passes ran. Null where records had too little room, which they now have. base::RunError where a list of
+    /// as many needs too much memory: the lists stay as they are.
     const shaders::BinningResult* settle();
 
     const gpu::DescriptorSet& set() const { return m_set; }

@@ -1,9 +1,23 @@
+#include <cdr/base/error.h>
 #include <cdr/render/submit/gpu_driven_path.h>
 #include <cdr/render/targets/depth_clear.h>
 
 #include <utility>
 
 namespace cdr::render {
+
+namespace {
+
+/// Null where occluders found no room. They keep the room that they have where there is no more: the frame is good.
+const shaders::BinningResult* settleOccluders(DeviceLists& occluders) {
+    try {
+        return occluders.settle();
+    } catch (const base::RunError&) {
+        return nullptr;
+    }
+}
+
+} // namespace
 
 GpuDrivenPath::GpuDrivenPath(const gpu::Device& device, BinningPass& binning, const GeometryPass& pass,
                              DeviceOcclusion* occlusion, const std::string& name)
@@ -90,7 +104,7 @@ std::span<const vk::CommandBuffer> GpuDrivenPath::end(const FrameView&) {
 }
 
 bool GpuDrivenPath::settle(FrameStats& stats) {
-    const shaders::BinningResult* first = m_first ? m_first->settle() : nullptr;
+    const shaders::BinningResult* first = m_first ? settleOccluders(*m_first) : nullptr;
     const shaders::BinningResult* result = m_lists.settle();
     if (result == nullptr) {
         return false;

@@ -10,8 +10,7 @@ namespace {
 
 constexpr auto kChangesType = vk::DescriptorType::eStorageBuffer;
 constexpr std::uint32_t kChangesBindings = 3;
-/// Invocations a workgroup of scatter.comp, and the groups that every device runs.
-constexpr std::uint32_t kChangesPerGroup = 256;
+/// Groups that every device runs.
 constexpr std::size_t kMostGroups = 65'535;
 
 } // namespace
@@ -29,7 +28,7 @@ InstanceScatter::InstanceScatter(const gpu::Device& device)
 
 std::size_t InstanceScatter::most() const {
     return std::min<std::size_t>(m_device.info().maxStorageBufferBytes / sizeof(shaders::InstanceChange),
-                                 kMostGroups * kChangesPerGroup);
+                                 kMostGroups * shaders::kChangesBlock);
 }
 
 void InstanceScatter::stage(const Changes& changes, const Buffers& buffers, Slot& slot) const {
@@ -61,7 +60,7 @@ void InstanceScatter::record(vk::CommandBuffer commands, const Slot& slot) const
     commands.bindPipeline(vk::PipelineBindPoint::eCompute, *m_pipeline);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *m_layout, 0, *slot.set, {});
     commands.pushConstants<std::uint32_t>(*m_layout, vk::ShaderStageFlagBits::eCompute, 0, slot.count);
-    commands.dispatch((slot.count + kChangesPerGroup - 1) / kChangesPerGroup, 1, 1);
+    commands.dispatch((slot.count + shaders::kChangesBlock - 1) / shaders::kChangesBlock, 1, 1);
 }
 
 } // namespace cdr::render

@@ -10,7 +10,7 @@
 
 namespace cdr::render {
 
-/// One frame slot's lists of translucent fragments on the device (shaders/fragment_list.glsl). Grows to what
+/// One frame slot's lists of translucent fragments on the device (shaders/translucency/fragment_list.glsl). Grows to what
 /// a frame asked for, up to a bound.
 class FragmentList {
   public:

@@ -1,10 +1,10 @@
 #include <cdr/base/error.h>
 #include <cdr/scene/animation/mesh_pose.h>
+#include <cdr/scene/rounded_up.h>
 #include <cdr/scene/world/check.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace cdr::scene {
 
@@ -55,13 +55,6 @@ void requireTarget(const std::vector<MorphDelta>& target, std::size_t vertices, 
         })) {
         throw base::InputError(what + ": its morph targets must be finite");
     }
-}
-
-float roundedUp(double radius) {
-    const auto rounded = static_cast<float>(radius);
-    return static_cast<double>(rounded) < radius
-               ? std::nextafter(rounded, std::numeric_limits<float>::infinity())
-               : rounded;
 }
 
 } // namespace

@@ -19,6 +19,7 @@
 #include <cdr/platform/file.h>
 #include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/lod/mesh_pieces.h>
+#include <cdr/scene/world/check.h>
 
 #include <nlohmann/json.hpp>
 
@@ -331,8 +332,9 @@ void Importer::addRigid(const MeshNode& node, std::size_t index, std::uint32_t o
     placePieces(m_scene, primitive->pieces, materialIn(node.layer, primitive->material), object,
                 flat ? glm::dmat4(glm::dmat3(0.0)) : node.toWorld);
     for (std::size_t i = first; i < m_scene.instances.size(); ++i) {
-        const glm::dvec3 position = m_scene.instances.position(i);
-        if (!std::isfinite(m_scene.instances.radius[i]) || !std::isfinite(glm::dot(position, position))) {
+        const Transform placed{m_scene.instances.position(i), m_scene.instances.basis[i]};
+        if (!isUsable(placed) || !std::isfinite(m_scene.instances.radius[i]) ||
+            !std::isfinite(glm::dot(placed.position, placed.position))) {
             refuse("node {} '{}': its size or place is over what can be drawn", node.node,
                    oneLine(m_scene.objectNames[object], kMaxNameLength));
         }

@@ -36,8 +36,8 @@ CDR_EXPORT ModelLight parseModelLight(std::string_view name);
 /// What of a glTF file is shown, and through which eyes.
 struct GltfChoice {
     std::optional<std::uint32_t> scene; ///< else the file's default one
-    std::optional<std::uint32_t>
-        camera;                        ///< of the scene's perspective cameras; else one that frames all of it
+    /// Of the scene's cameras, perspective ones first, then orthographic ones; else one that frames all of it.
+    std::optional<std::uint32_t> camera;
     std::optional<ModelLight> light{}; ///< else lamps
     /// As animationOf() takes it; else the first, if `seconds` or `framesPerSecond` are given. Else nothing moves.
     std::optional<std::string> animation{};

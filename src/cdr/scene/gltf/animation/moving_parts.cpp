@@ -55,7 +55,7 @@ MovingParts::MovingParts(const json& root, const PlacedNodes& nodes, Accessors& 
     m_made->animations = readAnimations(root, accessors, m_rig, memory, notes);
     for (const MeshNode& node : nodes.meshes) {
         if (node.skin && m_skins.try_emplace(*node.skin, m_made->skins.size()).second) {
-            m_made->skins.push_back(readSkin(root, *node.skin, accessors, m_rig));
+            m_made->skins.push_back(readSkin(root, *node.skin, accessors, m_rig, memory));
         }
     }
     // Once for each node: it may have millions of copies.

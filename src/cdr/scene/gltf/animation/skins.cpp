@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstdint>
 
 namespace cdr::scene::gltf {
 
@@ -14,6 +15,8 @@ namespace {
 using nlohmann::json;
 
 constexpr int kMatrixComponents = 16;
+/// What a joint takes in a skin: its place in the rig, and a matrix.
+constexpr std::uint64_t kJointBytes = sizeof(std::size_t) + sizeof(glm::dmat4);
 
 /// Of a point, so the last row counts for nothing.
 glm::dmat4 affine(glm::dmat4 matrix, const std::string& where, std::size_t index) {
@@ -41,11 +44,15 @@ std::vector<int> jointNodes(const json& root, int skin) {
     return joints;
 }
 
-Skin readSkin(const json& root, int skin, Accessors& accessors, const FileRig& rig) {
+Skin readSkin(const json& root, int skin, Accessors& accessors, const FileRig& rig,
+              MemoryPrediction& memory) {
     const json& source = itemAt(root, "skins", skin, "skin");
     const std::string where = fmt::format("skin {} '{}'", skin, nameOf(source));
+    const std::vector<int> joints = jointNodes(root, skin);
+    memory.add({.kept = joints.size() * kJointBytes}, where);
     Skin result;
-    for (const int joint : jointNodes(root, skin)) {
+    result.joints.reserve(joints.size());
+    for (const int joint : joints) {
         result.joints.push_back(rig.nodeOf[static_cast<std::size_t>(joint)].value());
     }
     result.inverseBind.resize(result.joints.size(), glm::dmat4(1.0));

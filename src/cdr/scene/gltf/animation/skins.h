@@ -16,6 +16,7 @@ std::vector<int> jointNodes(const nlohmann::json& root, int skin);
 
 /// A skin of the document. Refuses inverse bind matrices that are too few, no matrices, or not finite.
 /// @param rig holds its joints
-Skin readSkin(const nlohmann::json& root, int skin, Accessors& accessors, const FileRig& rig);
+Skin readSkin(const nlohmann::json& root, int skin, Accessors& accessors, const FileRig& rig,
+              MemoryPrediction& memory);
 
 } // namespace cdr::scene::gltf

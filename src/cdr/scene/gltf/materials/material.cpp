@@ -29,8 +29,6 @@ const char* keyOf(std::optional<TextureUse> MaterialDetail::*use) {
 
 /// Most that a surface emits, of any colour: render's picture is white far below.
 constexpr double kMaxEmission = 1e4;
-/// Beyond it a normal lies in the surface, and the product would overflow.
-constexpr double kMaxNormalScale = 1e4;
 
 constexpr std::array<std::string_view, 3> kAlphaModes{"OPAQUE", "MASK", "BLEND"};
 
@@ -186,7 +184,8 @@ MaterialDetail MaterialImporter::detailOf(const json& material, const std::strin
     if (detail.normal) {
         const double scale =
             numberMember(objectMember(material, "normalTexture", where), "scale", where).value_or(1.0);
-        detail.normalScale = static_cast<float>(std::clamp(scale, -kMaxNormalScale, kMaxNormalScale));
+        detail.normalScale =
+            static_cast<float>(std::clamp(scale, -double{kMaxNormalScale}, double{kMaxNormalScale}));
     }
     if (detail.occlusion) {
         detail.occlusionStrength =
