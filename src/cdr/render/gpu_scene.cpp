@@ -2,7 +2,7 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/retired.h>
 #include <cdr/gpu/upload.h>
-#include <cdr/render/draw_source.h>
+#include <cdr/render/draw_kinds.h>
 #include <cdr/render/materials/material_words.h>
 #include <cdr/render/materials/scene_textures.h>
 #include <cdr/render/upload/last_vertices.h>
@@ -13,10 +13,8 @@
 #include <cdr/visibility/instance_cells.h>
 
 #include <algorithm>
-#include <map>
 #include <mutex>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace cdr::render {
@@ -48,8 +46,6 @@ class GpuScene::State {
         std::uint64_t readings = 0;  ///< m_readings
     };
 
-    /// Mesh, material, mirrored.
-    using KindKey = std::tuple<std::uint32_t, std::uint32_t, bool>;
     /// What instances keep of their material.
     struct SurfaceKind {
         bool unlit = false;
@@ -80,8 +76,7 @@ class GpuScene::State {
     void forgetKinds();
     void readMaterials();
     void replaceTables();
-    DrawKind kindOf(const KindKey& key) const;
-    std::uint32_t kindIndexOf(const KindKey& key);
+    DrawKinds::From kindsFrom() const { return {*m_scene, m_meshes, m_textures, m_layers}; }
     void readInstance(std::size_t i);
     void readAllInstances();
     void updateInstances();
@@ -108,9 +103,7 @@ class GpuScene::State {
     std::vector<SurfaceKind> m_surfaces; ///< by material
     bool m_isEachInstanceStale = false;  ///< whether a material changed what instances keep of it
     std::vector<LayerPlace> m_layers;    ///< by material
-    std::vector<DrawKind> m_kinds;       ///< only ever more, until the tables are replaced
-    std::vector<KindKey> m_kindKeys;
-    std::map<KindKey, std::uint32_t> m_kindIndices;
+    DrawKinds m_kinds;                   ///< until the tables are replaced
     std::vector<DrawSource> m_sources;
     std::vector<std::uint32_t> m_blended;
     Culled m_culled;
@@ -248,7 +241,7 @@ const std::vector<DrawSource>& GpuScene::sources() const {
     return m_state->m_sources;
 }
 const std::vector<DrawKind>& GpuScene::kinds() const {
-    return m_state->m_kinds;
+    return m_state->m_kinds.all();
 }
 const std::vector<LevelRange>& GpuScene::levels() const {
     return m_state->m_meshes.levels();
@@ -318,8 +311,6 @@ bool GpuScene::State::areTablesReplaced() const {
 
 void GpuScene::State::forgetKinds() {
     m_kinds.clear();
-    m_kindKeys.clear();
-    m_kindIndices.clear();
     m_sources.clear();
     m_isEachInstanceStale = true;
 }
@@ -377,12 +368,7 @@ void GpuScene::State::updateVertices() {
 }
 
 void GpuScene::State::readKinds() {
-    bool isAnyOther = false;
-    for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
-        const DrawKind before = std::exchange(m_kinds[kind], kindOf(m_kindKeys[kind]));
-        isAnyOther = isAnyOther || before != m_kinds[kind];
-    }
-    m_tablesRevision += isAnyOther ? 1 : 0;
+    m_tablesRevision += m_kinds.read(kindsFrom()) ? 1 : 0;
 }
 
 void GpuScene::State::readMaterials() {
@@ -407,42 +393,19 @@ void GpuScene::State::readMaterials() {
                     m_surfaces.begin());
 }
 
-DrawKind GpuScene::State::kindOf(const KindKey& key) const {
-    const auto [mesh, materialIndex, mirrored] = key;
-    const scene::Material& material = m_scene->materials[materialIndex];
-    return {.meshIndex = mesh,
-            .mesh = m_meshes.ranges()[mesh],
-            .variant = variantOf(m_meshes.ranges()[mesh].isFaceted, material,
-                                 m_textures.detailParts(*m_scene, materialIndex)),
-            .doubleSided = material.doubleSided,
-            .mirrored = mirrored,
-            .layer = m_layers[materialIndex],
-            .textureSet = m_textures.baseColorSet(*m_scene, materialIndex),
-            .detailSet = m_textures.detailSet(materialIndex)};
-}
-
-std::uint32_t GpuScene::State::kindIndexOf(const KindKey& key) {
-    const auto [entry, isNew] = m_kindIndices.try_emplace(key, static_cast<std::uint32_t>(m_kinds.size()));
-    if (isNew) {
-        m_kinds.push_back(kindOf(key));
-        m_kindKeys.push_back(key);
-    }
-    return entry->second;
-}
-
 void GpuScene::State::readInstance(std::size_t i) {
     const scene::Instances& instances = m_scene->instances;
-    const KindKey key{instances.mesh[i], instances.material[i], isMirror(instances.basis[i])};
+    const DrawKinds::Key key{instances.mesh[i], instances.material[i], isMirror(instances.basis[i])};
     DrawSource& source = m_sources[i];
     // What moves or goes keeps its kind, which spares the look-up and leaves runs of one kind whole.
-    const bool keepsKind = source.kind < m_kinds.size() &&
-                           (m_kindKeys[source.kind] == key || instances.radius[i] == scene::kNoRadius);
+    const bool keepsKind = source.kind < m_kinds.all().size() &&
+                           (m_kinds.keyOf(source.kind) == key || instances.radius[i] == scene::kNoRadius);
     source = {.position = instances.position(i),
               .basis = instances.basis[i],
               .id = instances.object[i] + 1 +
                     (m_scene->materials[instances.material[i]].unlit ? shaders::kIdUnlit : 0u),
               .material = instances.material[i],
-              .kind = keepsKind ? source.kind : kindIndexOf(key)};
+              .kind = keepsKind ? source.kind : m_kinds.indexOf(key, kindsFrom())};
 }
 
 void GpuScene::State::readAllInstances() {
