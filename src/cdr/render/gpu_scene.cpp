@@ -93,6 +93,8 @@ class GpuScene::State {
     SceneMeshes m_meshes;
     LastVertices m_lastVertices;
     VertexUpdates m_vertexUpdates;
+    bool m_arePosesStale =
+        false; ///< whether meshes that the device deforms were uploaded as the CPU has them
     bool m_keepsLastVertices = false;
     std::uint64_t m_verticesRevision = 0;
     SceneTextures m_textures;
@@ -297,8 +299,11 @@ void GpuScene::State::replaceTables() {
     const auto materials = changes.materials.since(m_followed.materials);
     m_textures.followMaterials(*m_scene, textures ? materials : std::nullopt, m_retired);
     m_meshes.followDetails(*m_scene, m_retired);
-    if (areMeshesOthers || m_meshes.details().handle() != detailsBefore) {
-        followPoses(); // what was uploaded anew is as the CPU has it
+    // Kept, since the next update does not upload them again where this one fails from here on.
+    m_arePosesStale = m_arePosesStale || areMeshesOthers || m_meshes.details().handle() != detailsBefore;
+    if (m_arePosesStale) {
+        followPoses();
+        m_arePosesStale = false;
     }
     m_retired.close();
 }

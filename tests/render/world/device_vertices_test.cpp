@@ -1,5 +1,6 @@
 #include "../../support/deformers.h"
 #include "../../support/refusal.h"
+#include "../failed_edits.h"
 #include "../fixture.h"
 #include "../steps.h"
 
@@ -243,6 +244,22 @@ TEST_F(DeviceVerticesTest, OfAMeshInThePlaceOfAnotherAreShadedByItsOwnTriangles)
     scene::World anew(boxScene());
     anew.setPose(add(anew, joined).first, pose);
     EXPECT_EQ(hashOf(live.render({})), hashOf(SoleRenderer(device(), anew, options).render({})));
+}
+
+/// Tangents that come with the first normal texture are those of the pose, also where the device could not be told to deform them
+/// in the frame that uploads them.
+TEST_F(DeviceVerticesTest, HaveTangentsAfterAFailedFrame) {
+    const test::DeformerKind kind = test::deformerKinds()[0];
+    const auto deformer = test::makeDeformer(kind, 4);
+    scene::World begun(sceneOf(*deformer));
+    const scene::Material bumpy = begun.scene().materials[0];
+    scene::Material plain = bumpy;
+    plain.detail.normal.reset();
+    begun.setMaterial(begun.material(0), plain);
+    begun.setPose(begun.mesh(1), test::poseOf(kind, deformer, 6));
+    const auto edit = [&](scene::World& world) { world.setMaterial(world.material(0), bumpy); };
+    EXPECT_GE(expectEditOutlivesFailures(device(), "vkCreateBuffer", begun, edit), 2u);
+    EXPECT_GE(expectEditOutlivesFailures(device(), "vkQueueSubmit2", begun, edit), 3u); // upload, pose, frame
 }
 
 /// Facets are made by the CPU, which needs the vertices for them.
