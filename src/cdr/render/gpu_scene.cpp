@@ -274,6 +274,7 @@ void GpuScene::State::update() {
         }
         updateInstances();
     }
+    m_retired.close();
     m_followed = Followed::allOf(changes);
     ++m_revision;
 }
@@ -285,7 +286,7 @@ void GpuScene::State::replaceTables() {
     const vk::Buffer detailsBefore = m_meshes.details().handle();
     if (areMeshesOthers) {
         m_meshes.follow(*m_scene, meshes, m_retired);
-        m_vertexUpdates.forget(meshes);
+        m_vertexUpdates.forget(meshes, m_retired);
     }
     if (!meshes && !changes.vertices.since(m_followed.vertices)) { // all is there, and nothing deformed
         m_followed.vertices = changes.vertices.end();
@@ -305,7 +306,6 @@ void GpuScene::State::replaceTables() {
         followPoses();
         m_arePosesStale = false;
     }
-    m_retired.close();
 }
 
 /// Whether another world's meshes or materials took the place of those that were followed.
@@ -349,7 +349,8 @@ bool GpuScene::State::followVertices() {
     const std::span<const std::uint32_t> meshes = changed ? *changed : std::span<const std::uint32_t>(all);
     ++m_verticesRevision;
     const bool changesPipeline = m_vertexUpdates.follow(
-        *m_world, meshes, {.meshes = m_meshes, .last = m_keepsLastVertices ? &m_lastVertices : nullptr});
+        *m_world, meshes,
+        {.meshes = m_meshes, .retired = m_retired, .last = m_keepsLastVertices ? &m_lastVertices : nullptr});
     m_followed.vertices =
         changes.end(); // now: where the update fails after this, the next one moves nothing again
     return changesPipeline;
@@ -362,7 +363,7 @@ bool GpuScene::State::followPoses() {
         return false;
     }
     m_verticesRevision += 2; // what is kept is not the last frame's
-    return m_vertexUpdates.follow(*m_world, meshes, {.meshes = m_meshes});
+    return m_vertexUpdates.follow(*m_world, meshes, {.meshes = m_meshes, .retired = m_retired});
 }
 
 void GpuScene::State::updateVertices() {

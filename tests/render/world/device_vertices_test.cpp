@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <memory>
 #include <numeric>
 #include <set>
 
@@ -260,6 +261,34 @@ TEST_F(DeviceVerticesTest, HaveTangentsAfterAFailedFrame) {
     const auto edit = [&](scene::World& world) { world.setMaterial(world.material(0), bumpy); };
     EXPECT_GE(expectEditOutlivesFailures(device(), "vkCreateBuffer", begun, edit), 2u);
     EXPECT_GE(expectEditOutlivesFailures(device(), "vkQueueSubmit2", begun, edit), 3u); // upload, pose, frame
+}
+
+/// Neither its shared pointer nor its buffer.
+TEST_F(DeviceVerticesTest, KeepNoDeformerOfAMeshThatHasNoPose) {
+    const scene::Mesh box = scene::makeBox(glm::vec3(1.0f));
+    using Edit = void (*)(scene::World&, scene::MeshHandle, const scene::Mesh&);
+    const Edit goes = [](scene::World& world, scene::MeshHandle mesh, const scene::Mesh&) {
+        world.removeMesh(mesh);
+    };
+    const Edit isGivenVertices = [](scene::World& world, scene::MeshHandle mesh, const scene::Mesh& made) {
+        world.setVertices(mesh, made.vertices);
+    };
+    const Edit isOfAnotherWorld = [](scene::World& world, scene::MeshHandle, const scene::Mesh&) {
+        world = scene::World(boxScene());
+    };
+    for (const Edit edit : {goes, isGivenVertices, isOfAnotherWorld}) {
+        scene::World world(boxScene());
+        const scene::MeshHandle mesh = world.addMesh(box);
+        scene::MeshPose pose = jointPose(box, glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)));
+        const std::weak_ptr<const scene::Deformer> deformer = pose.deformer;
+        world.setPose(mesh, std::move(pose));
+        render::GpuScene onDevice(device(), world);
+        edit(world, mesh, box);
+        onDevice.update();
+        gpu::waitForQueue(device());
+        onDevice.update(); // frees what the queue is done with
+        EXPECT_TRUE(deformer.expired());
+    }
 }
 
 /// Facets are made by the CPU, which needs the vertices for them.
