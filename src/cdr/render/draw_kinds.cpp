@@ -34,11 +34,29 @@ std::uint32_t DrawKinds::indexOf(const Key& key, const From& from) {
     return entry->second;
 }
 
-bool DrawKinds::read(const From& from) {
+bool DrawKinds::readOne(std::uint32_t kind, const From& from) {
+    const DrawKind before = std::exchange(m_kinds[kind], kindOf(m_keys[kind], from));
+    return before != m_kinds[kind];
+}
+
+bool DrawKinds::readAll(const From& from) {
     bool isAnyOther = false;
-    for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
-        const DrawKind before = std::exchange(m_kinds[kind], kindOf(m_keys[kind], from));
-        isAnyOther = isAnyOther || before != m_kinds[kind];
+    for (std::uint32_t kind = 0; kind < m_kinds.size(); ++kind) {
+        isAnyOther = readOne(kind, from) || isAnyOther;
+    }
+    return isAnyOther;
+}
+
+bool DrawKinds::read(const std::optional<std::span<const std::uint32_t>>& meshes, const From& from) {
+    if (!meshes) {
+        return readAll(from);
+    }
+    bool isAnyOther = false;
+    for (const std::uint32_t mesh : *meshes) {
+        for (auto entry = m_indices.lower_bound(Key{mesh, 0, false});
+             entry != m_indices.end() && std::get<0>(entry->first) == mesh; ++entry) {
+            isAnyOther = readOne(entry->second, from) || isAnyOther;
+        }
     }
     return isAnyOther;
 }

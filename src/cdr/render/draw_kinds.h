@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -31,11 +33,14 @@ class DrawKinds {
     const Key& keyOf(std::size_t kind) const { return m_keys[kind]; }
     /// Makes it where it is not there yet.
     std::uint32_t indexOf(const Key& key, const From& from);
-    /// Reads all again. Whether any says something else now.
-    bool read(const From& from);
+    /// Reads those of meshes again, in time by the number of these; nothing: all. Whether any says something else now.
+    bool read(const std::optional<std::span<const std::uint32_t>>& meshes, const From& from);
     void clear();
 
   private:
+    bool readOne(std::uint32_t kind, const From& from);
+    bool readAll(const From& from);
+
     std::vector<DrawKind> m_kinds;
     std::vector<Key> m_keys;
     std::map<Key, std::uint32_t> m_indices;

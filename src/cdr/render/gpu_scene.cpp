@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <mutex>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace cdr::render {
@@ -68,10 +69,10 @@ class GpuScene::State {
     };
 
     void updateTables();
-    bool followVertices();
-    bool followPoses();
+    void followVertices();
+    void followPoses();
     void updateVertices();
-    void readKinds();
+    void readKinds(const std::optional<std::span<const std::uint32_t>>& meshes);
     bool areTablesReplaced() const;
     void forgetKinds();
     void readMaterials();
@@ -135,9 +136,8 @@ GpuScene::GpuScene(const gpu::Device& device, const scene::World& world, std::si
     : m_state(std::make_unique<State>(device, world.scene(), threads)) {
     m_state->m_world = &world;
     m_state->m_followed = State::Followed::allOf(world.changes());
-    if (m_state->followPoses()) {
-        m_state->readKinds();
-    }
+    m_state->followPoses();
+    m_state->readKinds({});
 }
 
 bool GpuScene::State::isCurrent() const {
@@ -274,9 +274,9 @@ void GpuScene::State::update() {
         }
         updateInstances();
     }
+    ++m_revision;
     m_retired.close();
     m_followed = Followed::allOf(changes);
-    ++m_revision;
 }
 
 void GpuScene::State::replaceTables() {
@@ -327,7 +327,7 @@ void GpuScene::State::updateTables() {
     }
     replaceTables();
     readMaterials();
-    readKinds();
+    readKinds({});
     if (m_isEachInstanceStale) {
         readAllInstances();
     } else {
@@ -335,10 +335,10 @@ void GpuScene::State::updateTables() {
     }
 }
 
-bool GpuScene::State::followVertices() {
+void GpuScene::State::followVertices() {
     const scene::ChangeLog& changes = m_world->changes().vertices;
     if (m_followed.vertices == changes.end()) {
-        return false;
+        return;
     }
     std::vector<std::uint32_t> all;
     const auto changed = changes.since(m_followed.vertices);
@@ -348,33 +348,33 @@ bool GpuScene::State::followVertices() {
     }
     const std::span<const std::uint32_t> meshes = changed ? *changed : std::span<const std::uint32_t>(all);
     ++m_verticesRevision;
-    const bool changesPipeline = m_vertexUpdates.follow(
+    m_vertexUpdates.follow(
         *m_world, meshes,
         {.meshes = m_meshes, .retired = m_retired, .last = m_keepsLastVertices ? &m_lastVertices : nullptr});
     m_followed.vertices =
         changes.end(); // now: where the update fails after this, the next one moves nothing again
-    return changesPipeline;
 }
 
-/// Has the device deform all meshes that it deforms at all. Whether that takes other pipelines.
-bool GpuScene::State::followPoses() {
+/// Has the device deform all meshes that it deforms at all.
+void GpuScene::State::followPoses() {
     const std::vector<std::uint32_t> meshes = m_world->posedMeshes();
     if (meshes.empty()) {
-        return false;
+        return;
     }
     m_verticesRevision += 2; // what is kept is not the last frame's
-    return m_vertexUpdates.follow(*m_world, meshes, {.meshes = m_meshes, .retired = m_retired});
+    m_vertexUpdates.follow(*m_world, meshes, {.meshes = m_meshes, .retired = m_retired});
 }
 
 void GpuScene::State::updateVertices() {
     ++m_meshesRevision;
-    if (followVertices()) {
-        readKinds();
-    }
+    const auto changed = m_world->changes().vertices.since(m_followed.vertices);
+    followVertices();
+    readKinds(changed); // in any case: an update that failed has changed meshes, and not their kinds
 }
 
-void GpuScene::State::readKinds() {
-    m_tablesRevision += m_kinds.read(kindsFrom()) ? 1 : 0;
+/// Those of meshes; nothing: all.
+void GpuScene::State::readKinds(const std::optional<std::span<const std::uint32_t>>& meshes) {
+    m_tablesRevision += m_kinds.read(meshes, kindsFrom()) ? 1 : 0;
 }
 
 void GpuScene::State::readMaterials() {

@@ -263,6 +263,22 @@ TEST_F(DeviceVerticesTest, HaveTangentsAfterAFailedFrame) {
     EXPECT_GE(expectEditOutlivesFailures(device(), "vkQueueSubmit2", begun, edit), 3u); // upload, pose, frame
 }
 
+/// A box whose pose is no longer faceted.
+TEST_F(DeviceVerticesTest, TakeTheirPipelineAfterAFailedFrame) {
+    scene::Scene scene = boxScene();
+    addBox(scene, {0.0, 0.0, -5.0});
+    scene::Mesh round = scene.meshes[0];
+    for (scene::Vertex& vertex : round.vertices) {
+        vertex.normal = glm::normalize(vertex.position);
+    }
+    const scene::MeshPose pose =
+        jointPose(round, glm::rotate(glm::dmat4(1.0), 0.5, glm::dvec3(1.0, 1.0, 0.0)));
+    const scene::World begun(std::move(scene));
+    const auto edit = [&](scene::World& world) { world.setPose(world.mesh(0), pose); };
+    EXPECT_GE(expectEditOutlivesFailures(device(), "vkCreateBuffer", begun, edit), 4u);
+    EXPECT_GE(expectEditOutlivesFailures(device(), "vkQueueSubmit2", begun, edit), 3u); // upload, pose, frame
+}
+
 /// Neither its shared pointer nor its buffer.
 TEST_F(DeviceVerticesTest, KeepNoDeformerOfAMeshThatHasNoPose) {
     const scene::Mesh box = scene::makeBox(glm::vec3(1.0f));

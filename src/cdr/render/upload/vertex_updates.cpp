@@ -13,7 +13,7 @@ void VertexUpdates::forget(const std::optional<std::span<const std::uint32_t>>& 
     }
 }
 
-bool VertexUpdates::follow(const scene::World& world, std::span<const std::uint32_t> changed,
+void VertexUpdates::follow(const scene::World& world, std::span<const std::uint32_t> changed,
                            const Into& into) {
     std::vector<std::uint32_t> uploaded;
     std::vector<DeformJob> jobs;
@@ -43,16 +43,13 @@ bool VertexUpdates::follow(const scene::World& world, std::span<const std::uint3
             into.last->record(commands, into.meshes);
         }
     };
-    bool changesPipeline = false;
     if (!uploaded.empty()) {
         gpu::waitForQueue(m_device); // frames in flight read what is written over
         gpu::runOnce(m_device, keep);
-        changesPipeline = into.meshes.followVertices(world.scene(), uploaded);
+        into.meshes.followVertices(world.scene(), uploaded);
     }
     for (const DeformJob& job : jobs) {
-        const float radius = world.scene().meshes[job.mesh].boundingRadius;
-        changesPipeline =
-            into.meshes.followPose(job.mesh, radius, m_deformer->isFaceted(job.mesh)) || changesPipeline;
+        into.meshes.followPose(job.mesh, m_deformer->isFaceted(job.mesh));
     }
     if (!jobs.empty()) {
         m_deformer->run(jobs, {.vertices = into.meshes.vertices(), .details = into.meshes.details()},
@@ -62,7 +59,6 @@ bool VertexUpdates::follow(const scene::World& world, std::span<const std::uint3
                             }
                         });
     }
-    return changesPipeline;
 }
 
 } // namespace cdr::render

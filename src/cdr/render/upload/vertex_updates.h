@@ -24,10 +24,9 @@ class VertexUpdates {
         LastVertices* last = nullptr; ///< gets the vertices before this; null: nobody reads them
     };
     /// Follows meshes that have other vertices, as many as before. Waits where some are uploaded.
-    /// @param changed meshes, repeats allowed
-    /// @return whether a mesh became faceted or ceased to be, which takes another pipeline.
+    /// @param changed meshes, repeats allowed; their draw kinds are to be read again, as for SceneMeshes::followVertices()
     /// base::InputError and base::RunError where the device cannot deform a mesh that has a pose.
-    bool follow(const scene::World& world, std::span<const std::uint32_t> changed, const Into& into);
+    void follow(const scene::World& world, std::span<const std::uint32_t> changed, const Into& into);
     /// Meshes that were added, replaced or removed; nothing: any may have been.
     void forget(const std::optional<std::span<const std::uint32_t>>& meshes, gpu::Retired& retired);
 
