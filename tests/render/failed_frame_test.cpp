@@ -1,8 +1,6 @@
-#include "failing_calls.h"
-#include "fixture.h"
+#include "failed_edits.h"
 
 #include <cdr/render/views/views_renderer.h>
-#include <cdr/scene/world/world.h>
 
 #include <array>
 #include <functional>
@@ -241,6 +239,19 @@ TEST_F(FailedFrameTest, MeshesOutliveAnUploadWithoutMemory) {
         }
     }
     EXPECT_GE(failures, 3u); // vertices, indices, and what takes them there
+}
+
+/// A box that is no longer faceted takes another pipeline, whether its vertices were uploaded at once or after an error.
+TEST_F(FailedFrameTest, MeshesTakeThePipelineOfTheirVertices) {
+    std::vector<scene::Vertex> round = m_scene.meshes[0].vertices;
+    for (scene::Vertex& vertex : round) {
+        vertex.normal = glm::normalize(vertex.position);
+    }
+    const scene::World begun(m_scene);
+    const auto edit = [&](scene::World& world) { world.setVertices(world.mesh(0), round); };
+    // Of the vertices before, and of those that are uploaded.
+    EXPECT_GE(expectEditOutlivesFailures(device(), "vkCreateBuffer", begun, edit), 2u);
+    EXPECT_GE(expectEditOutlivesFailures(device(), "vkQueueSubmit2", begun, edit), 3u);
 }
 
 /// More lights than there is room for, in a frame that runs out of memory. Without them again all is drawn as before.

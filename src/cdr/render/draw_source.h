@@ -24,7 +24,8 @@ struct MeshRange {
     std::uint32_t firstLevel = 0;  ///< its coarser levels, into GpuScene::levels()
     std::uint32_t levelCount = 0;
     std::uint32_t firstClusterIndex = 0; ///< where its scene::ClusterTree::indices begin
-    float boundingRadius = 0.0f;         ///< object space
+    /// Object space. For levels, so it is not followed where a mesh deforms, which has none.
+    float boundingRadius = 0.0f;
     bool isFaceted = false; ///< the vertices of every triangle share their colour and its own normal
     /// render::isClosed(). Not while the device deforms it, since vertices at one place may part.
     bool isClosed = false;

@@ -2,7 +2,7 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/retired.h>
 #include <cdr/gpu/upload.h>
-#include <cdr/render/draw_source.h>
+#include <cdr/render/draw_kinds.h>
 #include <cdr/render/materials/material_words.h>
 #include <cdr/render/materials/scene_textures.h>
 #include <cdr/render/upload/last_vertices.h>
@@ -13,10 +13,9 @@
 #include <cdr/visibility/instance_cells.h>
 
 #include <algorithm>
-#include <map>
 #include <mutex>
 #include <numeric>
-#include <tuple>
+#include <optional>
 #include <utility>
 
 namespace cdr::render {
@@ -48,8 +47,6 @@ class GpuScene::State {
         std::uint64_t readings = 0;  ///< m_readings
     };
 
-    /// Mesh, material, mirrored.
-    using KindKey = std::tuple<std::uint32_t, std::uint32_t, bool>;
     /// What instances keep of their material.
     struct SurfaceKind {
         bool unlit = false;
@@ -72,16 +69,15 @@ class GpuScene::State {
     };
 
     void updateTables();
-    bool followVertices();
-    bool followPoses();
+    void followVertices();
+    void followPoses();
     void updateVertices();
-    void readKinds();
+    void readKinds(const std::optional<std::span<const std::uint32_t>>& meshes);
     bool areTablesReplaced() const;
     void forgetKinds();
     void readMaterials();
     void replaceTables();
-    DrawKind kindOf(const KindKey& key) const;
-    std::uint32_t kindIndexOf(const KindKey& key);
+    DrawKinds::From kindsFrom() const { return {*m_scene, m_meshes, m_textures, m_layers}; }
     void readInstance(std::size_t i);
     void readAllInstances();
     void updateInstances();
@@ -98,6 +94,8 @@ class GpuScene::State {
     SceneMeshes m_meshes;
     LastVertices m_lastVertices;
     VertexUpdates m_vertexUpdates;
+    bool m_arePosesStale =
+        false; ///< whether meshes that the device deforms were uploaded as the CPU has them
     bool m_keepsLastVertices = false;
     std::uint64_t m_verticesRevision = 0;
     SceneTextures m_textures;
@@ -108,9 +106,7 @@ class GpuScene::State {
     std::vector<SurfaceKind> m_surfaces; ///< by material
     bool m_isEachInstanceStale = false;  ///< whether a material changed what instances keep of it
     std::vector<LayerPlace> m_layers;    ///< by material
-    std::vector<DrawKind> m_kinds;       ///< only ever more, until the tables are replaced
-    std::vector<KindKey> m_kindKeys;
-    std::map<KindKey, std::uint32_t> m_kindIndices;
+    DrawKinds m_kinds;                   ///< until the tables are replaced
     std::vector<DrawSource> m_sources;
     std::vector<std::uint32_t> m_blended;
     Culled m_culled;
@@ -140,9 +136,8 @@ GpuScene::GpuScene(const gpu::Device& device, const scene::World& world, std::si
     : m_state(std::make_unique<State>(device, world.scene(), threads)) {
     m_state->m_world = &world;
     m_state->m_followed = State::Followed::allOf(world.changes());
-    if (m_state->followPoses()) {
-        m_state->readKinds();
-    }
+    m_state->followPoses();
+    m_state->readKinds({});
 }
 
 bool GpuScene::State::isCurrent() const {
@@ -248,7 +243,7 @@ const std::vector<DrawSource>& GpuScene::sources() const {
     return m_state->m_sources;
 }
 const std::vector<DrawKind>& GpuScene::kinds() const {
-    return m_state->m_kinds;
+    return m_state->m_kinds.all();
 }
 const std::vector<LevelRange>& GpuScene::levels() const {
     return m_state->m_meshes.levels();
@@ -279,8 +274,9 @@ void GpuScene::State::update() {
         }
         updateInstances();
     }
-    m_followed = Followed::allOf(changes);
     ++m_revision;
+    m_retired.close();
+    m_followed = Followed::allOf(changes);
 }
 
 void GpuScene::State::replaceTables() {
@@ -290,7 +286,7 @@ void GpuScene::State::replaceTables() {
     const vk::Buffer detailsBefore = m_meshes.details().handle();
     if (areMeshesOthers) {
         m_meshes.follow(*m_scene, meshes, m_retired);
-        m_vertexUpdates.forget(meshes);
+        m_vertexUpdates.forget(meshes, m_retired);
     }
     if (!meshes && !changes.vertices.since(m_followed.vertices)) { // all is there, and nothing deformed
         m_followed.vertices = changes.vertices.end();
@@ -304,10 +300,12 @@ void GpuScene::State::replaceTables() {
     const auto materials = changes.materials.since(m_followed.materials);
     m_textures.followMaterials(*m_scene, textures ? materials : std::nullopt, m_retired);
     m_meshes.followDetails(*m_scene, m_retired);
-    if (areMeshesOthers || m_meshes.details().handle() != detailsBefore) {
-        followPoses(); // what was uploaded anew is as the CPU has it
+    // Kept, since the next update does not upload them again where this one fails from here on.
+    m_arePosesStale = m_arePosesStale || areMeshesOthers || m_meshes.details().handle() != detailsBefore;
+    if (m_arePosesStale) {
+        followPoses();
+        m_arePosesStale = false;
     }
-    m_retired.close();
 }
 
 /// Whether another world's meshes or materials took the place of those that were followed.
@@ -318,8 +316,6 @@ bool GpuScene::State::areTablesReplaced() const {
 
 void GpuScene::State::forgetKinds() {
     m_kinds.clear();
-    m_kindKeys.clear();
-    m_kindIndices.clear();
     m_sources.clear();
     m_isEachInstanceStale = true;
 }
@@ -331,7 +327,7 @@ void GpuScene::State::updateTables() {
     }
     replaceTables();
     readMaterials();
-    readKinds();
+    readKinds({});
     if (m_isEachInstanceStale) {
         readAllInstances();
     } else {
@@ -339,10 +335,10 @@ void GpuScene::State::updateTables() {
     }
 }
 
-bool GpuScene::State::followVertices() {
+void GpuScene::State::followVertices() {
     const scene::ChangeLog& changes = m_world->changes().vertices;
     if (m_followed.vertices == changes.end()) {
-        return false;
+        return;
     }
     std::vector<std::uint32_t> all;
     const auto changed = changes.since(m_followed.vertices);
@@ -352,37 +348,33 @@ bool GpuScene::State::followVertices() {
     }
     const std::span<const std::uint32_t> meshes = changed ? *changed : std::span<const std::uint32_t>(all);
     ++m_verticesRevision;
-    const bool changesPipeline = m_vertexUpdates.follow(
-        *m_world, meshes, {.meshes = m_meshes, .last = m_keepsLastVertices ? &m_lastVertices : nullptr});
+    m_vertexUpdates.follow(
+        *m_world, meshes,
+        {.meshes = m_meshes, .retired = m_retired, .last = m_keepsLastVertices ? &m_lastVertices : nullptr});
     m_followed.vertices =
         changes.end(); // now: where the update fails after this, the next one moves nothing again
-    return changesPipeline;
 }
 
-/// Has the device deform all meshes that it deforms at all. Whether that takes other pipelines.
-bool GpuScene::State::followPoses() {
+/// Has the device deform all meshes that it deforms at all.
+void GpuScene::State::followPoses() {
     const std::vector<std::uint32_t> meshes = m_world->posedMeshes();
     if (meshes.empty()) {
-        return false;
+        return;
     }
     m_verticesRevision += 2; // what is kept is not the last frame's
-    return m_vertexUpdates.follow(*m_world, meshes, {.meshes = m_meshes});
+    m_vertexUpdates.follow(*m_world, meshes, {.meshes = m_meshes, .retired = m_retired});
 }
 
 void GpuScene::State::updateVertices() {
     ++m_meshesRevision;
-    if (followVertices()) {
-        readKinds();
-    }
+    const auto changed = m_world->changes().vertices.since(m_followed.vertices);
+    followVertices();
+    readKinds(changed); // in any case: an update that failed has changed meshes, and not their kinds
 }
 
-void GpuScene::State::readKinds() {
-    bool isAnyOther = false;
-    for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
-        const DrawKind before = std::exchange(m_kinds[kind], kindOf(m_kindKeys[kind]));
-        isAnyOther = isAnyOther || before != m_kinds[kind];
-    }
-    m_tablesRevision += isAnyOther ? 1 : 0;
+/// Those of meshes; nothing: all.
+void GpuScene::State::readKinds(const std::optional<std::span<const std::uint32_t>>& meshes) {
+    m_tablesRevision += m_kinds.read(meshes, kindsFrom()) ? 1 : 0;
 }
 
 void GpuScene::State::readMaterials() {
@@ -407,42 +399,19 @@ void GpuScene::State::readMaterials() {
                     m_surfaces.begin());
 }
 
-DrawKind GpuScene::State::kindOf(const KindKey& key) const {
-    const auto [mesh, materialIndex, mirrored] = key;
-    const scene::Material& material = m_scene->materials[materialIndex];
-    return {.meshIndex = mesh,
-            .mesh = m_meshes.ranges()[mesh],
-            .variant = variantOf(m_meshes.ranges()[mesh].isFaceted, material,
-                                 m_textures.detailParts(*m_scene, materialIndex)),
-            .doubleSided = material.doubleSided,
-            .mirrored = mirrored,
-            .layer = m_layers[materialIndex],
-            .textureSet = m_textures.baseColorSet(*m_scene, materialIndex),
-            .detailSet = m_textures.detailSet(materialIndex)};
-}
-
-std::uint32_t GpuScene::State::kindIndexOf(const KindKey& key) {
-    const auto [entry, isNew] = m_kindIndices.try_emplace(key, static_cast<std::uint32_t>(m_kinds.size()));
-    if (isNew) {
-        m_kinds.push_back(kindOf(key));
-        m_kindKeys.push_back(key);
-    }
-    return entry->second;
-}
-
 void GpuScene::State::readInstance(std::size_t i) {
     const scene::Instances& instances = m_scene->instances;
-    const KindKey key{instances.mesh[i], instances.material[i], isMirror(instances.basis[i])};
+    const DrawKinds::Key key{instances.mesh[i], instances.material[i], isMirror(instances.basis[i])};
     DrawSource& source = m_sources[i];
     // What moves or goes keeps its kind, which spares the look-up and leaves runs of one kind whole.
-    const bool keepsKind = source.kind < m_kinds.size() &&
-                           (m_kindKeys[source.kind] == key || instances.radius[i] == scene::kNoRadius);
+    const bool keepsKind = source.kind < m_kinds.all().size() &&
+                           (m_kinds.keyOf(source.kind) == key || instances.radius[i] == scene::kNoRadius);
     source = {.position = instances.position(i),
               .basis = instances.basis[i],
               .id = instances.object[i] + 1 +
                     (m_scene->materials[instances.material[i]].unlit ? shaders::kIdUnlit : 0u),
               .material = instances.material[i],
-              .kind = keepsKind ? source.kind : kindIndexOf(key)};
+              .kind = keepsKind ? source.kind : m_kinds.indexOf(key, kindsFrom())};
 }
 
 void GpuScene::State::readAllInstances() {

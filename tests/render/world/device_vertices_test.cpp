@@ -1,5 +1,6 @@
 #include "../../support/deformers.h"
 #include "../../support/refusal.h"
+#include "../failed_edits.h"
 #include "../fixture.h"
 #include "../steps.h"
 
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <memory>
 #include <numeric>
 #include <set>
 
@@ -243,6 +245,66 @@ TEST_F(DeviceVerticesTest, OfAMeshInThePlaceOfAnotherAreShadedByItsOwnTriangles)
     scene::World anew(boxScene());
     anew.setPose(add(anew, joined).first, pose);
     EXPECT_EQ(hashOf(live.render({})), hashOf(SoleRenderer(device(), anew, options).render({})));
+}
+
+/// Tangents that come with the first normal texture are those of the pose, also where the device could not be told to deform them
+/// in the frame that uploads them.
+TEST_F(DeviceVerticesTest, HaveTangentsAfterAFailedFrame) {
+    const test::DeformerKind kind = test::deformerKinds()[0];
+    const auto deformer = test::makeDeformer(kind, 4);
+    scene::World begun(sceneOf(*deformer));
+    const scene::Material bumpy = begun.scene().materials[0];
+    scene::Material plain = bumpy;
+    plain.detail.normal.reset();
+    begun.setMaterial(begun.material(0), plain);
+    begun.setPose(begun.mesh(1), test::poseOf(kind, deformer, 6));
+    const auto edit = [&](scene::World& world) { world.setMaterial(world.material(0), bumpy); };
+    EXPECT_GE(expectEditOutlivesFailures(device(), "vkCreateBuffer", begun, edit), 2u);
+    EXPECT_GE(expectEditOutlivesFailures(device(), "vkQueueSubmit2", begun, edit), 3u); // upload, pose, frame
+}
+
+/// A box whose pose is no longer faceted.
+TEST_F(DeviceVerticesTest, TakeTheirPipelineAfterAFailedFrame) {
+    scene::Scene scene = boxScene();
+    addBox(scene, {0.0, 0.0, -5.0});
+    scene::Mesh round = scene.meshes[0];
+    for (scene::Vertex& vertex : round.vertices) {
+        vertex.normal = glm::normalize(vertex.position);
+    }
+    const scene::MeshPose pose =
+        jointPose(round, glm::rotate(glm::dmat4(1.0), 0.5, glm::dvec3(1.0, 1.0, 0.0)));
+    const scene::World begun(std::move(scene));
+    const auto edit = [&](scene::World& world) { world.setPose(world.mesh(0), pose); };
+    EXPECT_GE(expectEditOutlivesFailures(device(), "vkCreateBuffer", begun, edit), 4u);
+    EXPECT_GE(expectEditOutlivesFailures(device(), "vkQueueSubmit2", begun, edit), 3u); // upload, pose, frame
+}
+
+/// Neither its shared pointer nor its buffer.
+TEST_F(DeviceVerticesTest, KeepNoDeformerOfAMeshThatHasNoPose) {
+    const scene::Mesh box = scene::makeBox(glm::vec3(1.0f));
+    using Edit = void (*)(scene::World&, scene::MeshHandle, const scene::Mesh&);
+    const Edit goes = [](scene::World& world, scene::MeshHandle mesh, const scene::Mesh&) {
+        world.removeMesh(mesh);
+    };
+    const Edit isGivenVertices = [](scene::World& world, scene::MeshHandle mesh, const scene::Mesh& made) {
+        world.setVertices(mesh, made.vertices);
+    };
+    const Edit isOfAnotherWorld = [](scene::World& world, scene::MeshHandle, const scene::Mesh&) {
+        world = scene::World(boxScene());
+    };
+    for (const Edit edit : {goes, isGivenVertices, isOfAnotherWorld}) {
+        scene::World world(boxScene());
+        const scene::MeshHandle mesh = world.addMesh(box);
+        scene::MeshPose pose = jointPose(box, glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)));
+        const std::weak_ptr<const scene::Deformer> deformer = pose.deformer;
+        world.setPose(mesh, std::move(pose));
+        render::GpuScene onDevice(device(), world);
+        edit(world, mesh, box);
+        onDevice.update();
+        gpu::waitForQueue(device());
+        onDevice.update(); // frees what the queue is done with
+        EXPECT_TRUE(deformer.expired());
+    }
 }
 
 /// Facets are made by the CPU, which needs the vertices for them.

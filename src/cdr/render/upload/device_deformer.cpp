@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace cdr::render {
 
@@ -112,7 +113,21 @@ void DeviceDeformer::provide(std::span<const DeformJob> jobs) {
                                 .words =
                                     gpu::uploadBuffer(m_device, std::as_bytes(std::span(made.words)),
                                                       vk::BufferUsageFlagBits::eStorageBuffer, "deformer"),
-                                .push = made.push};
+                                .push = made.push,
+                                .isFaceted = staysFaceted(*deformer, job.indices)};
+    }
+}
+
+void DeviceDeformer::forget(const std::optional<std::span<const std::uint32_t>>& meshes,
+                            gpu::Retired& retired) {
+    if (!meshes) {
+        retired.add(std::exchange(m_uploaded, {}));
+        return;
+    }
+    for (const std::uint32_t mesh : *meshes) {
+        if (auto gone = m_uploaded.extract(mesh)) {
+            retired.add(std::move(gone.mapped()));
+        }
     }
 }
 

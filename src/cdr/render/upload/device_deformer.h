@@ -3,6 +3,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/memory.h>
 #include <cdr/gpu/pipeline.h>
+#include <cdr/gpu/retired.h>
 #include <cdr/render/upload/deformer_words.h>
 #include <cdr/scene/animation/mesh_pose.h>
 
@@ -11,6 +12,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,9 +20,10 @@ namespace cdr::render {
 
 /// A mesh that the device is to deform.
 struct DeformJob {
-    std::uint32_t mesh = 0;                ///< of the scene
-    const scene::MeshPose* pose = nullptr; ///< never null
-    std::size_t firstVertex = 0;           ///< in the buffers that are written
+    std::uint32_t mesh = 0;                 ///< of the scene
+    const scene::MeshPose* pose = nullptr;  ///< never null
+    std::span<const std::uint32_t> indices; ///< of its triangles
+    std::size_t firstVertex = 0;            ///< in the buffers that are written
 };
 
 /// Deforms meshes by a compute pass (shaders/deform/deform.comp), into the buffers that all passes read. Deformers are
@@ -43,6 +46,10 @@ class DeviceDeformer {
     /// Uploads the deformers of jobs that are not there yet, which waits. base::RunError with both figures where one is too
     /// large for the device.
     void provide(std::span<const DeformJob> jobs);
+    /// staysFaceted() of a mesh whose deformer provide() knows.
+    bool isFaceted(std::uint32_t mesh) const { return m_uploaded.at(mesh).isFaceted; }
+    /// Drops the deformers of meshes; nothing: of all.
+    void forget(const std::optional<std::span<const std::uint32_t>>& meshes, gpu::Retired& retired);
     /// Submits the work, of which provide() knows the deformers.
     /// @param before records what is to come before it
     void run(std::span<const DeformJob> jobs, const Into& into,
@@ -54,6 +61,7 @@ class DeviceDeformer {
         std::shared_ptr<const scene::Deformer> deformer; ///< that it was made of, which stays as it is
         gpu::Buffer words;
         shaders::DeformPush push{};
+        bool isFaceted = false; ///< asked once, since it takes time by triangles
     };
     /// What one submission uses.
     struct Slot {

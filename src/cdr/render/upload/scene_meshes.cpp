@@ -42,22 +42,6 @@ bool isFaceted(const scene::Mesh& mesh) {
            });
 }
 
-struct MeshShape {
-    bool isFaceted = false; ///< MeshRange
-    bool isClosed = false;
-};
-
-MeshShape shapeOf(const scene::Mesh& mesh) {
-    return {.isFaceted = isFaceted(mesh), .isClosed = isClosed(mesh.vertices, mesh.indices)};
-}
-
-/// Whether that changes what its draw kinds say.
-bool reshape(MeshRange& range, const MeshShape& shape) {
-    const bool wasFaceted = std::exchange(range.isFaceted, shape.isFaceted);
-    const bool wasClosed = std::exchange(range.isClosed, shape.isClosed);
-    return wasFaceted != shape.isFaceted || wasClosed != shape.isClosed;
-}
-
 template <typename T>
 gpu::BufferPart partOf(std::size_t first, const std::vector<T>& values) {
     const std::span<const std::byte> bytes = std::as_bytes(std::span(values));
@@ -156,7 +140,6 @@ MeshRange SceneMeshes::place(const scene::Mesh& mesh, Packed& into) {
         return first;
     };
     const std::vector<visibility::MeshChunk> chunks = visibility::chunksOf(mesh.vertices, mesh.indices);
-    const MeshShape shape = shapeOf(mesh);
     const MeshRange range{.firstIndex = placeIndices(mesh.indices),
                           .indexCount = static_cast<std::uint32_t>(mesh.indices.size()),
                           .vertexOffset = static_cast<std::int32_t>(m_used.vertices),
@@ -164,8 +147,8 @@ MeshRange SceneMeshes::place(const scene::Mesh& mesh, Packed& into) {
                           .levelCount = static_cast<std::uint32_t>(mesh.levels.size()),
                           .firstClusterIndex = placeIndices(mesh.clusters.indices),
                           .boundingRadius = mesh.boundingRadius,
-                          .isFaceted = shape.isFaceted,
-                          .isClosed = shape.isClosed,
+                          .isFaceted = isFaceted(mesh),
+                          .isClosed = isClosed(mesh.vertices, mesh.indices),
                           .firstChunk = static_cast<std::uint32_t>(m_chunks.size()),
                           .chunkCount = static_cast<std::uint32_t>(chunks.size())};
     m_chunks.insert(m_chunks.end(), chunks.begin(), chunks.end());
@@ -287,8 +270,7 @@ void SceneMeshes::followDetails(const scene::Scene& scene, gpu::Retired& retired
     }
 }
 
-bool SceneMeshes::followVertices(const scene::Scene& scene, std::span<const std::uint32_t> changed) {
-    bool changesKind = false;
+void SceneMeshes::followVertices(const scene::Scene& scene, std::span<const std::uint32_t> changed) {
     std::vector<gpu::BufferPart> vertices;
     std::vector<gpu::BufferPart> details;
     for (const std::uint32_t i : std::set<std::uint32_t>(changed.begin(), changed.end())) {
@@ -299,25 +281,24 @@ bool SceneMeshes::followVertices(const scene::Scene& scene, std::span<const std:
         if (m_details.size() != 0) {
             details.push_back(partOf(first, detailsOf(mesh)));
         }
-        range.boundingRadius = mesh.boundingRadius;
         if (range.chunkCount > 0) {
             std::ranges::copy(visibility::chunksOf(mesh.vertices, mesh.indices),
                               m_chunks.begin() + range.firstChunk);
         }
-        changesKind = reshape(range, shapeOf(mesh)) || changesKind;
+        range.isFaceted = isFaceted(mesh);
+        range.isClosed = isClosed(mesh.vertices, mesh.indices);
     }
     gpu::writeBuffer(m_device, m_vertices, vertices);
     if (!details.empty()) {
         gpu::writeBuffer(m_device, m_details, details);
     }
-    return changesKind;
 }
 
-bool SceneMeshes::followPose(std::uint32_t mesh, float boundingRadius, bool isFaceted) {
+void SceneMeshes::followPose(std::uint32_t mesh, bool isFaceted) {
     MeshRange& range = m_ranges[mesh];
-    range.boundingRadius = boundingRadius;
-    const bool hadChunks = std::exchange(range.chunkCount, 0) > 0;
-    return reshape(range, {.isFaceted = isFaceted}) || hadChunks;
+    range.isFaceted = isFaceted;
+    range.isClosed = false;
+    range.chunkCount = 0;
 }
 
 std::uint64_t SceneMeshes::predictBytes(const scene::Scene& scene) {

@@ -38,13 +38,14 @@ class SceneMeshes {
                 gpu::Retired& retired);
 
     /// Follows meshes that have other vertices, as many as before, and waits. Nothing that was submitted may still read
-    /// the vertices. Whether draw kinds say something else of a mesh: that it is faceted, which takes another pipeline, or closed.
+    /// the vertices. Draw kinds may say something else of these meshes then: whether they are faceted, which takes another
+    /// pipeline, or closed.
     /// @param changed meshes, repeats allowed
-    bool followVertices(const scene::Scene& scene, std::span<const std::uint32_t> changed);
+    void followVertices(const scene::Scene& scene, std::span<const std::uint32_t> changed);
 
-    /// The device gives a mesh its vertices. Whether draw kinds say something else of it, as for followVertices(), or that it has no
+    /// The device gives a mesh its vertices. Draw kinds may say something else of it, as for followVertices(), and that it has no
     /// chunks now.
-    bool followPose(std::uint32_t mesh, float boundingRadius, bool isFaceted);
+    void followPose(std::uint32_t mesh, bool isFaceted);
 
     /// Uploads what vertices have beside themselves, or drops it, where materials now need it or do so no more; then waits.
     void followDetails(const scene::Scene& scene, gpu::Retired& retired);

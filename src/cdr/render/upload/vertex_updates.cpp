@@ -6,37 +6,29 @@
 
 namespace cdr::render {
 
-bool VertexUpdates::isFaceted(const scene::World& world, const DeformJob& job) {
-    Looked& looked = m_looked[job.mesh];
-    if (looked.deformer != job.pose->deformer) {
-        looked = {.deformer = job.pose->deformer,
-                  .isFaceted = staysFaceted(*job.pose->deformer, world.scene().meshes[job.mesh].indices)};
-    }
-    return looked.isFaceted;
-}
-
-void VertexUpdates::forget(const std::optional<std::span<const std::uint32_t>>& meshes) {
-    if (!meshes) {
-        m_looked.clear();
-        return;
-    }
-    for (const std::uint32_t mesh : *meshes) {
-        m_looked.erase(mesh);
+void VertexUpdates::forget(const std::optional<std::span<const std::uint32_t>>& meshes,
+                           gpu::Retired& retired) {
+    if (m_deformer != nullptr) {
+        m_deformer->forget(meshes, retired);
     }
 }
 
-bool VertexUpdates::follow(const scene::World& world, std::span<const std::uint32_t> changed,
+void VertexUpdates::follow(const scene::World& world, std::span<const std::uint32_t> changed,
                            const Into& into) {
     std::vector<std::uint32_t> uploaded;
     std::vector<DeformJob> jobs;
     for (const std::uint32_t mesh : std::set<std::uint32_t>(changed.begin(), changed.end())) {
         if (const scene::MeshPose* pose = world.pose(mesh)) {
             const std::int32_t first = into.meshes.ranges()[mesh].vertexOffset;
-            jobs.push_back({.mesh = mesh, .pose = pose, .firstVertex = static_cast<std::size_t>(first)});
+            jobs.push_back({.mesh = mesh,
+                            .pose = pose,
+                            .indices = world.scene().meshes[mesh].indices,
+                            .firstVertex = static_cast<std::size_t>(first)});
         } else {
             uploaded.push_back(mesh);
         }
     }
+    forget(uploaded, into.retired);
     if (!jobs.empty()) {
         if (m_deformer == nullptr) {
             m_deformer = std::make_unique<DeviceDeformer>(m_device);
@@ -51,15 +43,13 @@ bool VertexUpdates::follow(const scene::World& world, std::span<const std::uint3
             into.last->record(commands, into.meshes);
         }
     };
-    bool changesPipeline = false;
     if (!uploaded.empty()) {
         gpu::waitForQueue(m_device); // frames in flight read what is written over
         gpu::runOnce(m_device, keep);
-        changesPipeline = into.meshes.followVertices(world.scene(), uploaded);
+        into.meshes.followVertices(world.scene(), uploaded);
     }
     for (const DeformJob& job : jobs) {
-        const float radius = world.scene().meshes[job.mesh].boundingRadius;
-        changesPipeline = into.meshes.followPose(job.mesh, radius, isFaceted(world, job)) || changesPipeline;
+        into.meshes.followPose(job.mesh, m_deformer->isFaceted(job.mesh));
     }
     if (!jobs.empty()) {
         m_deformer->run(jobs, {.vertices = into.meshes.vertices(), .details = into.meshes.details()},
@@ -69,7 +59,6 @@ bool VertexUpdates::follow(const scene::World& world, std::span<const std::uint3
                             }
                         });
     }
-    return changesPipeline;
 }
 
 } // namespace cdr::render

@@ -6,7 +6,6 @@
 #include <cdr/scene/world/world.h>
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -21,27 +20,19 @@ class VertexUpdates {
     /// What is brought up to date.
     struct Into {
         SceneMeshes& meshes;
+        gpu::Retired& retired;        ///< gets the deformers of meshes that have no pose any more
         LastVertices* last = nullptr; ///< gets the vertices before this; null: nobody reads them
     };
     /// Follows meshes that have other vertices, as many as before. Waits where some are uploaded.
-    /// @param changed meshes, repeats allowed
-    /// @return whether a mesh became faceted or ceased to be, which takes another pipeline.
+    /// @param changed meshes, repeats allowed; their draw kinds are to be read again, as for SceneMeshes::followVertices()
     /// base::InputError and base::RunError where the device cannot deform a mesh that has a pose.
-    bool follow(const scene::World& world, std::span<const std::uint32_t> changed, const Into& into);
+    void follow(const scene::World& world, std::span<const std::uint32_t> changed, const Into& into);
     /// Meshes that were added, replaced or removed; nothing: any may have been.
-    void forget(const std::optional<std::span<const std::uint32_t>>& meshes);
+    void forget(const std::optional<std::span<const std::uint32_t>>& meshes, gpu::Retired& retired);
 
   private:
-    /// What is asked once of a deformer and the triangles of its mesh.
-    struct Looked {
-        std::shared_ptr<const scene::Deformer> deformer;
-        bool isFaceted = false;
-    };
-    bool isFaceted(const scene::World& world, const DeformJob& job);
-
     const gpu::Device& m_device;
     std::unique_ptr<DeviceDeformer> m_deformer; ///< once a mesh has a pose
-    std::map<std::uint32_t, Looked> m_looked;   ///< by mesh
 };
 
 } // namespace cdr::render
