@@ -66,6 +66,24 @@ TEST_F(ViewerTest, OrbitsWhatItLooksAtWhateverTheScale) {
     }
 }
 
+/// The distance to what was in view before would be a false one.
+TEST_F(ViewerTest, OrbitsWhatItLooksAtAfterHome) {
+    const RunResult run =
+        play("--size 240x160 --technique anchored cubes",
+             "wait-frame\nstate\nkey O\nmove 120 80\nscroll 40\nwait-ui 1\nwait-frame\nstate\nkey home\n"
+             "wait-frame\nstate\npress\nmove 160 80\nwait-ui 1\nrelease\nwait-frame\nstate\nquit\n");
+    const auto states = run.states(4);
+    const auto ahead = [](const std::string& state) {
+        return glm::length(vectorOf(valueOf(state, "pivot")) - vectorOf(valueOf(state, "eye")));
+    };
+    ASSERT_EQ(valueOf(states[2], "eye"), valueOf(states[0], "eye"));
+    EXPECT_LT(ahead(states[1]), 0.1 * ahead(states[0])) << "it has not gone nearer: " << states[1];
+    EXPECT_EQ(valueOf(states[2], "orbits"), "1");
+    EXPECT_NEAR(ahead(states[2]), ahead(states[0]), 0.01 * ahead(states[0])) << states[2];
+    EXPECT_NE(valueOf(states[3], "eye"), valueOf(states[2], "eye")) << "it has not turned";
+    EXPECT_NE(valueOf(states[3], "draws"), "0") << "the scene is lost: " << states[3];
+}
+
 TEST_F(ViewerTest, RecordsOneCameraAtRestAndNothingBeforeAScene) {
     const RunResult run = play("--size 560x300 --technique standard cubes",
                                "key R\nkey R\nwait-frame\nkey R\nkey R\nwait-ui 1\nstate\nkey P\nwait-frame\n"

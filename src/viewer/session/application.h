@@ -62,6 +62,7 @@ class Application {
     void saveWindow(const image::ImageRgba8& pixels);
     void frameSelected();
     void toggleTour();
+    void goHome();
     PictureArea pictureArea() const;
     float sidebarWidth() const;
     /// Whether the window changes without input, or has to count its frames.
