@@ -126,7 +126,8 @@ void drawMeasuringPanel(const Widgets& widgets, ViewerModel& model) {
     const auto show = [&](const PickedPoint& point) {
         widgets.value("object", point.name);
         showPlace(widgets, model.interface, point.position);
-        showLength(widgets, model.interface, "distance", point.distanceView);
+        showLength(widgets, model.interface, "distance", point.distance);
+        showLength(widgets, model.interface, "along view", point.distanceView);
         showLength(widgets, model.interface, "step", point.stepView);
     };
     show(*first);
