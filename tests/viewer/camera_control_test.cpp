@@ -1,6 +1,9 @@
 #include <viewer/session/camera_control.h>
 
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
+
+#include <initializer_list>
 
 namespace cdr::viewer_test {
 
@@ -33,6 +36,44 @@ TEST_F(PointerOverThePicture, StaysWhereItIsWhileItDrags) {
     happens(ButtonInput{.button = 0, .pressed = true});
     happens(LeaveInput{});
     EXPECT_TRUE(isOver());
+}
+
+CameraControl holding(std::initializer_list<int> keys) {
+    CameraControl control;
+    ViewerModel model;
+    for (const int key : keys) {
+        control.handle(KeyInput{.key = key, .pressed = true}, {}, InputOwner::picture, model);
+    }
+    return control;
+}
+
+/// How far a short flight goes.
+double flown(std::initializer_list<int> keys) {
+    CameraControl control = holding(keys);
+    ViewerModel model;
+    model.camera.isThere = true;
+    model.camera.surfaceView = 100.0;
+    constexpr double kSeconds = 0.01;
+    control.apply({}, kSeconds, model);
+    return glm::length(model.camera.now.position);
+}
+
+TEST(HeldKeys, OfOneMeaningAreLetOneByOne) {
+    CameraControl control = holding({GLFW_KEY_W, GLFW_KEY_UP});
+    ViewerModel model;
+    control.handle(KeyInput{.key = GLFW_KEY_W}, {}, InputOwner::picture, model);
+    EXPECT_TRUE(control.isActive()) << "the other is still held";
+    control.handle(KeyInput{.key = GLFW_KEY_UP}, {}, InputOwner::picture, model);
+    EXPECT_FALSE(control.isActive());
+}
+
+TEST(HeldKeys, ChangeTheSpeedOnBothSidesOfTheKeyboard) {
+    const double plain = flown({GLFW_KEY_W});
+    EXPECT_GT(plain, 0.0);
+    EXPECT_GT(flown({GLFW_KEY_W, GLFW_KEY_LEFT_SHIFT}), 5.0 * plain);
+    EXPECT_EQ(flown({GLFW_KEY_W, GLFW_KEY_RIGHT_SHIFT}), flown({GLFW_KEY_W, GLFW_KEY_LEFT_SHIFT}));
+    EXPECT_LT(flown({GLFW_KEY_W, GLFW_KEY_LEFT_CONTROL}), 0.2 * plain);
+    EXPECT_EQ(flown({GLFW_KEY_W, GLFW_KEY_RIGHT_CONTROL}), flown({GLFW_KEY_W, GLFW_KEY_LEFT_CONTROL}));
 }
 
 } // namespace

@@ -28,7 +28,7 @@ TEST_F(MovingPartsOfTheViewer, AreFramedWhereTheyAre) {
 /// Pictures that follow each other come without surfaces, so a click has its picture drawn again. At rest the drop is there.
 TEST_F(MovingPartsOfTheViewer, ArePickedWhereTheyAre) {
     std::string clicks =
-        "wait-frame\nclick Frame\nwait-ui 3\nclick render though nothing changes\nwait-ui 3\nmove 188 134\n";
+        "wait-frame\nclick Frame\nwait-ui 3\nclick render without pause\nwait-ui 3\nmove 188 134\n";
     constexpr int kClicks = 6;
     for (int i = 0; i < kClicks; ++i) {
         clicks += "wait-frame 3\npress\nrelease\nwait-ui 40\nstate\n";

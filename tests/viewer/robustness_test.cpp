@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -25,6 +26,17 @@ glm::dvec2 pixelOf(const scene::Camera& camera, const glm::dvec3& position, doub
     const glm::dvec3 view = camera.toView(position);
     const double unit = height / (2.0 * std::tan(camera.fovY / 2.0));
     return {width / 2.0 + unit * view.x / -view.z, height / 2.0 - unit * view.y / -view.z};
+}
+
+/// Plays a script of that folder in a folder that is gone. Root may write into any other.
+RunResult playInGoneFolder(const fs::path& folder, const std::string& script,
+                           const std::string& environment) {
+    std::ofstream(folder / "script") << script;
+    fs::create_directory(folder / "gone");
+    return runShell("(cd gone && rmdir ../gone && '" CDR_VIEWER_DRIVE
+                    "' --validate --size 560x300 --script " +
+                        (folder / "script").string() + " cubes)",
+                    folder, environment);
 }
 
 TEST_F(ViewerTest, PicksFromThePictureThatWasClickedOn) {
@@ -64,6 +76,24 @@ TEST_F(ViewerTest, OrbitsWhatItLooksAtWhateverTheScale) {
         const double expected = scene == "cubes" ? 12e3 : 1e6;
         EXPECT_NEAR(ahead, expected, 0.1 * expected) << states[0];
     }
+}
+
+/// The distance to what was in view before would be a false one.
+TEST_F(ViewerTest, OrbitsWhatItLooksAtAfterHome) {
+    const RunResult run =
+        play("--size 240x160 --technique anchored cubes",
+             "wait-frame\nstate\nkey O\nmove 120 80\nscroll 40\nwait-ui 1\nwait-frame\nstate\nkey home\n"
+             "wait-frame\nstate\npress\nmove 160 80\nwait-ui 1\nrelease\nwait-frame\nstate\nquit\n");
+    const auto states = run.states(4);
+    const auto ahead = [](const std::string& state) {
+        return glm::length(vectorOf(valueOf(state, "pivot")) - vectorOf(valueOf(state, "eye")));
+    };
+    ASSERT_EQ(valueOf(states[2], "eye"), valueOf(states[0], "eye"));
+    EXPECT_LT(ahead(states[1]), 0.1 * ahead(states[0])) << "it has not gone nearer: " << states[1];
+    EXPECT_EQ(valueOf(states[2], "orbits"), "1");
+    EXPECT_NEAR(ahead(states[2]), ahead(states[0]), 0.01 * ahead(states[0])) << states[2];
+    EXPECT_NE(valueOf(states[3], "eye"), valueOf(states[2], "eye")) << "it has not turned";
+    EXPECT_NE(valueOf(states[3], "draws"), "0") << "the scene is lost: " << states[3];
 }
 
 TEST_F(ViewerTest, RecordsOneCameraAtRestAndNothingBeforeAScene) {
@@ -150,15 +180,11 @@ TEST_F(ViewerTest, SaysWhoseARecordingIsThatPlaysInAnotherScene) {
 }
 
 TEST_F(ViewerTest, SaysThatAFolderCannotBeWritten) {
-    std::ofstream(folder() / "script")
-        << "wait-frame\nkey F12\nwait-ui 2\nstate\nkey F12 shift\nwait-ui 3\nstate\nkey R\nwait-ui 2\nkey R\n"
-           "wait-ui 1\nstate\nkey 6\nwait-frame\nstate\nquit\n";
-    // Root may write into any folder but one that is gone.
-    fs::create_directory(folder() / "gone");
-    const RunResult run =
-        runShell("(cd gone && rmdir ../gone && '" CDR_VIEWER_DRIVE "' --validate --size 560x300 --script " +
-                     (folder() / "script").string() + " cubes)",
-                 folder(), environment());
+    const RunResult run = playInGoneFolder(
+        folder(),
+        "wait-frame\nkey F12\nwait-ui 2\nstate\nkey F12 shift\nwait-ui 3\nstate\nkey R\nwait-ui 2\nkey R\n"
+        "wait-ui 1\nstate\nkey 6\nwait-frame\nstate\nquit\n",
+        environment());
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
     const auto states = run.states(4);
@@ -166,6 +192,16 @@ TEST_F(ViewerTest, SaysThatAFolderCannotBeWritten) {
         EXPECT_NE(valueOf(states[i], "notice").find("cannot "), std::string::npos) << states[i];
     }
     EXPECT_EQ(valueOf(states[3], "technique"), "anchored,") << "it goes on";
+}
+
+/// Nobody sees a notice any more.
+TEST_F(ViewerTest, FailsWhereItEndsWithARecordingThatCannotBeSaved) {
+    const RunResult run =
+        playInGoneFolder(folder(), "wait-frame\nkey R\nwait-ui 5\nstate\nquit\n", environment());
+    EXPECT_NE(valueOf(run.states(1)[0], "notice").find("recording"), std::string::npos) << run.out;
+    EXPECT_NE(run.status, 0);
+    EXPECT_NE(run.err.find("camera-path-0001.json"), std::string::npos) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
 }
 
 /// Files that may not grow stand for a disk that is full. What the viewer itself prints is shorter.

@@ -46,6 +46,9 @@ std::string stateLine(const ViewerModel& model) {
             line += fmt::format(" flips={} flipped={}", *side.flipsNow, side.flippedPixels);
         }
     }
+    if (settings.choice.framesPerSecond) {
+        line += fmt::format(" time={:.6g}", model.camera.playback.moment(settings.choice));
+    }
     if (const auto& clicked = model.picture.clickedCamera) {
         line += fmt::format(" clicked-from={} clicked-along={}", exactText(clicked->position),
                             exactText(-clicked->back));

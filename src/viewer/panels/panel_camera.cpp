@@ -71,10 +71,9 @@ void chooseMotion(const Widgets& widgets, ViewerModel& model) {
         model.actions.push_back(Action::screenshotPicture);
     }
     widgets.beside();
-    if (widgets.button("of the window")) {
+    if (widgets.button("screenshot of the window")) {
         model.actions.push_back(Action::screenshotWindow);
     }
-    widgets.beside();
     if (widgets.toggle(model.video != nullptr ? "stop video" : "video", onIf(model.video != nullptr))) {
         model.actions.push_back(Action::video);
     }
@@ -126,7 +125,8 @@ void drawMeasuringPanel(const Widgets& widgets, ViewerModel& model) {
     const auto show = [&](const PickedPoint& point) {
         widgets.value("object", point.name);
         showPlace(widgets, model.interface, point.position);
-        showLength(widgets, model.interface, "distance", point.distanceView);
+        showLength(widgets, model.interface, "distance", point.distance);
+        showLength(widgets, model.interface, "along view", point.distanceView);
         showLength(widgets, model.interface, "step", point.stepView);
     };
     show(*first);
@@ -137,7 +137,7 @@ void drawMeasuringPanel(const Widgets& widgets, ViewerModel& model) {
         const Span span = *model.picture.measuring.span();
         showLength(widgets, model.interface, "between", span.length);
         showLength(widgets, model.interface, "along view", span.alongView);
-        showLength(widgets, model.interface, "to within", span.uncertainty);
+        showLength(widgets, model.interface, "uncertainty", span.uncertainty);
     }
     if (widgets.button("forget")) {
         model.actions.push_back(Action::forgetMeasuring);

@@ -1,10 +1,14 @@
 #include "choice.h"
 #include "panels.h"
 
+#include <cdr/base/quantity_text.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <string_view>
 
 namespace cdr::viewer {
 
@@ -15,10 +19,11 @@ constexpr std::array kLengths{0.0, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0, 1e3, 1e4, 1e
 constexpr std::array<std::string_view, kLengths.size()> kLengthNames{
     "none", "0.1", "0.3", "1", "3", "10", "100", "1,000", "10,000", "100,000", "1,000,000"};
 
-std::string_view nameOfLength(double length) {
+std::string nameOfLength(double length) {
     const auto* const found = std::find(kLengths.begin(), kLengths.end(), length);
-    return found == kLengths.end() ? "another"
-                                   : kLengthNames[static_cast<std::size_t>(found - kLengths.begin())];
+    return found == kLengths.end()
+               ? base::quantityText(length)
+               : std::string(kLengthNames[static_cast<std::size_t>(found - kLengths.begin())]);
 }
 
 void chooseLength(const Widgets& widgets, std::string_view name, double& length) {

@@ -149,7 +149,7 @@ void drawFrameGraph(const Widgets& widgets, const PerformanceModel& performance)
 }
 
 void drawTimeline(const Widgets& widgets, const RenderResult* result) {
-    widgets.heading("Who recorded what");
+    widgets.heading("What each thread did");
     if (result == nullptr) {
         return;
     }

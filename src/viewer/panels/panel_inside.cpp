@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <string>
+
 namespace cdr::viewer {
 
 namespace {
@@ -56,9 +58,11 @@ void drawCascadesPanel(const Widgets& widgets, const RenderResult* result, base:
     }
     for (const SideResult& side : result->sides) {
         const render::FrameStats& stats = side.frame->stats;
-        widgets.sentence(fmt::format("{}: {} visible, {}, {} for each", nameOf(side.options.technique),
+        const std::string each = base::quantityText(stats.duplication);
+        widgets.sentence(fmt::format("{}: {} visible, {}, {} draw{} for each object",
+                                     nameOf(side.options.technique),
                                      base::quantityText(static_cast<double>(stats.visible)),
-                                     counted(stats.draws, "draw"), base::quantityText(stats.duplication)));
+                                     counted(stats.draws, "draw"), each, each == "1" ? "" : "s"));
         ImGui::PushID(&side);
         drawCascades(side, unit);
         ImGui::PopID();
@@ -77,9 +81,9 @@ void drawMemoryPanel(const Widgets& widgets, const RenderResult* result,
         widgets.value("a G-buffer", megabytes(pixels * sizeof(render::GBufferPixel)));
         widgets.value("device", megabytes(result->freeDeviceBytes) + " free");
     }
-    widgets.heading("Devices");
-    widgets.value("renders", performance.device);
-    widgets.value("shows", performance.uiDevice);
+    widgets.heading("Devices that draw");
+    widgets.value("the scene", performance.device);
+    widgets.value("the window", performance.uiDevice);
 }
 
 } // namespace cdr::viewer

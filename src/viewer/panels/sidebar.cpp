@@ -69,7 +69,7 @@ void drawSidebar(const Widgets& widgets, ItemPlaces& places, float width, Viewer
         });
         drawTab(3, places, keys, [&] {
             drawFrameGraph(widgets, model.performance);
-            widgets.checkbox("render though nothing changes", model.performance.rendersAlways);
+            widgets.checkbox("render without pause", model.performance.rendersAlways);
             drawTimeline(widgets, result);
         });
         drawTab(4, places, keys, [&] {

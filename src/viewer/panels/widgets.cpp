@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cdr::viewer {
 
@@ -150,10 +151,12 @@ bool Widgets::slider(std::string_view name, double& value, const SliderRange& ra
                                             static_cast<float>(range.low), static_cast<float>(range.high),
                                             range.format, ImGuiSliderFlags_AlwaysClamp | scale);
     m_places.note(name);
-    if (isMoved) {
-        value = std::clamp(static_cast<double>(shown), range.low, range.high);
+    // What is typed may be an expression, and 0 * 1e39 is no number.
+    if (!isMoved || !std::isfinite(shown)) {
+        return false;
     }
-    return isMoved;
+    value = std::clamp(static_cast<double>(shown), range.low, range.high);
+    return true;
 }
 
 bool Widgets::number(std::string_view name, float& value) const {

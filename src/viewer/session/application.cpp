@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <utility>
 
 namespace cdr::viewer {
@@ -268,24 +269,39 @@ void Application::run() {
     finish();
 }
 
+void Application::saveScreenshot() {
+    m_capture = m_arguments.screenshot;
+    constexpr int kTries = 3; // the window may just have changed its size
+    for (int attempt = 0; attempt < kTries && m_capture; ++attempt) {
+        drawFrame();
+    }
+    if (m_unsaved) {
+        throw base::RunError(*m_unsaved);
+    }
+}
+
 void Application::finish() {
+    std::exception_ptr failure; // nobody sees a notice any more
+    const auto attempt = [&](void (Application::*save)()) {
+        try {
+            (this->*save)();
+        } catch (...) {
+            failure = failure != nullptr ? failure : std::current_exception();
+        }
+    };
     if (m_model.video != nullptr) {
-        perform(Action::video);
+        attempt(&Application::toggleVideo);
     }
     if (m_model.camera.recorder.isRecording()) {
-        perform(Action::record);
+        attempt(&Application::toggleRecording);
     }
     if (!m_arguments.screenshot.empty()) {
-        m_capture = m_arguments.screenshot;
-        constexpr int kTries = 3; // the window may just have changed its size
-        for (int attempt = 0; attempt < kTries && m_capture; ++attempt) {
-            drawFrame();
-        }
-        if (m_unsaved) {
-            throw base::RunError(*m_unsaved); // nobody sees a notice any more
-        }
+        attempt(&Application::saveScreenshot);
     }
     m_window.hide(); // the end waits for the picture being rendered; hidden meanwhile
+    if (failure != nullptr) {
+        std::rethrow_exception(failure);
+    }
 }
 
 } // namespace cdr::viewer

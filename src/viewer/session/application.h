@@ -62,6 +62,7 @@ class Application {
     void saveWindow(const image::ImageRgba8& pixels);
     void frameSelected();
     void toggleTour();
+    void goHome();
     PictureArea pictureArea() const;
     float sidebarWidth() const;
     /// Whether the window changes without input, or has to count its frames.
@@ -71,6 +72,8 @@ class Application {
     void layOut();
     void present(image::ImageRgba8* capture, ImDrawData* drawn);
     void savePicture(const std::filesystem::path& file);
+    void saveScreenshot();
+    /// Saves what is still to be saved. A failure does not keep the rest from being saved, and is thrown at the end.
     void finish();
 
     Arguments m_arguments;

@@ -158,6 +158,21 @@ void Application::toggleTour() {
     m_model.camera.motion = Motion::tour;
 }
 
+void Application::goHome() {
+    CameraModel& camera = m_model.camera;
+    if (!camera.isThere) {
+        return;
+    }
+    camera.motion = Motion::free;
+    camera.pathFrame = 0;
+    camera.followsAnimation = true;
+    camera.animatedFrame.reset();
+    const scene::Camera before = std::exchange(camera.now, scene::canonical(camera.ofScene));
+    if (before != camera.now) { // else no new picture comes
+        m_session.aimAnew();
+    }
+}
+
 void Application::perform(Action action) {
     try {
         tryPerform(action);
@@ -183,15 +198,7 @@ void Application::tryPerform(Action action) {
         copyCommandLines();
         break;
     case Action::sceneCamera:
-        if (m_model.camera.isThere) {
-            m_model.camera.motion = Motion::free;
-            m_model.camera.pathFrame = 0;
-            m_model.camera.followsAnimation = true;
-            m_model.camera.animatedFrame.reset();
-            m_model.camera.now = scene::canonical(m_model.camera.ofScene);
-            m_model.camera.pivot =
-                m_model.camera.now.position - m_model.camera.now.back * m_model.camera.surfaceView;
-        }
+        goHome();
         break;
     case Action::record:
         toggleRecording();

@@ -22,7 +22,7 @@ constexpr double kClickPixels = 4.0;   ///< more is a drag
 constexpr double kDividerPixels = 8.0; ///< as near is on it
 constexpr std::chrono::milliseconds kDoubleClick{400};
 
-constexpr std::array<std::pair<int, CameraKey>, 14> kKeys{{{GLFW_KEY_W, CameraKey::forward},
+constexpr std::array<std::pair<int, CameraKey>, 16> kKeys{{{GLFW_KEY_W, CameraKey::forward},
                                                            {GLFW_KEY_UP, CameraKey::forward},
                                                            {GLFW_KEY_S, CameraKey::backward},
                                                            {GLFW_KEY_DOWN, CameraKey::backward},
@@ -35,7 +35,9 @@ constexpr std::array<std::pair<int, CameraKey>, 14> kKeys{{{GLFW_KEY_W, CameraKe
                                                            {GLFW_KEY_Q, CameraKey::down},
                                                            {GLFW_KEY_PAGE_DOWN, CameraKey::down},
                                                            {GLFW_KEY_LEFT_SHIFT, CameraKey::faster},
-                                                           {GLFW_KEY_LEFT_CONTROL, CameraKey::slower}}};
+                                                           {GLFW_KEY_RIGHT_SHIFT, CameraKey::faster},
+                                                           {GLFW_KEY_LEFT_CONTROL, CameraKey::slower},
+                                                           {GLFW_KEY_RIGHT_CONTROL, CameraKey::slower}}};
 
 bool moves(const CameraKeys& keys) {
     constexpr std::array kMoving{CameraKey::forward, CameraKey::backward, CameraKey::left,
@@ -75,7 +77,7 @@ void CameraControl::onButton(const ButtonInput& button, const PictureArea& area,
     const double divider = model.settings.divider * area.extent.width;
     m_dragsDivider = button.button == GLFW_MOUSE_BUTTON_LEFT && model.settings.second &&
                      std::abs(m_input.cursor.x - divider) <= kDividerPixels * area.pixelsPerUnit;
-    m_pans = button.button == GLFW_MOUSE_BUTTON_MIDDLE && m_shift;
+    m_pans = button.button == GLFW_MOUSE_BUTTON_MIDDLE && isHeld(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
     if (button.button == GLFW_MOUSE_BUTTON_MIDDLE && !model.camera.orbits) {
         aimPivot(model.camera, model.picture.measuring);
     }
@@ -102,6 +104,21 @@ void CameraControl::onMove(const MoveInput& move, const PictureArea& area, Viewe
     }
 }
 
+void CameraControl::onKey(const KeyInput& key, InputOwner owner) {
+    if (key.pressed) {
+        m_keys[key.key] = owner;
+    } else {
+        m_keys.erase(key.key);
+    }
+    m_input.keys = {};
+    for (const auto& [code, meaning] : kKeys) {
+        const auto held = m_keys.find(code);
+        if (held != m_keys.end() && held->second == InputOwner::picture) {
+            m_input.keys.set(meaning, true);
+        }
+    }
+}
+
 void CameraControl::handle(const InputEvent& event, const PictureArea& area, InputOwner owner,
                            ViewerModel& model) {
     const bool isOfPicture = owner == InputOwner::picture;
@@ -115,20 +132,10 @@ void CameraControl::handle(const InputEvent& event, const PictureArea& area, Inp
         onButton(*button, area, owner, model);
     } else if (const auto* scroll = std::get_if<ScrollInput>(&event)) {
         if (isOfPicture && area.contains(m_input.cursor)) {
-            (m_lens ? m_input.lens : m_input.scroll) += scroll->y;
+            (isHeld(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT) ? m_input.lens : m_input.scroll) += scroll->y;
         }
     } else if (const auto* key = std::get_if<KeyInput>(&event)) {
-        if (key->key == GLFW_KEY_LEFT_ALT || key->key == GLFW_KEY_RIGHT_ALT) {
-            m_lens = key->pressed;
-        }
-        if (key->key == GLFW_KEY_LEFT_SHIFT || key->key == GLFW_KEY_RIGHT_SHIFT) {
-            m_shift = key->pressed;
-        }
-        for (const auto& [code, meaning] : kKeys) {
-            if (code == key->key) {
-                m_input.keys.set(meaning, key->pressed && isOfPicture);
-            }
-        }
+        onKey(*key, owner);
     }
 }
 

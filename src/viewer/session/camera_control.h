@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -39,13 +40,15 @@ class CameraControl {
     void onButton(const ButtonInput& button, const PictureArea& area, InputOwner owner, ViewerModel& model);
     void onRelease(int button);
     void onMove(const MoveInput& move, const PictureArea& area, ViewerModel& model);
+    void onKey(const KeyInput& key, InputOwner owner);
+    /// Whether one of two keys of the same meaning is held.
+    bool isHeld(int left, int right) const { return m_keys.contains(left) || m_keys.contains(right); }
     void readGamepad();
 
     CameraInput m_input;
-    std::optional<int> m_held; ///< the mouse button that was pressed over the picture
-    bool m_pans = false;       ///< that button shifts
-    bool m_lens = false;       ///< Alt is held: scrolling is for the lens
-    bool m_shift = false;
+    std::map<int, InputOwner> m_keys; ///< that are held, and whose each is
+    std::optional<int> m_held;        ///< the mouse button that was pressed over the picture
+    bool m_pans = false;              ///< that button shifts
     bool m_dragsDivider = false;
     glm::dvec2 m_pressed{0.0};
     glm::dvec2 m_clicked{0.0};

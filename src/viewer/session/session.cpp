@@ -268,7 +268,8 @@ void Session::adopt(RenderResult result) {
         m_model.camera.surfaceView =
             ahead > 0.0 ? flightDistance(m_model.camera.now, ahead, m_model.camera.surfaceView)
                         : m_model.camera.now.nearView;
-        if (std::exchange(m_isPivotDue, false)) {
+        if (m_pivotFrom && result.serial >= *m_pivotFrom) {
+            m_pivotFrom.reset();
             const double pivotView = ahead > 0.0 && std::isfinite(ahead) ? ahead : m_model.camera.surfaceView;
             m_model.camera.pivot = m_model.camera.now.position - m_model.camera.now.back * pivotView;
         }
@@ -356,7 +357,7 @@ void Session::pick(const Click& click, const RenderResult& result) {
         m_model.picture.measuring.click(*point);
         m_model.picture.pickedMaterials = materialsOf(result.scene->setup.scene, point->object);
         m_model.camera.pivot = point->position;
-        m_isPivotDue = false;
+        m_pivotFrom.reset();
     }
 }
 
@@ -386,10 +387,18 @@ void Session::enterScene(const RenderResult& result) {
     m_model.camera.now =
         scene::canonical(first ? overridden(path.at(frameOfMotion()), *first) : result.camera);
     m_model.camera.isThere = true;
-    m_model.camera.surfaceView = 0.0;
     m_model.picture.measuring.clear();
+    aimFrom(result.serial);
+}
+
+void Session::aimAnew() {
+    aimFrom(m_serial + 1); // what was asked for until now shows where the camera was
+}
+
+void Session::aimFrom(std::uint64_t serial) {
+    m_model.camera.surfaceView = 0.0;
     m_model.camera.pivot = m_model.camera.now.position - m_model.camera.now.back;
-    m_isPivotDue = true;
+    m_pivotFrom = serial;
 }
 
 void Session::readCursor(const PictureArea& area, const glm::dvec2& cursor) {

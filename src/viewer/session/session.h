@@ -38,6 +38,8 @@ class Session {
     /// Takes the newest result into the model. True when there are new pictures. Rethrows what the first
     /// scene failed for, and what ended the render thread.
     bool takeResult();
+    /// After the camera was put elsewhere: its pivot and its speed follow from what the next picture shows.
+    void aimAnew();
     /// Picks what the picture shown now has at a pixel, however the camera moves on. Where its surfaces were
     /// not copied it is rendered once more. Nothing while nothing is shown.
     void click(const glm::dvec2& pixel);
@@ -74,6 +76,8 @@ class Session {
     void takeOpened(const RenderResult& result);
     /// Puts the camera into another scene, where nothing is picked yet.
     void enterScene(const RenderResult& result);
+    /// Forgets how far it was to what the camera looked at, until a picture from `serial` on tells.
+    void aimFrom(std::uint64_t serial);
     void pickOrAsk();
     void takeClicked(const RenderResult& result);
     void pick(const Click& click, const RenderResult& result);
@@ -87,8 +91,10 @@ class Session {
     std::uint64_t m_serial = 0;
     std::uint64_t m_shownSerial = 0;
     std::uint64_t m_results = 0;
-    bool m_isIdle = false;     ///< at the last update()
-    bool m_isPivotDue = false; ///< no picture of the scene has told yet how far what it looks at is
+    bool m_isIdle = false; ///< at the last update()
+    /// The pictures from this one on can tell how far what the camera looks at is, and none has yet. Earlier ones show another
+    /// place.
+    std::optional<std::uint64_t> m_pivotFrom;
     std::optional<Click> m_click;
     Clock::time_point m_surfacesAsked{};
     struct Asked {

@@ -74,6 +74,7 @@ std::optional<PickedPoint> pickAt(const render::Frame& frame, const scene::Scene
                        .name = objectName(scene, pick->object),
                        .position = pick->position,
                        .normal = pick->normal,
+                       .distance = glm::distance(pick->position, frame.camera.position),
                        .distanceView = pick->distanceView,
                        .stepView = techniqueStepView(technique, frame.cascades, pick->distanceView),
                        .footprint = pick->distanceView * footprintSlope(frame.camera, frame.height())};
@@ -105,7 +106,7 @@ std::string describe(const PickedPoint& point, base::LengthUnit unit) {
     const std::string step = std::isfinite(point.stepView)
                                  ? "a step of " + base::quantityText(point.stepView, unit)
                                  : "where nothing is told apart";
-    return fmt::format("{}, {} away, {}", point.name, base::quantityText(point.distanceView, unit), step);
+    return fmt::format("{}, {} away, {}", point.name, base::quantityText(point.distance, unit), step);
 }
 
 std::string describe(const Span& span, base::LengthUnit unit) {

@@ -18,6 +18,7 @@ struct PickedPoint {
     std::string name;          ///< the scene's, or "object 12"
     glm::dvec3 position{0.0};  ///< world space
     glm::dvec3 normal{0.0};    ///< world space, unit
+    double distance = 0.0;     ///< from the camera, straight
     double distanceView = 0.0; ///< along the view axis
     double stepView = 0.0;     ///< what the technique tells apart there (techniqueStepView())
     double footprint = 0.0;    ///< what a pixel covers there, across the picture

@@ -80,7 +80,7 @@ std::string wrongText(const std::vector<WrongCount>& sides) {
         return {};
     }
     if (sides.front().objects == 1) {
-        return "one object in view: none can be taken for another";
+        return "one object in view: no wrong pixels to count";
     }
     std::vector<std::string> shares;
     for (const WrongCount& side : sides) {

@@ -30,7 +30,7 @@ WrongCount paintWrong(const render::Frame& frame, const render::Frame& reference
 /// The count alone.
 WrongCount countWrong(const render::Frame& frame, const render::Frame& reference);
 
-/// "wrong 23.0 % | 0 %", a share for each side, "-" without inner pixels, or that of one object none can be. Empty without
+/// "wrong 23.0 % | 0 %", a share for each side, "-" without inner pixels, or that there is one object. Empty without
 /// counts and where nothing is in view.
 std::string wrongText(const std::vector<WrongCount>& sides);
 

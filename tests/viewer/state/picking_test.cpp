@@ -43,6 +43,18 @@ TEST(Pick, NamesPlacesAndMeasures) {
     EXPECT_EQ(describe(*point, base::LengthUnit::automatic).find("object 4, 1.012"), 0u);
 }
 
+/// Along the view axis it is half as far.
+TEST(Pick, IsAsFarAwayAsItIsAtTheSideOfAWideLens) {
+    render::Frame frame = frameWithObject();
+    frame.camera = cameraWith(90.0, {1e8, 0.0, 0.0}, {1e8, 0.0, -1.0});
+    const auto point = pickAt(frame, {}, kTechnique, 63, 18);
+    ASSERT_TRUE(point);
+    EXPECT_EQ(point->distanceView, 1012.0);
+    // Half a height is 18 pixels, and as far ahead as to the side.
+    EXPECT_NEAR(point->distance, 1012.0 * std::hypot(1.0, 31.5 / 18.0, 0.5 / 18.0), 1e-6);
+    EXPECT_EQ(describe(*point, base::LengthUnit::automatic).find("object 4, 2.04\u00a0km away, "), 0u);
+}
+
 TEST(Pick, NothingAtBackgroundAndOutside) {
     const render::Frame frame = frameWithObject();
     EXPECT_FALSE(pickAt(frame, {}, kTechnique, 3, 0));
@@ -74,6 +86,7 @@ PickedPoint pointAt(const glm::dvec3& position, double distanceView) {
             .name = "x",
             .position = position,
             .normal = glm::dvec3(0.0),
+            .distance = distanceView,
             .distanceView = distanceView,
             .stepView = 3e-6,
             .footprint = 8e-3};

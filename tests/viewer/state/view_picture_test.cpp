@@ -142,7 +142,7 @@ TEST(PaintWrong, IsTheHeatMapWithTheAnswerAsTruth) {
 TEST(WrongText, SaysWhyNothingCanBeWrong) {
     EXPECT_EQ(wrongText({}), "");
     EXPECT_EQ(wrongText({{.objects = 0}}), "");
-    EXPECT_EQ(wrongText({{.inner = 9, .objects = 1}}), "one object in view: none can be taken for another");
+    EXPECT_EQ(wrongText({{.inner = 9, .objects = 1}}), "one object in view: no wrong pixels to count");
     EXPECT_EQ(wrongText({{.inner = 1000, .wrong = 230, .objects = 2}, {.inner = 1000, .objects = 2}}),
               "wrong\u00a023\u00a0%\u00a0|\u00a00\u00a0%");
     EXPECT_EQ(wrongText({{.objects = 2}, {.inner = 1000, .objects = 2}}),
