@@ -82,7 +82,11 @@ void main() {
     outAhead = ahead;
 #else
     Axes axes = axesOf(record.right.xyz, record.up.xyz, record.ahead.xyz);
-    vec3 turned = turnedNormal(axes, inNormal);
+#ifdef FACETED
+    vec3 turned = turnedNormal(axes, cdrDecodeOctahedral(inNormal));
+#else
+    vec3 turned = turnedNormal(axes, vertexNormal(inNormal));
+#endif
     if (kSubPixelsX != 0.0) { // render::Snapping::inPlane
         float fromOrigin = distance(vec3(x, y, ahead), vec3(record.right.w, record.up.w, record.ahead.w));
         vec3 moved = movedInPlane(vec3(x, y, ahead), vec3(turned.xy, -turned.z), fromOrigin);

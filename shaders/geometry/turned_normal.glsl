@@ -23,8 +23,7 @@ Axes axesOf(vec3 right, vec3 up, vec3 ahead) {
 }
 
 // Normals turn by the cofactor matrix: right under non-uniform scale, and mirrored ones come out mirrored.
-vec3 turnedNormal(Axes axes, vec2 octahedral) {
-    vec3 normal = cdrDecodeOctahedral(octahedral);
+vec3 turnedNormal(Axes axes, vec3 normal) {
     vec3 turned = vec3(dot(cross(axes.up, axes.back), normal), dot(cross(axes.back, axes.right), normal),
                        dot(cross(axes.right, axes.up), normal));
     return axes.determinant < 0.0 ? -turned : turned;
@@ -36,5 +35,8 @@ vec4 turnedTangent(Axes axes, vec4 tangent) {
     vec3 turned = vec3(dot(axes.right, t), dot(axes.up, t), dot(axes.back, t));
     return vec4(normalize(turned), axes.determinant < 0.0 ? -tangent.z : tangent.z);
 }
+
+// A vertex normal, as it is interpolated: of unit length, since a longer one would weigh more.
+vec3 vertexNormal(vec2 octahedral) { return normalize(cdrDecodeOctahedral(octahedral)); }
 
 #endif

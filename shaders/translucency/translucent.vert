@@ -47,7 +47,7 @@ void main() {
     gl_ClipDistance[0] = inFront;
 
     Axes axes = axesOf(inRight.xyz, inUp.xyz, inAhead.xyz);
-    outNormalAhead = vec4(turnedNormal(axes, inNormal), ahead);
+    outNormalAhead = vec4(turnedNormal(axes, vertexNormal(inNormal)), ahead);
     outColor = inColor * vec4(unpackHalf2x16(inLook.y), unpackHalf2x16(inLook.z));
 #ifdef DETAILED
     outUv = vec4(inUv, inSecondUv);
