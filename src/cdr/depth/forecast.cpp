@@ -28,6 +28,10 @@ std::optional<base::Refusal> problemOf(const ForecastScene& scene) {
     if (!(scene.slope >= 0.0) || !std::isfinite(scene.slope)) {
         return base::Refusal{base::concat("a slope must be finite and at least 0, not ", scene.slope)};
     }
+    if (scene.subPixelBits && (!(scene.footprintSlope > 0.0) || !std::isfinite(scene.footprintSlope))) {
+        return base::Refusal{base::concat("snapping needs to know what a pixel covers, not ",
+                                          scene.footprintSlope, " of the distance")};
+    }
     return std::nullopt;
 }
 
