@@ -1,5 +1,6 @@
 #include "inspect.h"
 
+#include <cdr/depth/advice.h>
 #include <cdr/depth/forecast.h>
 #include <cdr/measure/truth/object_ray.h>
 #include <cdr/measure/truth/truth.h>
@@ -44,11 +45,11 @@ struct InspectedView {
     }
 };
 
-/// Simplest first: one cascade before several, and in the order of the presets.
+/// Simplest first, unless they are given.
 std::vector<InspectedTechnique> techniquesOf(const gpu::Device& device, const InspectOptions& options) {
     std::vector<depth::NamedTechnique> named = options.techniques;
     if (named.empty()) {
-        for (const char* name : {"standard", "reversed", "log", "cdr", "logcdr", "anchored"}) {
+        for (const char* name : depth::kSimplestFirst) {
             named.push_back(depth::namedTechnique(name));
         }
     }

@@ -57,7 +57,7 @@ struct InspectedTechnique {
 
 struct Inspection {
     std::vector<ObjectPair> pairs;              ///< nearest to each other first
-    std::vector<InspectedTechnique> techniques; ///< simplest first
+    std::vector<InspectedTechnique> techniques; ///< simplest first, or in the order of the options
     std::size_t judged = 0;                     ///< index of it
     std::optional<std::size_t> simplest{}; ///< the first with no more wrong and undecided pixels than allowed
     double allowedShare = 0.0;             ///< InspectOptions::allowedShare
