@@ -13,13 +13,19 @@ namespace cdr::measure {
 namespace {
 
 /// Where a texel beyond an edge is found.
-std::uint32_t wrapped(std::int64_t i, std::int64_t size, scene::WrapMode mode) {
-    if (mode == scene::WrapMode::clampToEdge) {
-        return static_cast<std::uint32_t>(std::clamp<std::int64_t>(i, 0, size - 1));
+/// @param i a whole number of any size. What is not a number finds the first.
+std::uint32_t wrapped(double i, double size, scene::WrapMode mode) {
+    if (i >= 0.0 && i < size) {
+        return static_cast<std::uint32_t>(i);
     }
-    const std::int64_t period = mode == scene::WrapMode::mirroredRepeat ? 2 * size : size;
-    const std::int64_t inPeriod = ((i % period) + period) % period;
-    return static_cast<std::uint32_t>(inPeriod < size ? inPeriod : period - 1 - inPeriod);
+    if (mode == scene::WrapMode::clampToEdge) {
+        return i > 0.0 ? static_cast<std::uint32_t>(size - 1.0) : 0;
+    }
+    const double period = mode == scene::WrapMode::mirroredRepeat ? 2.0 * size : size;
+    const double rest = std::fmod(i, period);
+    const double inPeriod = rest < 0.0 ? rest + period : rest;
+    const double texel = inPeriod < size ? inPeriod : period - 1.0 - inPeriod;
+    return texel > 0.0 ? static_cast<std::uint32_t>(texel) : 0;
 }
 
 glm::dvec4 linearOf(const image::Rgba8& texel, scene::TextureContent content) {
@@ -36,9 +42,7 @@ template <typename TexelAt>
 glm::dvec4 readAt(const scene::Texture& texture, const glm::dvec2& size, scene::Filter filter,
                   const glm::dvec2& uv, TexelAt texelAt) {
     const auto at = [&](double x, double y) -> glm::dvec4 {
-        return texelAt(
-            wrapped(static_cast<std::int64_t>(x), static_cast<std::int64_t>(size.x), texture.wrapU),
-            wrapped(static_cast<std::int64_t>(y), static_cast<std::int64_t>(size.y), texture.wrapV));
+        return texelAt(wrapped(x, size.x, texture.wrapU), wrapped(y, size.y, texture.wrapV));
     };
     if (filter == scene::Filter::nearest) {
         const glm::dvec2 texel = glm::floor(uv * size);
