@@ -71,10 +71,9 @@ std::optional<Forecast> forecastIn(const Technique& technique, const Cascades& c
     if (holder == cascades.end()) {
         return std::nullopt;
     }
-    const bool isClosed = std::holds_alternative<SplitFitted>(technique.split);
     const DepthRange range =
         depthRange(technique.mapping, cascades, static_cast<std::size_t>(holder - cascades.begin()),
-                   isClosed ? FarEnd::closed : FarEnd::open);
+                   farEndOf(technique.split));
     const double w = std::clamp(distanceView, holder->nearView, holder->farView);
     return Forecast{.cascades = cascades.size(),
                     .bufferStepView = separationView(range, technique.format, w),
@@ -101,8 +100,8 @@ base::Result<Forecast> tryForecast(const Technique& technique, const ForecastSce
     const auto holder = std::find_if(cascades.begin(), cascades.end(),
                                      [&](const Cascade& cascade) { return w <= cascade.farView; });
     const Cascade& cascade = holder == cascades.end() ? cascades.back() : *holder;
-    const bool open = cascades.end() - holder == 1 && !std::holds_alternative<SplitFitted>(technique.split);
-    const DepthRange range = depthRange(technique.mapping, cascade, open ? FarEnd::open : FarEnd::closed);
+    const FarEnd farEnd = cascades.end() - holder == 1 ? farEndOf(technique.split) : FarEnd::closed;
+    const DepthRange range = depthRange(technique.mapping, cascade, farEnd);
     Forecast forecast{.cascades = cascades.size(),
                       .bufferStepView = separationView(range, technique.format, w),
                       .rounding = depthRounding(range, w)};
