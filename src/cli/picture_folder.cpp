@@ -31,12 +31,6 @@ void requireFolder(const fs::path& path) {
     }
 }
 
-/// Names of techniques, such as "standard/count:3", are parts of the names of pictures.
-std::string nameInFolder(std::string name) {
-    std::replace(name.begin(), name.end(), '/', '-');
-    return name;
-}
-
 } // namespace
 
 PictureFolder::PictureFolder(fs::path path, CommandFiles& files, const std::string& stem)
@@ -45,6 +39,11 @@ PictureFolder::PictureFolder(fs::path path, CommandFiles& files, const std::stri
         requireFolder(m_path);
         files.writesPictures("--out", m_path, stem);
     }
+}
+
+std::string PictureFolder::nameInFolder(std::string name) {
+    std::replace(name.begin(), name.end(), '/', '-');
+    return name;
 }
 
 void PictureFolder::write(const std::string& name, const image::ImageRgba8& picture) const {

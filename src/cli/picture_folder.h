@@ -23,7 +23,11 @@ class PictureFolder {
     bool isWanted() const { return !m_path.empty(); }
     const std::filesystem::path& path() const { return m_path; }
 
-    /// Writes a picture, if the folder is wanted. A slash in its name becomes a dash.
+    /// What a picture's file is called. A slash becomes a dash: names of techniques, such as "standard/count:3", are parts of
+    /// the names of pictures.
+    static std::string nameInFolder(std::string name);
+
+    /// Writes a picture, if the folder is wanted, as nameInFolder() calls it.
     void write(const std::string& name, const image::ImageRgba8& picture) const;
     /// The same, and its name as a field of a row.
     void write(const char* key, const std::string& name, const image::ImageRgba8& picture,

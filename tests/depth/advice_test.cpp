@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,14 @@ TEST(Advice, ChoosesFromTheTechniquesThatAreAskedFor) {
     EXPECT_EQ(advice.rows[*advice.simplest].technique.mapping, Mapping::anchored);
     asked.techniques = {parseTechnique("reversed")};
     EXPECT_FALSE(advise(asked).simplest);
+}
+
+TEST(Advice, KnowsHowSimpleEachPresetIs) {
+    std::set<std::string> listed(kSimplestFirst.begin(), kSimplestFirst.end());
+    for (const NamedTechnique& preset : presets()) {
+        EXPECT_EQ(listed.erase(preset.name), 1u) << preset.name;
+    }
+    EXPECT_TRUE(listed.empty());
 }
 
 /// Its figure is its forecast, which is finer than that of the preset. A measurement may make it the only one that is enough.

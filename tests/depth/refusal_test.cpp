@@ -33,7 +33,9 @@ std::optional<std::string> messageOf(const base::Result<Value>& result) {
 const SplitContext kContext{.nearView = 0.1, .farView = 1e5};
 const ForecastScene kFarAway{.atView = 1e9};
 const ForecastScene kSnappedTooFine{.subPixelBits = 33};
-const ForecastScene kOverhanging{.subPixelBits = 8, .slope = -1.0};
+const ForecastScene kOverhanging{.footprintSlope = 0.001, .subPixelBits = 8, .slope = -1.0};
+const ForecastScene kUnknownPixels{.footprintSlope = std::numeric_limits<double>::quiet_NaN(),
+                                   .subPixelBits = 8};
 
 const Cascades kOneCascade{{.nearView = 1.0, .farView = 2.0}};
 const Projection kLens{.fovY = 1.0, .aspect = 1.5};
@@ -75,6 +77,8 @@ const std::vector<BadCall> kBadCalls{
     {"sub-pixel bits", [] { return messageOf(tryForecast({}, kSnappedTooFine)); },
      [] { forecast({}, kSnappedTooFine); }},
     {"slope", [] { return messageOf(tryForecast({}, kOverhanging)); }, [] { forecast({}, kOverhanging); }},
+    {"pixels of snapping", [] { return messageOf(tryForecast({}, kUnknownPixels)); },
+     [] { forecast({}, kUnknownPixels); }},
     {"separation", [] { return messageOf(tryAdvise({.scene = {}, .separationView = 0.0})); },
      [] { advise({.scene = {}, .separationView = 0.0}); }},
     {"technique by name", [] { return messageOf(tryParseTechnique("cdx")); }, [] { parseTechnique("cdx"); }},

@@ -133,9 +133,14 @@ TEST(Split, ASplitMadeByHandIsRefusedAsItsTextIs) {
         EXPECT_EQ(problemOf(split), parsed.refusal().message);
         EXPECT_EQ(refusalOf(split), parsed.refusal().message);
     }
-    EXPECT_EQ(problemOf(SplitAt{}), "none");
+    EXPECT_EQ(problemOf(SplitAt{{1e9}}), "none");
     EXPECT_EQ(problemOf(SplitCount{kMaxCascades}), "none");
     EXPECT_EQ(problemOf(SplitFitted{.most = kMaxCascades}), "none");
+}
+
+TEST(Split, NoBoundariesAreRefusedSinceNoTextHasNone) {
+    EXPECT_EQ(problemOf(SplitAt{}), "a split at boundaries must have one at least");
+    EXPECT_EQ(refusalOf(SplitAt{}), problemOf(SplitAt{}));
 }
 
 TEST(Split, NumbersThatAreNoneAreRefused) {

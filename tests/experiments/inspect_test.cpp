@@ -39,9 +39,9 @@ scene::Scene squares(double gap) {
     return scene;
 }
 
-Inspection inspect(const gpu::Device& device, double gap, const InspectOptions& options) {
+Inspection inspect(const gpu::Device& device, const scene::Scene& scene, const InspectOptions& options) {
     const scene::Camera camera{.fovY = 0.9, .nearView = 0.1, .farView = 400.0};
-    return runInspect(device, squares(gap), {camera}, options, [](auto&&...) {});
+    return runInspect(device, scene, {camera}, options, [](auto&&...) {});
 }
 
 /// Vertices that are rounded to a 16th of a pixel move a slope by far more than a depth is off.
@@ -52,16 +52,16 @@ TEST_F(InspectTest, RoundedVerticesCountInHowFarFacesAreToBeMoved) {
     options.snapBits = 4;
     options.techniques = {depth::namedTechnique("reversed"), depth::namedTechnique("anchored")};
     options.judged = depth::namedTechnique("anchored");
-    const Inspection inPlane = inspect(device(), 0.0, options);
+    const Inspection inPlane = inspect(device(), squares(0.0), options);
     ASSERT_GT(inPlane.coplanarPixels, 1000u);
     for (const InspectedTechnique& technique : inPlane.techniques) {
         if (technique.technique.format != depth::DepthFormat::d32f) {
             continue;
         }
         const double apart = technique.apart.at({0, 1});
-        const Inspection moved = inspect(device(), 1.001 * apart, options);
+        const Inspection moved = inspect(device(), squares(1.001 * apart), options);
         EXPECT_EQ(moved.coplanarPixels, 0u);
-        const Inspection tooNear = inspect(device(), 0.19 * apart, options);
+        const Inspection tooNear = inspect(device(), squares(0.19 * apart), options);
         for (std::size_t i = 0; i < moved.techniques.size(); ++i) {
             if (moved.techniques[i].technique == technique.technique) {
                 EXPECT_EQ(moved.techniques[i].wrong.wrong, 0u) << technique.name << " " << apart;
@@ -72,8 +72,29 @@ TEST_F(InspectTest, RoundedVerticesCountInHowFarFacesAreToBeMoved) {
     }
     // Faces that move in their own planes need no more than depth does.
     options.snapping = render::Snapping::inPlane;
-    const Inspection kept = inspect(device(), 0.0, options);
+    const Inspection kept = inspect(device(), squares(0.0), options);
     EXPECT_LT(kept.techniques.back().apart.at({0, 1}), 0.1 * inPlane.techniques.back().apart.at({0, 1}));
+}
+
+/// The step of 16 bits is twenty times the gap.
+TEST_F(InspectTest, APixelInThePlaneOfADecalIsNotWrongToo) {
+    InspectOptions options;
+    options.width = 320;
+    options.height = 180;
+    options.techniques = {depth::namedTechnique("standard")};
+    options.judged = depth::namedTechnique("standard");
+    options.judged.technique.format = depth::DepthFormat::d16;
+    scene::Scene scene = squares(0.01);
+    const Inspection bare = inspect(device(), scene, options);
+    EXPECT_EQ(bare.coplanarPixels, 0u);
+    EXPECT_GT(bare.techniques[bare.judged].wrong.wrong, 1000u);
+    // Over all of the nearer square.
+    scene.materials.push_back({.name = "decal", .alphaMode = scene::AlphaMode::blend});
+    scene::addInstance(scene, 0, 1, 2, scene.instances.position(0), glm::mat3(1.0f));
+    const Inspection covered = inspect(device(), scene, options);
+    EXPECT_GT(covered.coplanarPixels, 1000u);
+    EXPECT_EQ(covered.techniques[covered.judged].wrong.wrong, 0u);
+    EXPECT_EQ(covered.badFraction(), covered.coplanarFraction());
 }
 
 } // namespace

@@ -53,18 +53,17 @@ Camera theCamera() {
 DrawLists chosen(double pixels, std::size_t threads = 1,
                  double wideSpan = std::numeric_limits<double>::infinity()) {
     const Camera camera = theCamera();
-    const Frustum frustum = frustumOf(camera, 16.0, 9.0);
+    const Frustum frustum = frustumOf(camera, kClusterHeight * 16.0 / 9.0, kClusterHeight);
     cdr::platform::WorkerPool workers(threads);
     DrawLists lists;
     binByDistance(flatCull(theScene().instances, camera, frustum), kThreeRanges, wideSpan, workers, lists);
-    chooseDetail(
-        theScene(),
-        {.camera = camera,
-         .frustum = frustum,
-         .clipRanges = kThreeRanges,
-         .wideSpan = wideSpan,
-         .levels = levelRule({.mode = DetailMode::perCluster, .pixels = pixels}, frustum, kClusterHeight)},
-        workers, lists);
+    chooseDetail(theScene(),
+                 {.camera = camera,
+                  .frustum = frustum,
+                  .clipRanges = kThreeRanges,
+                  .wideSpan = wideSpan,
+                  .levels = levelRule({.mode = DetailMode::perCluster, .pixels = pixels}, frustum)},
+                 workers, lists);
     return lists;
 }
 
@@ -95,7 +94,7 @@ ClustersDrawn clustersDrawn(const DrawLists& lists) {
 bool isUnseen(const Instances& instances, std::uint32_t instance, const std::array<glm::dvec3, 3>& corners,
               bool hasBacks) {
     const Camera camera = theCamera();
-    const Frustum frustum = frustumOf(camera, 16.0, 9.0);
+    const Frustum frustum = frustumOf(camera, kClusterHeight * 16.0 / 9.0, kClusterHeight);
     std::array<glm::dvec3, 3> view;
     std::transform(corners.begin(), corners.end(), view.begin(), [&](const glm::dvec3& corner) {
         return glm::dmat3(instances.basis[instance]) * corner + instances.position(instance);

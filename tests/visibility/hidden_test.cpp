@@ -40,6 +40,12 @@ TEST(DepthTiles, HideNothingBeforeTheyAreFilled) {
     EXPECT_FALSE(tiles.hides({0.0, 0.0, 5.0, 5.0}, 1e300));
 }
 
+TEST(DepthTiles, APictureWithoutPixelsHidesAll) {
+    for (const DepthTiles& tiles : {DepthTiles(0, 8), DepthTiles(100, 0), DepthTiles(0, 0)}) {
+        EXPECT_TRUE(tiles.hides({0.0, 0.0, 8.0, 8.0}, 1.0));
+    }
+}
+
 TEST(DepthTiles, HideWhatIsBesideThePicture) {
     const DepthTiles tiles(kTiledWidth, kTiledHeight);
     EXPECT_TRUE(tiles.hides({-9.0, 0.0, -1.0, 5.0}, 1.0));

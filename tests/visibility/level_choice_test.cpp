@@ -31,10 +31,10 @@ Listed listed(const Scene& scene, const Camera& camera, const Cascades& ranges, 
               std::size_t threads) {
     Listed result;
     cdr::platform::WorkerPool workers(threads);
-    const Frustum frustum = frustumOf(camera, 16.0, 9.0);
+    const Frustum frustum = frustumOf(camera, kHeight * 16.0 / 9.0, kHeight);
     result.visible = flatCull(scene.instances, camera, frustum);
     binByDistance(result.visible, ranges, kNoneWide, workers, result.lists);
-    chooseLevels(scene, camera, ranges, levelRule(detail, frustum, kHeight), workers, result.lists);
+    chooseLevels(scene, camera, ranges, levelRule(detail, frustum), workers, result.lists);
     return result;
 }
 

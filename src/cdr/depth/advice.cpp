@@ -3,7 +3,6 @@
 #include <cdr/depth/advice.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -11,10 +10,6 @@
 namespace cdr::depth {
 
 namespace {
-
-/// Presets by what they need from an engine: a matrix, a flipped compare, a line in a shader, cascades,
-/// cascades in float64.
-constexpr std::array kSimplestFirst{"standard", "reversed", "log", "cdr", "logcdr", "anchored"};
 
 /// Fitted steps per separation. One is for the buffer. Each of the two surfaces takes two more, because a gap
 /// between float32 values is up to two steps.

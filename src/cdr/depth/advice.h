@@ -7,12 +7,17 @@
 #include <cdr/base/export.h>
 #include <cdr/depth/forecast.h>
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace cdr::depth {
+
+/// Names of the presets(), by what they need from an engine: a matrix, a flipped compare, a line in a shader, cascades,
+/// cascades in float64.
+inline constexpr std::array kSimplestFirst{"standard", "reversed", "log", "cdr", "logcdr", "anchored"};
 
 /// What to find a technique for.
 struct AdviceQuestion {
@@ -22,7 +27,7 @@ struct AdviceQuestion {
                                      kDepthFormats.end()}; ///< that may be used; forecasts come for each
     /// Of the device, which explain() names. Only scene.subPixelBits goes into the numbers.
     unsigned subPixelBits = 8;
-    /// To choose from, the preferred ones first, each in every format. Empty: every preset, simplest first. Then come anchored
+    /// To choose from, the preferred ones first, each in every format. Empty: kSimplestFirst. Then come anchored
     /// with its target set to the separation, and anchored-reversed/fitted:1e-9, which is as fine as eight cascades allow.
     std::vector<Technique> techniques{};
 };

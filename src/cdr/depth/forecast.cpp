@@ -28,6 +28,10 @@ std::optional<base::Refusal> problemOf(const ForecastScene& scene) {
     if (!(scene.slope >= 0.0) || !std::isfinite(scene.slope)) {
         return base::Refusal{base::concat("a slope must be finite and at least 0, not ", scene.slope)};
     }
+    if (scene.subPixelBits && (!(scene.footprintSlope > 0.0) || !std::isfinite(scene.footprintSlope))) {
+        return base::Refusal{base::concat("snapping needs to know what a pixel covers, not ",
+                                          scene.footprintSlope, " of the distance")};
+    }
     return std::nullopt;
 }
 
@@ -67,10 +71,9 @@ std::optional<Forecast> forecastIn(const Technique& technique, const Cascades& c
     if (holder == cascades.end()) {
         return std::nullopt;
     }
-    const bool isClosed = std::holds_alternative<SplitFitted>(technique.split);
     const DepthRange range =
         depthRange(technique.mapping, cascades, static_cast<std::size_t>(holder - cascades.begin()),
-                   isClosed ? FarEnd::closed : FarEnd::open);
+                   farEndOf(technique.split));
     const double w = std::clamp(distanceView, holder->nearView, holder->farView);
     return Forecast{.cascades = cascades.size(),
                     .bufferStepView = separationView(range, technique.format, w),
@@ -97,8 +100,8 @@ base::Result<Forecast> tryForecast(const Technique& technique, const ForecastSce
     const auto holder = std::find_if(cascades.begin(), cascades.end(),
                                      [&](const Cascade& cascade) { return w <= cascade.farView; });
     const Cascade& cascade = holder == cascades.end() ? cascades.back() : *holder;
-    const bool open = cascades.end() - holder == 1 && !std::holds_alternative<SplitFitted>(technique.split);
-    const DepthRange range = depthRange(technique.mapping, cascade, open ? FarEnd::open : FarEnd::closed);
+    const FarEnd farEnd = cascades.end() - holder == 1 ? farEndOf(technique.split) : FarEnd::closed;
+    const DepthRange range = depthRange(technique.mapping, cascade, farEnd);
     Forecast forecast{.cascades = cascades.size(),
                       .bufferStepView = separationView(range, technique.format, w),
                       .rounding = depthRounding(range, w)};

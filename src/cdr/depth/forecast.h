@@ -17,7 +17,7 @@ namespace cdr::depth {
 struct ForecastScene {
     double nearView = 0.1;       ///< > 0
     double farView = 1e5;        ///< > nearView
-    double footprintSlope = 0.0; ///< 2 tan(fovY / 2) / height
+    double footprintSlope = 0.0; ///< 2 tan(fovY / 2) / height; > 0 and finite with subPixelBits
     double atView = 1e5;         ///< centre of the content, within the range
     double spanView = 32.0;      ///< depth of the content
     bool somethingNear = true;   ///< whether something is at the near plane

@@ -19,9 +19,12 @@ constexpr std::size_t kDigitValues = std::size_t{1} << kDigitBits;
 /// Below this many a comparison sort is faster.
 constexpr std::size_t kRadixSmallest = 1500;
 
-/// Positive float64 values order as their bits do.
+/// Float64 values order as these keys do: positive ones as their bits, negative ones in the opposite order and before.
 std::size_t digitOf(const Interval& interval, std::size_t digit) {
-    return (std::bit_cast<std::uint64_t>(interval.nearView) >> (digit * kDigitBits)) % kDigitValues;
+    constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
+    const auto bits = std::bit_cast<std::uint64_t>(interval.nearView);
+    const std::uint64_t key = (bits & kSign) != 0 ? ~bits : bits | kSign;
+    return (key >> (digit * kDigitBits)) % kDigitValues;
 }
 
 /// Least significant digit first; digits that all share are skipped, as the exponent's often is.
@@ -138,8 +141,9 @@ std::vector<Interval> mergeIntervals(std::span<Interval> intervals, double nearV
     kept = joinAndSort(intervals.first(kept));
     std::vector<Interval> merged;
     for (const Interval& interval : intervals.first(kept)) {
-        if (!merged.empty() && interval.nearView <= merged.back().farView * (1.0 + 2.0 * rounding)) {
-            merged.back().farView = std::max(merged.back().farView, interval.farView);
+        const double end = merged.empty() ? 0.0 : merged.back().farView;
+        if (!merged.empty() && interval.nearView <= end * (1.0 + std::copysign(2.0 * rounding, end))) {
+            merged.back().farView = std::max(end, interval.farView);
         } else {
             merged.push_back(interval);
         }

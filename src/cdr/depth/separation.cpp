@@ -52,11 +52,8 @@ double separationView(Mapping mapping, const Cascades& cascades, DepthFormat for
     if (cascade == nullptr) {
         return kInfinity;
     }
-    const bool open = mapping == Mapping::reversed && cascade == &cascades.back();
-    const DepthRange range{.mapping = mapping,
-                           .nearView = cascade->nearView,
-                           .farView = open ? std::nullopt : std::optional(cascade->farView)};
-    return separationView(range, format, distanceView);
+    const FarEnd farEnd = cascade == &cascades.back() ? FarEnd::open : FarEnd::closed;
+    return separationView(depthRange(mapping, *cascade, farEnd), format, distanceView);
 }
 
 double thesisSeparationView(Mapping mapping, const Cascades& cascades, int bits, double distanceView) {

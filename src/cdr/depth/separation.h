@@ -16,8 +16,8 @@
 namespace cdr::depth {
 
 /// The view-distance gap beyond `distanceView` over which a depth buffer of this format moves by one step.
-/// The buffer alone resolves this; vertices round as well. Infinity where no farther value exists.
-/// Exact, not to first order.
+/// The buffer alone resolves this; vertices round as well. Exact, not to first order. The mapping goes on beyond a closed far
+/// plane, so the gap may end there. Infinity where all that is farther lies within one step.
 CDR_EXPORT double separationView(const DepthRange& range, DepthFormat format, double distanceView);
 
 /// The same in the cascade that holds `distanceView`; ranges do not overlap. Infinity outside all of them.

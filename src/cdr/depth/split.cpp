@@ -56,6 +56,9 @@ struct FindProblem {
         return problemOfCount(kCountName, s.count, base::concat(s.count));
     }
     FoundProblem operator()(const SplitAt& s) const {
+        if (s.boundariesView.empty()) {
+            return base::Refusal{"a split at boundaries must have one at least"};
+        }
         double before = 0.0;
         for (const double boundary : s.boundariesView) {
             if (!(boundary > before)) { // not a number, too

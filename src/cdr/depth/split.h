@@ -32,7 +32,7 @@ struct SplitCount {
     bool operator==(const SplitCount&) const = default;
 };
 
-/// Boundaries given by hand, above 0 and ascending; those outside (near, far) are left out.
+/// Boundaries given by hand, at least one, above 0 and ascending; those outside (near, far) are left out.
 struct SplitAt {
     std::vector<double> boundariesView; ///< view distances
     bool operator==(const SplitAt&) const = default;

@@ -37,6 +37,11 @@ struct NamedTechnique {
 /// @lifetime The program's.
 CDR_EXPORT std::span<const NamedTechnique> presets();
 
+/// Where the last cascade of a split ends. Fitted ones are as thin as their content, so none may be open to infinity.
+inline FarEnd farEndOf(const Split& split) {
+    return std::holds_alternative<SplitFitted>(split) ? FarEnd::closed : FarEnd::open;
+}
+
 /// The preset with this mapping and split, in any format; else the parts.
 CDR_EXPORT std::string nameOf(const Technique& technique);
 

@@ -24,9 +24,7 @@ FrameCutter::FrameCutter(const RenderOptions& options, const Targets& targets)
 
 FrameView FrameCutter::look(const scene::Camera& camera) const {
     const scene::Frustum frustum = scene::frustumOf(camera, m_extent.width, m_extent.height);
-    return {.camera = camera,
-            .frustum = frustum,
-            .levels = visibility::levelRule(m_detail, frustum, m_extent.height)};
+    return {.camera = camera, .frustum = frustum, .levels = visibility::levelRule(m_detail, frustum)};
 }
 
 void FrameCutter::cut(FrameView& view, const visibility::VisibleCells& visible,

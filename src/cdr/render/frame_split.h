@@ -37,8 +37,7 @@ class FrameSplit {
     /// Whether cut() reads the visible list.
     bool needsVisible() const { return std::holds_alternative<depth::SplitFitted>(m_technique.split); }
 
-    /// Fitted ranges are as thin as their content, so none may be open to infinity.
-    depth::FarEnd farEnd() const { return needsVisible() ? depth::FarEnd::closed : depth::FarEnd::open; }
+    depth::FarEnd farEnd() const { return depth::farEndOf(m_technique.split); }
 
   private:
     depth::Technique m_technique;

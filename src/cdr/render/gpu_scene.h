@@ -42,7 +42,7 @@ class CDR_EXPORT GpuScene {
     ///        uploaded is the same to the bit. None of them outlives the call, or that of update().
     /// @throws base::InputError as scene::requireUsable(), and for a texture larger than the device's images, or a mesh of more
     ///         vertices than its draws can name (gpu::DeviceInfo::maxIndex).
-    /// @throws base::RunError with both figures when the device has too little memory, or no buffers that large.
+    /// @throws base::RunError when the device's memory or its limits do not suffice, with both figures where that is known before.
     /// @throws std::system_error for Vulkan's other errors, a lost device among them.
     GpuScene(const gpu::Device& device, const scene::Scene& scene, std::size_t threads = 0);
     /// For a scene that changes. The device and the world must outlive this.

@@ -31,7 +31,7 @@ class CDR_EXPORT Renderer {
     /// device has. Examples are no or too many pixels, and a depth format that the device lacks.
     /// @throws base::InputError for the GpuScene of another scene, or of a world, which changes, and for one that was made on
     ///         another device.
-    /// @throws base::RunError with both figures when the device's memory or its limits do not suffice.
+    /// @throws base::RunError when the device's memory or its limits do not suffice, with both figures where that is known before.
     /// @throws std::system_error for Vulkan's other errors, and when the system starts no more threads.
     Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
              const RenderOptions& options);

@@ -1,16 +1,10 @@
 #include <cdr/visibility/chunk_test.h>
+#include <cdr/visibility/vertex_rounding.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace cdr::visibility {
-
-namespace {
-
-/// The device rounds vertices to float32: by this share of the distance and of the mesh's size at most.
-constexpr double kVertexShare = 0x1p-20;
-
-} // namespace
 
 ChunkTest::ChunkTest(const scene::Camera& camera, const scene::Frustum& frustum,
                      const depth::Cascade& clipRange)
@@ -27,11 +21,10 @@ ChunkTest::ChunkTest(const scene::Camera& camera, const scene::Frustum& frustum,
 ChunkTest::Placed ChunkTest::placed(const glm::dvec3& position, const glm::mat3& basis, float radius) const {
     const glm::dvec3 fromCamera = position - m_position;
     const auto reach = static_cast<double>(radius);
-    const double distance = glm::length(fromCamera) + reach;
     return {.centre = m_toView * fromCamera,
             .basis = m_toView * glm::dmat3(basis),
             .radius = reach,
-            .rounding = kVertexShare * distance};
+            .rounding = vertexRounding(fromCamera, reach)};
 }
 
 bool ChunkTest::holdsAll(const Placed& instance) const {

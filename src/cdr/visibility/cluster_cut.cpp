@@ -1,16 +1,10 @@
 #include <cdr/visibility/cluster_cut.h>
+#include <cdr/visibility/vertex_rounding.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace cdr::visibility {
-
-namespace {
-
-/// The device rounds vertices to float32: by this share of the distance and of the mesh's size at most.
-constexpr double kVertexRounding = 0x1p-21;
-
-} // namespace
 
 ClusterView::ClusterView(const scene::Scene& scene, std::uint32_t instance, const SphereTest& test)
     : m_test(test) {
@@ -20,8 +14,9 @@ ClusterView::ClusterView(const scene::Scene& scene, std::uint32_t instance, cons
     const glm::dvec3 fromCamera = instances.position(instance) - test.position;
     m_centreView = view * fromCamera;
     m_toView = view * basis;
-    m_radius = static_cast<double>(instances.radius[instance]);
-    m_scale = m_radius / static_cast<double>(scene.meshes[instances.mesh[instance]].boundingRadius);
+    const auto radius = static_cast<double>(instances.radius[instance]);
+    m_rounding = vertexRounding(fromCamera, radius);
+    m_scale = radius / static_cast<double>(scene.meshes[instances.mesh[instance]].boundingRadius);
     const bool isFlat = glm::determinant(basis) == 0.0;
     m_hasBacks = !isFlat && !scene.materials[instances.material[instance]].doubleSided;
     if (m_hasBacks) {
@@ -31,8 +26,7 @@ ClusterView::ClusterView(const scene::Scene& scene, std::uint32_t instance, cons
 
 ClusterView::Seen ClusterView::see(const scene::ClusterSphere& sphere) const {
     const glm::dvec3 centre = m_centreView + m_toView * glm::dvec3(sphere.centre);
-    const double radius =
-        static_cast<double>(sphere.radius) * m_scale + kVertexRounding * (m_radius + std::abs(centre.z));
+    const double radius = static_cast<double>(sphere.radius) * m_scale + m_rounding;
     const double sideX = centre.z * m_test.sinX - std::abs(centre.x) * m_test.cosX;
     const double sideY = centre.z * m_test.sinY - std::abs(centre.y) * m_test.cosY;
     const double depth = std::min(centre.z - m_test.nearView, m_test.farView - centre.z);

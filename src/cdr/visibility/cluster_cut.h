@@ -20,7 +20,7 @@ class ClusterView {
     /// A sphere of the mesh's object space.
     struct Seen {
         double distanceView = 0.0; ///< of the centre
-        double radius = 0.0;       ///< in world space
+        double radius = 0.0;       ///< in world space, vertices rounded
         double margin = 0.0;       ///< below 0: outside the frustum
     };
     Seen see(const scene::ClusterSphere& sphere) const;
@@ -35,7 +35,7 @@ class ClusterView {
     glm::dmat3 m_toView;     ///< of object space, without the translation
     glm::dvec3 m_cameraInObject{0.0};
     double m_scale;
-    double m_radius;
+    double m_rounding; ///< of vertices on the device
     bool m_hasBacks = false;
 };
 

@@ -18,14 +18,15 @@ std::uint32_t halved(std::uint32_t count) {
 DepthTiles::DepthTiles(std::uint32_t width, std::uint32_t height) : m_width(width), m_height(height) {
     std::uint32_t columns = (width + kSide - 1) / kSide;
     std::uint32_t rows = (height + kSide - 1) / kSide;
-    for (;;) {
+    const auto addLevel = [&] {
         m_levels.push_back(
             {.columns = columns, .rows = rows, .values = std::vector(std::size_t{columns} * rows, kOpen)});
-        if (columns == 1 && rows == 1) {
-            return;
-        }
+    };
+    addLevel();
+    while (columns > 1 || rows > 1) {
         columns = halved(columns);
         rows = halved(rows);
+        addLevel();
     }
 }
 

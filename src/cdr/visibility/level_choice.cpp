@@ -80,8 +80,8 @@ void prepareDetail(scene::Scene& scene, DetailMode mode, platform::WorkerPool& w
     }
 }
 
-LevelRule levelRule(const Detail& detail, const scene::Frustum& frustum, std::uint32_t height) {
-    return {.mode = detail.mode, .slope = detail.pixels * 2.0 * frustum.tanY / height};
+LevelRule levelRule(const Detail& detail, const scene::Frustum& frustum) {
+    return {.mode = detail.mode, .slope = detail.pixels * frustum.footprintSlope};
 }
 
 std::uint8_t levelOf(const scene::Scene& scene, std::uint32_t instance, const scene::Camera& camera,

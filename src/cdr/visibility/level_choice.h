@@ -61,8 +61,8 @@ struct LevelRule {
 };
 
 /// The rule of a detail.
-/// @param height of the picture in pixels.
-CDR_EXPORT LevelRule levelRule(const Detail& detail, const scene::Frustum& frustum, std::uint32_t height);
+/// @param frustum of the picture, whose size in pixels it was made with.
+CDR_EXPORT LevelRule levelRule(const Detail& detail, const scene::Frustum& frustum);
 
 /// The coarsest level of an instance's mesh whose error, in world space, is at most `rule.slope` times the view distance of the
 /// nearest point of its bounding sphere, w - r, but no nearer than the near plane. 0, the mesh itself, if no level's is, and

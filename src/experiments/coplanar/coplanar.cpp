@@ -178,13 +178,11 @@ class CoplanarComparison {
     }
 
     /// Whether an object that the truth does not show at a pixel's centre is so near to it that rounded vertices cover it.
-    bool isCovering(const scene::Camera& camera, std::uint32_t x, std::uint32_t y, std::uint32_t id) {
-        const scene::Frustum frustum = scene::frustumOf(camera, m_options.width, m_options.height);
-        const measure::PixelSlopes slopes = measure::pixelSlopes(camera, m_options.width, m_options.height);
-        const glm::dvec3 ray = -camera.back + slopes.x[x] * camera.right + slopes.y[y] * camera.up;
+    /// @param ray through the centre. @param footprintSlope of the view's pixels.
+    bool isCovering(const scene::Camera& camera, const glm::dvec3& ray, double footprintSlope,
+                    std::uint32_t id) {
         scene::Camera narrow = scene::lookAlong(camera, camera.position, ray);
-        const double pixel = 2.0 * frustum.tanY / m_options.height;
-        narrow.fovY = 8.0 * pixel * std::exp2(-static_cast<double>(m_subPixelBits));
+        narrow.fovY = 8.0 * footprintSlope * std::exp2(-static_cast<double>(m_subPixelBits));
         const measure::TruthImage around = m_truth.cast(narrow, 5, 5, m_workers);
         return std::any_of(around.pixels.begin(), around.pixels.end(),
                            [&](const measure::TruthPixel& seen) { return seen.id == id; });
@@ -196,6 +194,9 @@ class CoplanarComparison {
                image::Raster<std::uint8_t>& steady) {
         const measure::WrongPixels wrong = measure::countWrong(ids, truth, inner);
         counted.pixels[eye] = wrong.pixels;
+        const scene::Camera& camera = frame.camera;
+        const measure::PixelSlopes slopes = measure::pixelSlopes(camera, ids.width, ids.height);
+        const double footprintSlope = scene::frustumOf(camera, ids.width, ids.height).footprintSlope;
         for (std::uint32_t y = 0; y < ids.height; ++y) {
             for (std::uint32_t x = 0; x < ids.width; ++x) {
                 const measure::TruthPixel& seen = truth.at(x, y);
@@ -204,7 +205,8 @@ class CoplanarComparison {
                     continue;
                 }
                 counted.through[eye] += id == m_hiddenId ? 1 : 0;
-                if (id != seen.secondId && isCovering(frame.camera, x, y, id)) {
+                const glm::dvec3 ray = -camera.back + slopes.x[x] * camera.right + slopes.y[y] * camera.up;
+                if (id != seen.secondId && isCovering(camera, ray, footprintSlope, id)) {
                     ++counted.coverage[eye];
                     steady.at(x, y) = 0;
                 }

@@ -225,7 +225,7 @@ class DetailComparison {
                                   .frustum = frustum,
                                   .clipRanges = ranges,
                                   .wideSpan = kNoneWide,
-                                  .levels = visibility::levelRule(detail, frustum, m_options.height)},
+                                  .levels = visibility::levelRule(detail, frustum)},
                                  m_workers, m_lists);
         return visibility::trianglesDrawn(m_setup.scene, m_lists);
     }

@@ -1,5 +1,6 @@
 #include "inspect.h"
 
+#include <cdr/depth/advice.h>
 #include <cdr/depth/forecast.h>
 #include <cdr/measure/truth/object_ray.h>
 #include <cdr/measure/truth/truth.h>
@@ -31,7 +32,7 @@ struct InspectedView {
     measure::TruthImage truth;
     image::Raster<std::uint8_t> coplanar;
     image::ImageU32 blended;                  ///< PairCollector::blendedInPlane()
-    image::Raster<std::uint8_t> judgedPixels; ///< off edges, and not coplanar
+    image::Raster<std::uint8_t> judgedPixels; ///< off edges, and not in plane
 
     /// Whether two surfaces of a pixel lie in one plane, blended ones too.
     bool isInPlane(std::size_t i) const { return coplanar.pixels[i] != 0 || blended.pixels[i] != 0; }
@@ -44,11 +45,11 @@ struct InspectedView {
     }
 };
 
-/// Simplest first: one cascade before several, and in the order of the presets.
+/// Simplest first, unless they are given.
 std::vector<InspectedTechnique> techniquesOf(const gpu::Device& device, const InspectOptions& options) {
     std::vector<depth::NamedTechnique> named = options.techniques;
     if (named.empty()) {
-        for (const char* name : {"standard", "reversed", "log", "cdr", "logcdr", "anchored"}) {
+        for (const char* name : depth::kSimplestFirst) {
             named.push_back(depth::namedTechnique(name));
         }
     }
@@ -83,8 +84,7 @@ InspectedView viewOf(const measure::TruthCaster& caster, const PairCollector& pa
     view.blended = pairs.blendedInPlane(view.camera, view.truth, caster.shapes(), workers);
     view.judgedPixels = measure::innerMask(view.truth);
     for (std::size_t i = 0; i < view.judgedPixels.pixels.size(); ++i) {
-        view.judgedPixels.pixels[i] =
-            view.coplanar.pixels[i] != 0 ? std::uint8_t{0} : view.judgedPixels.pixels[i];
+        view.judgedPixels.pixels[i] = view.isInPlane(i) ? std::uint8_t{0} : view.judgedPixels.pixels[i];
     }
     return view;
 }

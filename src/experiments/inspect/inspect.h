@@ -34,7 +34,7 @@ struct InspectOptions {
     depth::NamedTechnique judged; ///< whose wrong pixels the heat map shows; one of them, or one more
 };
 
-/// One technique in one format, over all views. Coplanar pixels are left out: none of them is wrong.
+/// One technique in one format, over all views. Pixels that show two surfaces in one plane, blended ones too, are left out.
 struct InspectedTechnique {
     std::string name;
     depth::Technique technique;
@@ -57,12 +57,12 @@ struct InspectedTechnique {
 
 struct Inspection {
     std::vector<ObjectPair> pairs;              ///< nearest to each other first
-    std::vector<InspectedTechnique> techniques; ///< simplest first
+    std::vector<InspectedTechnique> techniques; ///< simplest first, or in the order of the options
     std::size_t judged = 0;                     ///< index of it
     std::optional<std::size_t> simplest{}; ///< the first with no more wrong and undecided pixels than allowed
     double allowedShare = 0.0;             ///< InspectOptions::allowedShare
     std::uint64_t objectPixels = 0;        ///< that show an object, edges too
-    std::uint64_t coplanarPixels = 0;      ///< of them, whose two nearest surfaces lie in one plane
+    std::uint64_t coplanarPixels = 0; ///< of them, two of whose surfaces lie in one plane; none is judged
     image::ImageRgba8 heatMap{}; ///< of the worst view: red wrong, orange wrong on an edge, magenta coplanar
 
     double coplanarFraction() const { return shareOf(static_cast<double>(coplanarPixels)); }

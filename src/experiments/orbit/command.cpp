@@ -32,10 +32,8 @@ struct OrbitArguments {
 constexpr const char* kWindowPicture =
     "orbit_window.png"; ///< what the station's window shows before the zoom
 
-std::string fileName(const experiments::PictureResult& result) {
-    std::string technique = result.technique;
-    std::replace(technique.begin(), technique.end(), '/', '-'); // as in "anchored/fitted"
-    return "orbit_" + technique;
+std::string fileName(const experiments::PictureResult& result, const char* suffix) {
+    return PictureFolder::nameInFolder("orbit_" + result.technique + suffix);
 }
 
 void writePictures(const PictureFolder& folder, const std::vector<experiments::PictureResult>& results,
@@ -44,8 +42,8 @@ void writePictures(const PictureFolder& folder, const std::vector<experiments::P
         folder.write(kWindowPicture, window);
     }
     for (const experiments::PictureResult& result : results) {
-        folder.write(fileName(result) + ".png", result.picture);
-        folder.write(fileName(result) + "_wrong.png", result.heatMap);
+        folder.write(fileName(result, ".png"), result.picture);
+        folder.write(fileName(result, "_wrong.png"), result.heatMap);
     }
     folder.write("orbit_sheet.png",
                  experiments::makeContactSheet(
@@ -63,7 +61,7 @@ orbitColumns(const std::vector<experiments::PictureResult>& pictures, std::uint3
             const auto picture = std::find_if(pictures.begin(), pictures.end(), [&](const auto& each) {
                 return result.frame == lastFrame && each.technique == result.technique;
             });
-            return picture != pictures.end() ? output::Json(fileName(*picture) + suffix) : output::absent();
+            return picture != pictures.end() ? output::Json(fileName(*picture, suffix)) : output::absent();
         };
     };
     return output::joined<Result>(

@@ -190,9 +190,11 @@ TEST(WrongShadows, InnerPixelsAndEdgesAreCountedApart) {
     EXPECT_EQ(wrong.shadowed, 0u);
     EXPECT_EQ(wrong.fraction(), 1.0 / 8.0);
     EXPECT_EQ(measure::WrongShadows{}.fraction(), std::nullopt);
-    const image::ImageRgba8 map = measure::shadowHeatMap({reached, 2}, truth, image::ImageRgba8(7, 5));
+    const image::ImageRgba8 map =
+        measure::shadowHeatMap({reached, 2}, truth, image::ImageRgba8(7, 5, {40, 200, 90, 255}));
     EXPECT_EQ(map.at(2, 2), (image::Rgba8{0, 114, 255, 255}));
     EXPECT_EQ(map.at(5, 2), (image::Rgba8{255, 165, 0, 255}));
+    EXPECT_EQ(map.at(3, 2), (image::Rgba8{78, 78, 78, 255})) << "half the luma";
     EXPECT_THROW(measure::countWrongShadows({image::ImageRgba8(3, 3), 0}, truth), base::InputError);
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -27,6 +28,13 @@ TEST(Statistics, PercentileInterpolatesAsNumPyDoes) {
     EXPECT_DOUBLE_EQ(percentile(samples, 50.0), 35.0);
     EXPECT_DOUBLE_EQ(percentile(samples, 90.0), 46.0);
     EXPECT_DOUBLE_EQ(percentile(samples, 100.0), 50.0);
+}
+
+TEST(Statistics, AnInfiniteSampleIsNoneOfThoseBelowIt) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(median({kInfinity, 1.0, 2.0}), 2.0);
+    EXPECT_EQ(percentile({1.0, kInfinity}, 0.0), 1.0);
+    EXPECT_EQ(median({1.0, 2.0, kInfinity, kInfinity}), kInfinity);
 }
 
 TEST(Statistics, NoSamplesAreRefused) {

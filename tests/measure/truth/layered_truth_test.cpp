@@ -201,6 +201,30 @@ TEST(SampleTexture, IsBilinearInLinearLightAndWraps) {
     EXPECT_NEAR(sampleTexture(texture, {-3.0, 0.3}).a, 0.0, 1e-12);
 }
 
+/// The texel of a nearest filter beyond what any integer holds. 3e30 is 1 above a multiple of 3, and 4 above one of 6.
+double texelAt(double u, scene::WrapMode mode) {
+    scene::Texture texture{.name = "three", .pixels = image::ImageRgba8(3, 1)};
+    for (std::uint32_t x = 0; x < 3; ++x) {
+        texture.pixels.at(x, 0)[3] = static_cast<std::uint8_t>(x);
+    }
+    texture.magFilter = scene::Filter::nearest;
+    texture.wrapU = mode;
+    return std::round(255.0 * sampleTexture(texture, {u, 0.5}).a);
+}
+
+TEST(SampleTexture, WrapsPlacesOfAnySize) {
+    using scene::WrapMode;
+    EXPECT_EQ(texelAt(1e30, WrapMode::clampToEdge), 2.0);
+    EXPECT_EQ(texelAt(-1e30, WrapMode::clampToEdge), 0.0);
+    EXPECT_EQ(texelAt(1e30, WrapMode::repeat), 1.0);
+    EXPECT_EQ(texelAt(-1e30, WrapMode::repeat), 2.0);
+    EXPECT_EQ(texelAt(1e30, WrapMode::mirroredRepeat), 1.0);
+    EXPECT_EQ(texelAt(-1e30, WrapMode::mirroredRepeat), 2.0);
+    EXPECT_EQ(texelAt(-0.1, WrapMode::repeat), 2.0);
+    EXPECT_EQ(texelAt(-0.1, WrapMode::mirroredRepeat), 0.0);
+    EXPECT_EQ(texelAt(1.4, WrapMode::mirroredRepeat), 1.0);
+}
+
 /// A texture whose texels are a hundredth of a pixel is seen as its smallest level.
 glm::dvec4 seenFromAfar(const scene::Texture& texture) {
     scene::Scene scene;

@@ -1,10 +1,12 @@
 #include "../test_scenes.h"
 
 #include <cdr/measure/compare/wrong_pixels.h>
+#include <cdr/measure/truth/mask_cut.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace cdr::test {
 
@@ -96,6 +98,25 @@ TEST(MaskedTruth, AlphaNearTheCutoffIsDoubtful) {
         EXPECT_EQ(truth.at(middle, middle).id, each.isSeen ? kDecal : kWall) << each.alpha;
         EXPECT_EQ(isDoubtful(truth, middle, middle), each.isDoubtful) << each.alpha;
         EXPECT_EQ(measure::innerMask(truth).at(middle, middle) != 0, !each.isDoubtful) << each.alpha;
+    }
+}
+
+/// Rays along a triangle have such weights.
+TEST(MaskedTruth, AnAlphaThatIsNotFiniteIsDoubtful) {
+    const scene::Scene scene = sceneBehindMask(kTriangleCube, {});
+    const measure::TruthTextures textures(scene);
+    const glm::dvec3 middle(1.0 / 3.0);
+    const auto cutOf = [&](const measure::CornerWeights& weights) {
+        return measure::maskCutAt(
+            {scene, textures, scene.materials[kMasked], scene.meshes[kTriangleCube], 0, weights});
+    };
+    EXPECT_FALSE(cutOf({middle, middle, middle, middle, middle}).isDoubtful);
+    for (const double endless :
+         {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+        const glm::dvec3 beyond(endless);
+        EXPECT_TRUE(cutOf({beyond, middle, middle, middle, middle}).isDoubtful);
+        EXPECT_TRUE(cutOf({middle, beyond, middle, middle, middle}).isDoubtful);
+        EXPECT_TRUE(cutOf({middle, middle, middle, middle, beyond}).isDoubtful);
     }
 }
 

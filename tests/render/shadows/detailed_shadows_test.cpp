@@ -70,8 +70,8 @@ TEST_F(DetailedShadowsTest, AreThoseOfTheLevelsThatAreDrawn) {
     options.shadows.method = render::ShadowMethod::anchored;
     for (const double pixels : {1.0, 6.0}) {
         const visibility::Detail detail{.mode = visibility::DetailMode::perObject, .pixels = pixels};
-        const visibility::LevelRule rule = visibility::levelRule(
-            detail, scene::frustumOf(camera, options.width, options.height), options.height);
+        const visibility::LevelRule rule =
+            visibility::levelRule(detail, scene::frustumOf(camera, options.width, options.height));
         std::set<std::uint8_t> levels;
         for (std::uint32_t i = 0; i < setup.scene.instances.size(); ++i) {
             levels.insert(visibility::levelOf(setup.scene, i, camera, rule));

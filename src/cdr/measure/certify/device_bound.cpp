@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <variant>
 
 namespace cdr::measure {
 
@@ -53,9 +52,7 @@ DeviceBound DeviceBound::ofFloat64(const DrawnFrame& frame) {
 DeviceBound::DeviceBound(const DrawnFrame& frame) : DeviceBound(frame, kFloatRounding, frame.snapPixels) {
     m_bends = frame.technique.mapping == depth::Mapping::log;
     const depth::Mapping mapping = frame.technique.mapping;
-    const depth::FarEnd farEnd = std::holds_alternative<depth::SplitFitted>(frame.technique.split)
-                                     ? depth::FarEnd::closed
-                                     : depth::FarEnd::open;
+    const depth::FarEnd farEnd = depth::farEndOf(frame.technique.split);
     for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
         const depth::DepthRange range = depth::depthRange(mapping, frame.cascades, i, farEnd);
         m_ranges.push_back({.clip = depth::clipRange(mapping, frame.cascades, i),

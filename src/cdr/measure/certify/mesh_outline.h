@@ -27,7 +27,7 @@ struct MeshOutline {
     glm::dvec3 reach{0.0}; ///< largest coordinates, in magnitude
 };
 
-/// Of the mesh's finest level. Indices must be in range, as Shape tests.
+/// Of the mesh's finest level. Indices must be in range, also of a box, whose indices Shape does not test.
 MeshOutline outlineOf(const scene::Mesh& mesh);
 
 } // namespace cdr::measure

@@ -1,4 +1,5 @@
 #include <cdr/base/format_error.h>
+#include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/shadows/wrong_shadows.h>
 
 namespace cdr::measure {
@@ -78,11 +79,9 @@ image::ImageRgba8 shadowHeatMap(const RenderedLight& light, const ShadowImage& t
                                 const image::ImageRgba8& picture) {
     image::ImageRgba8 map(truth.width, truth.height);
     forVerdicts(light, truth, [&](std::uint32_t x, std::uint32_t y, Verdict verdict) {
-        const image::Rgba8& color = picture.at(x, y);
-        const auto grey = static_cast<std::uint8_t>((color[0] + color[1] + color[2]) / 6);
         map.at(x, y) = verdict == Verdict::wrong       ? (light.reaches(x, y) ? kMissing : kInvented)
                        : verdict == Verdict::edgeWrong ? kWrongAtEdge
-                                                       : image::Rgba8{grey, grey, grey, 255};
+                                                       : dimmed(picture.at(x, y));
     });
     return map;
 }

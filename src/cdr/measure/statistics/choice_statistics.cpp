@@ -12,7 +12,7 @@ constexpr unsigned kMaxTrials = 1'000'000;
 
 void requireTrials(const ChoiceCounts& counts) {
     if (counts.left > kMaxTrials || counts.right > kMaxTrials || counts.all() == 0) {
-        throw base::InputError("choices: between one and a million must have been made for either side");
+        throw base::InputError("choices: there must be at least one, and at most a million for each side");
     }
 }
 

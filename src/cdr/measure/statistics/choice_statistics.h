@@ -11,7 +11,8 @@ struct ChoiceCounts {
 };
 
 /// One-sample chi-squared of the counts against an even split, one degree of freedom (thesis Table 6.9):
-/// (left - right)^2 / (left + right). base::InputError when nobody chose.
+/// (left - right)^2 / (left + right). base::InputError when nobody chose, or over a million chose
+/// one side.
 double chiSquared(const ChoiceCounts& counts);
 
 /// How likely a chi-squared with one degree of freedom is to be at least this large by chance: the upper
@@ -21,7 +22,7 @@ double chiSquaredTail(double chiSquared);
 
 /// Exact two-sided binomial p against an even split. It is the probability of counts at least this uneven when
 /// every choice is a toss of a fair coin. It holds for few trials, where chi-squared's curve does not.
-/// base::InputError when nobody chose, or over a million did.
+/// base::InputError as chiSquared().
 double binomialTail(const ChoiceCounts& counts);
 
 } // namespace cdr::measure

@@ -22,8 +22,11 @@ double percentileOfSorted(const std::vector<Number>& sorted, double percent) {
     const double place = percent / 100.0 * static_cast<double>(sorted.size() - 1);
     const auto below = static_cast<std::size_t>(place);
     const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return std::lerp(static_cast<double>(sorted[below]), static_cast<double>(sorted[above]),
-                     place - std::floor(place));
+    const double share = place - std::floor(place);
+    // The next one may be infinite, no part of which is 0.
+    return share > 0.0
+               ? std::lerp(static_cast<double>(sorted[below]), static_cast<double>(sorted[above]), share)
+               : static_cast<double>(sorted[below]);
 }
 
 /// The 50th percentile: the mean of the two middle samples where their number is even.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace cdr::measure {
@@ -76,6 +77,10 @@ MaskCut maskCutAt(const SurfacePoint& point) {
     const std::array others{alphaAt(weights.here, kHalfLevel), alphaAt(weights.here, 1.0 / kHalfLevel),
                             alphaAt(weights.right, 1.0),       alphaAt(weights.left, 1.0),
                             alphaAt(weights.down, 1.0),        alphaAt(weights.up, 1.0)};
+    const auto isFinite = [](double each) { return std::isfinite(each); };
+    if (!std::isfinite(alpha) || !std::ranges::all_of(others, isFinite)) {
+        return {.isCut = isCutAt(point.material, alpha), .isDoubtful = true};
+    }
     const auto [least, most] = std::minmax_element(others.begin(), others.end());
     return {.isCut = isCutAt(point.material, alpha),
             .isDoubtful = isCutAt(point.material, std::min(alpha, *least) - kAlphaError) !=

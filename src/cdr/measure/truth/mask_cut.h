@@ -22,7 +22,8 @@ struct MaskCut {
 };
 
 /// Alpha is compared at the pixel's centre and half a pixel to each side. At the centre also with levels of the texture that
-/// are half a level larger and smaller, which drivers may read. Each may be four steps of 8 bits off.
+/// are half a level larger and smaller, which drivers may read. Each may be four steps of 8 bits off. An alpha that is not finite
+/// is doubtful.
 /// @param point of a material whose alpha mode is `mask`.
 MaskCut maskCutAt(const SurfacePoint& point);
 

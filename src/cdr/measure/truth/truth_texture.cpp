@@ -13,13 +13,19 @@ namespace cdr::measure {
 namespace {
 
 /// Where a texel beyond an edge is found.
-std::uint32_t wrapped(std::int64_t i, std::int64_t size, scene::WrapMode mode) {
-    if (mode == scene::WrapMode::clampToEdge) {
-        return static_cast<std::uint32_t>(std::clamp<std::int64_t>(i, 0, size - 1));
+/// @param i a whole number of any size. What is not a number finds the first.
+std::uint32_t wrapped(double i, double size, scene::WrapMode mode) {
+    if (i >= 0.0 && i < size) {
+        return static_cast<std::uint32_t>(i);
     }
-    const std::int64_t period = mode == scene::WrapMode::mirroredRepeat ? 2 * size : size;
-    const std::int64_t inPeriod = ((i % period) + period) % period;
-    return static_cast<std::uint32_t>(inPeriod < size ? inPeriod : period - 1 - inPeriod);
+    if (mode == scene::WrapMode::clampToEdge) {
+        return i > 0.0 ? static_cast<std::uint32_t>(size - 1.0) : 0;
+    }
+    const double period = mode == scene::WrapMode::mirroredRepeat ? 2.0 * size : size;
+    const double rest = std::fmod(i, period);
+    const double inPeriod = rest < 0.0 ? rest + period : rest;
+    const double texel = inPeriod < size ? inPeriod : period - 1.0 - inPeriod;
+    return texel > 0.0 ? static_cast<std::uint32_t>(texel) : 0;
 }
 
 glm::dvec4 linearOf(const image::Rgba8& texel, scene::TextureContent content) {
@@ -36,9 +42,7 @@ template <typename TexelAt>
 glm::dvec4 readAt(const scene::Texture& texture, const glm::dvec2& size, scene::Filter filter,
                   const glm::dvec2& uv, TexelAt texelAt) {
     const auto at = [&](double x, double y) -> glm::dvec4 {
-        return texelAt(
-            wrapped(static_cast<std::int64_t>(x), static_cast<std::int64_t>(size.x), texture.wrapU),
-            wrapped(static_cast<std::int64_t>(y), static_cast<std::int64_t>(size.y), texture.wrapV));
+        return texelAt(wrapped(x, size.x, texture.wrapU), wrapped(y, size.y, texture.wrapV));
     };
     if (filter == scene::Filter::nearest) {
         const glm::dvec2 texel = glm::floor(uv * size);
@@ -85,10 +89,10 @@ glm::vec4 average(const scene::Texture& texture, const glm::dvec2& begin, const 
     return {sum / ((end.x - begin.x) * (end.y - begin.y))};
 }
 
-/// The alphas of a picture at four places of each texel, interpolated, largest first.
+/// The alphas of a picture at four places of each texel, interpolated.
 /// @param alphaAt of a texel (x, y).
 template <typename AlphaAt>
-std::vector<double> sortedAlphas(const glm::uvec2& size, AlphaAt alphaAt) {
+std::vector<double> alphasOf(const glm::uvec2& size, AlphaAt alphaAt) {
     const auto at = [&](const glm::dvec2& place) {
         const glm::uvec2 texel(glm::clamp(place, glm::dvec2(0.0), glm::dvec2(size) - 1.0));
         return alphaAt(texel.x, texel.y);
@@ -107,21 +111,24 @@ std::vector<double> sortedAlphas(const glm::uvec2& size, AlphaAt alphaAt) {
             alphas.push_back(std::round(alpha * 1e9) * 1e-9); // equals stay equal
         }
     }
-    std::sort(alphas.begin(), alphas.end(), std::greater<>());
     return alphas;
 }
 
-/// Multiplies the alpha of a level so that a cutoff keeps as large a share of it as of the picture.
-void keepShare(const scene::Texture& texture, double cutoff, image::Raster<glm::vec4>& level) {
-    const image::ImageRgba8& picture = texture.pixels;
-    const std::vector<double> whole =
-        sortedAlphas({picture.width, picture.height},
-                     [&](std::uint32_t x, std::uint32_t y) { return picture.at(x, y)[3] / 255.0; });
-    const auto kept = std::ranges::count_if(whole, [&](double alpha) { return alpha >= cutoff - 1e-6; });
-    const double share = static_cast<double>(kept) / static_cast<double>(whole.size());
+/// How much of a picture a cutoff keeps.
+double keptShare(const image::ImageRgba8& picture, double cutoff) {
     const std::vector<double> alphas =
-        sortedAlphas({level.width, level.height},
-                     [&](std::uint32_t x, std::uint32_t y) { return double{level.at(x, y).a}; });
+        alphasOf({picture.width, picture.height},
+                 [&](std::uint32_t x, std::uint32_t y) { return picture.at(x, y)[3] / 255.0; });
+    const auto kept = std::ranges::count_if(alphas, [&](double alpha) { return alpha >= cutoff - 1e-6; });
+    return static_cast<double>(kept) / static_cast<double>(alphas.size());
+}
+
+/// Multiplies the alpha of a level so that a cutoff keeps this share of it.
+void keepShare(double share, double cutoff, image::Raster<glm::vec4>& level) {
+    std::vector<double> alphas = alphasOf({level.width, level.height}, [&](std::uint32_t x, std::uint32_t y) {
+        return double{level.at(x, y).a};
+    });
+    std::sort(alphas.begin(), alphas.end(), std::greater<>());
     auto wanted = static_cast<std::size_t>(std::lround(share * static_cast<double>(alphas.size())));
     if (wanted > 0 && wanted < alphas.size()) { // equals are kept together, or none of them
         const auto equals = std::equal_range(alphas.begin(), alphas.end(), alphas[wanted], std::greater<>());
@@ -146,14 +153,17 @@ void keepShare(const scene::Texture& texture, double cutoff, image::Raster<glm::
 std::vector<image::Raster<glm::vec4>> filteredLevels(const scene::Texture& texture) {
     std::vector<image::Raster<glm::vec4>> levels;
     const glm::uvec2 whole(texture.pixels.width, texture.pixels.height);
+    const auto cutoff = static_cast<double>(texture.cutoff.value_or(0.0f));
+    const bool isMask = cutoff > 0.0 && cutoff <= 1.0;
+    const double share = isMask ? keptShare(texture.pixels, cutoff) : 1.0;
     for (glm::uvec2 size = whole; size != glm::uvec2(1);) {
         size = glm::max(size / 2u, glm::uvec2(1));
         const glm::dvec2 texel = glm::dvec2(whole) / glm::dvec2(size);
         auto level = image::rasterOf<glm::vec4>(size.x, size.y, [&](auto x, auto y) {
             return average(texture, texel * glm::dvec2(x, y), texel * glm::dvec2(x + 1.0, y + 1.0));
         });
-        if (texture.cutoff && *texture.cutoff > 0.0f && *texture.cutoff <= 1.0f) {
-            keepShare(texture, static_cast<double>(*texture.cutoff), level);
+        if (isMask) {
+            keepShare(share, cutoff, level);
         }
         levels.push_back(std::move(level));
     }

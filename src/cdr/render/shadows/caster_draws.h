@@ -31,7 +31,7 @@ class CasterDraws {
     CasterDraws(const gpu::Device& device, const DrawnScene& scene);
 
     /// Finds the casters of each view of a frame's lights, gives each LightView::nearAhead, and writes what they are drawn
-    /// from. The last frame that drew them must have finished. base::RunError, with both figures, when that needs more memory than there is.
+    /// from. The last frame that drew them must have finished. base::RunError when that needs more memory than there is.
     /// @param slices that LightView::slice counts.
     void prepare(const FrameView& frame, std::span<const ReceiverSlice> slices, std::vector<LightView>& views,
                  platform::WorkerPool& workers);

@@ -12,7 +12,7 @@ class DeviceLists {
   public:
     DeviceLists(const gpu::Device& device, const BinningPass& binning);
 
-    /// Makes room and writes what the passes read. base::RunError, with both figures, where a list needs too much memory.
+    /// Makes room and writes what the passes read. base::RunError where a list needs too much memory.
     void prepare(const FrameView& view, depth::Mapping mapping);
     /// Once the passes ran. Null where records had too little room, which they now have. base::RunError where a list of
     /// as many needs too much memory: the lists stay as they are.

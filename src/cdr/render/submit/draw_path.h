@@ -35,7 +35,7 @@ class DrawPath : public CascadeCommands {
   public:
     /// Whether bin() reads the visible list.
     virtual bool needsVisible() const = 0;
-    /// Decides what each cascade draws; base::RunError, with both figures, when that needs too much memory.
+    /// Decides what each cascade draws; base::RunError when that needs too much memory.
     /// @param visible what the camera sees; empty where needsVisible() is false and nobody else needs it.
     virtual void bin(const FrameView& view, const visibility::VisibleCells& visible, FrameStats& stats) = 0;
     /// Takes back the slot's command buffers and starts the frame's. Reads what bin() decided.

@@ -27,7 +27,7 @@ class DrawPathFactory {
   public:
     /// What the scene refers to must outlive the factory. base::InputError for a depth format that
     /// the device lacks, and for a submission it cannot do. base::RunError when its memory does not
-    /// suffice, with both figures.
+    /// suffice.
     /// @param facets what is drawn by facets; empty for a G-buffer.
     DrawPathFactory(const gpu::Device& device, const DrawnScene& scene, std::optional<FacetMeshes> facets,
                     const RenderOptions& options, const KeptSurfaces& kept);

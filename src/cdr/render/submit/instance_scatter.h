@@ -36,8 +36,8 @@ class InstanceScatter {
         const gpu::Buffer& spheres;
         const gpu::Buffer& looks;
     };
-    /// Writes changes for the device. The last frame that used the slot must have finished. base::RunError, with both
-    /// figures, when the device's memory does not suffice.
+    /// Writes changes for the device. The last frame that used the slot must have finished. base::RunError
+    /// when the device's memory does not suffice.
     void stage(const Changes& changes, const Buffers& buffers, Slot& slot) const;
     /// Without barriers. Of a slot that has changes.
     void record(vk::CommandBuffer commands, const Slot& slot) const;

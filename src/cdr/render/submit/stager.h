@@ -25,7 +25,7 @@ class Stager {
 
     /// Puts all into a buffer that the host writes, which grows where it must, and adds the copies from there. Without
     /// anything there is no buffer after it.
-    /// base::RunError, with both figures, when the device's memory does not suffice.
+    /// base::RunError when the device's memory does not suffice, with both figures where that is known before.
     /// @param regions by buffer
     void write(const gpu::Device& device, gpu::Buffer& staging,
                std::span<std::vector<vk::BufferCopy>> regions) const;

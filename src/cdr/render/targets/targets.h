@@ -43,7 +43,7 @@ class Targets {
 
     /// Has the cascades drawn, after begin(). Afterwards gbuffer() holds for each pixel the nearest cascade's surface. It is
     /// in the colour attachment layout, written by colour attachment output. The number of cascades may change
-    /// from frame to frame; base::RunError, with both figures, when it asks for more memory than there is.
+    /// from frame to frame; base::RunError when it asks for more memory than there is.
     virtual void record(CascadeCommands& commands, const FrameView& view) = 0;
 
     virtual const gpu::Image& gbuffer() const = 0;
@@ -58,7 +58,7 @@ class Targets {
 std::unique_ptr<gpu::Image> makeEmission(const gpu::Device& device, const TargetsOptions& options,
                                          const std::string& name);
 
-/// Makes the targets chosen. base::RunError, with both figures, when the device has too little memory for
+/// Makes the targets chosen. base::RunError when the device has too little memory for
 /// them. base::InputError for a pool whose layers are out of range.
 std::unique_ptr<Targets> makeTargets(const gpu::Device& device, const TargetsChoice& choice,
                                      const TargetsOptions& options);

@@ -29,8 +29,8 @@ class TranslucentDraws {
     /// What the scene refers to must outlive the draws.
     TranslucentDraws(const gpu::Device& device, const DrawnScene& scene);
 
-    /// Overwrites the lists and records. The last frame that drew them must have finished. base::RunError,
-    /// with both figures, when the records need more memory than there is.
+    /// Overwrites the lists and records. The last frame that drew them must have finished. base::RunError
+    /// when the records need more memory than there is.
     void prepare(const FrameView& view, Translucency method, platform::WorkerPool& workers);
 
     std::size_t ranges() const { return m_ranges.size(); }

@@ -27,7 +27,7 @@ class TranslucentPass {
         std::uint64_t revision = 0;                  ///< of the scene that it shows
     };
 
-    /// What the scene refers to and the images must outlive the pass. base::RunError, with both figures, when the
+    /// What the scene refers to and the images must outlive the pass. base::RunError when the
     /// device has too little memory for the pass' own images.
     /// @param gbuffer in shader read layout whenever record() is called.
     /// @param lit linear, of kLitFormat, a colour attachment whenever record() is called.

@@ -23,8 +23,8 @@ class TranslucentShadows {
     /// What the scene refers to must outlive this.
     TranslucentShadows(const gpu::Device& device, const DrawnScene& scene, const Shadows& options);
 
-    /// Lays maps around translucent surfaces; the slot's last frame must have finished. base::RunError, with both
-    /// figures, when they need more memory than there is.
+    /// Lays maps around translucent surfaces; the slot's last frame must have finished. base::RunError
+    /// when they need more memory than there is.
     /// @param seen the visible translucent instances.
     void prepare(const FrameView& view, const visibility::VisibleList& seen, std::uint32_t subPixelBits,
                  platform::WorkerPool& workers);

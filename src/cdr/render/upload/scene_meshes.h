@@ -33,7 +33,7 @@ class SceneMeshes {
     /// changed: they go behind those that are there, where nothing that was submitted reads. Where they find no room, all
     /// are uploaded again into twice the room that they need, as far as the device has it.
     /// @param changed places, repeats allowed; nothing where all may have changed.
-    /// Errors as of upload(), and base::RunError, with both figures, when the device's memory does not suffice.
+    /// Errors as of upload(), and base::RunError when the device's memory does not suffice.
     void follow(const scene::Scene& scene, std::optional<std::span<const std::uint32_t>> changed,
                 gpu::Retired& retired);
 
