@@ -18,6 +18,10 @@ double sumOf(const glm::dvec2& v) {
     return std::abs(v.x) + std::abs(v.y);
 }
 
+glm::dmat3 magnitudesOf(const glm::dmat3& m) {
+    return {glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2])};
+}
+
 /// A triangle's plane in view space, formed at a corner.
 struct Plane {
     glm::dvec3 corner;
@@ -57,6 +61,7 @@ TriangleBound InstanceTriangles::boundOf(double leastView, double mostView) cons
                        .mostView = mostView,
                        .acrossView = m_acrossView,
                        .alongView = m_alongView,
+                       .summedView = m_summedView,
                        .layer = m_layer});
 }
 
@@ -65,17 +70,18 @@ void InstanceTriangles::place(const scene::Instances& instances, std::size_t ins
     const glm::dmat3 basis(instances.basis[instance]);
     const glm::dmat3 toView = glm::transpose(glm::dmat3(m_camera.right, m_camera.up, -m_camera.back));
     const glm::dmat3 objectToView = toView * basis;
-    m_centre = toView * (instances.position(instance) - m_camera.position);
+    const glm::dvec3 fromCamera = instances.position(instance) - m_camera.position;
+    m_centre = toView * fromCamera;
     m_offsets.resize(outline.positions.size());
     std::transform(outline.positions.begin(), outline.positions.end(), m_offsets.begin(),
                    [&](const glm::dvec3& position) { return objectToView * position; });
-    const auto products = [&](int row) {
-        return std::abs(objectToView[0][row]) * outline.reach.x +
-               std::abs(objectToView[1][row]) * outline.reach.y +
-               std::abs(objectToView[2][row]) * outline.reach.z;
-    };
-    m_acrossView = std::max(std::abs(m_centre.x) + products(0), std::abs(m_centre.y) + products(1));
-    m_alongView = products(2);
+    const glm::dvec3 products = magnitudesOf(objectToView) * outline.reach;
+    m_acrossView = std::max(std::abs(m_centre.x) + products.x, std::abs(m_centre.y) + products.y);
+    m_alongView = products.z;
+    // What cancels in the products of the two matrices was rounded all the same.
+    const glm::dvec3 sums =
+        magnitudesOf(toView) * (glm::abs(fromCamera) + magnitudesOf(basis) * outline.reach);
+    m_summedView = std::max({sums.x, sums.y, sums.z});
 }
 
 InstanceTriangles::Side InstanceTriangles::sideOf(const MeshOutline::Face& face, const MeshOutline& outline,

@@ -72,6 +72,7 @@ class InstanceTriangles {
     glm::dvec3 m_centre{0.0};  ///< view space, of the instance
     double m_acrossView = 0.0; ///< TriangleReach, of the instance
     double m_alongView = 0.0;
+    double m_summedView = 0.0;
     LayerOffset m_layer;
     std::vector<glm::dvec3> m_offsets; ///< of corners from the centre, along the view's axes
     std::vector<Side> m_sides;
