@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace cdr::test {
@@ -205,7 +206,8 @@ TEST(Certifier, RepairsADistanceThatIsNotTheSurfaces) {
     const Drawn drawn;
     const glm::uvec2 at = innerPixel(drawn.frame);
     const double right = drawn.frame.distancesView.at(at.x, at.y);
-    for (const double share : {1.0 - 1e-4, 0.5}) { // at the half, the surface is far behind what was drawn
+    // At the half, the surface is far behind what was drawn.
+    for (const double share : {1.0 - 1e-4, 0.5, std::numeric_limits<double>::quiet_NaN()}) {
         DrawnFrame changed = drawn.frame;
         changed.distancesView.at(at.x, at.y) = right * share;
         const Certificate certificate = certified(drawn.made.scene, changed);

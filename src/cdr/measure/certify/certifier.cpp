@@ -137,9 +137,9 @@ void Certifier::repair(const DrawnFrame& frame, const Findings& findings, platfo
             const TruthPixel& seen = truth.at(x, y);
             const bool isWrong = seen.id != frame.ids.at(x, y);
             certificate.wrong += isWrong ? 1 : 0;
-            // The right object may show a wrong surface of its own.
+            // The right object may show a wrong surface of its own, or a distance that is not a number.
             const double off = std::abs(frame.distancesView.at(x, y) - seen.distanceView);
-            if (isWrong || (seen.id != 0 && off > static_cast<double>(findings.at(x, y).offView))) {
+            if (isWrong || (seen.id != 0 && !(off <= static_cast<double>(findings.at(x, y).offView)))) {
                 certificate.repairs.push_back(
                     {.x = x, .y = y, .id = seen.id, .distanceView = seen.distanceView});
             }
