@@ -69,8 +69,8 @@ struct Certificate {
 /// 7. A pixel that shows what the bound rules out is refused: driver, renderer or scene are not what they are said to be.
 ///
 /// Why a certified pixel is right: every margin is larger than what float64 rounds where it places triangles, 10^-9 pixels in
-/// most views. So an object that covers a pixel by more than the margins covers it. One that is nearer by more than them is nearer. The
-/// device's limits decide only which pixels are refused, and which of the others no such device can draw in another way.
+/// most views. So an object that covers a pixel by more than the margins covers it. One that is nearer by more than them is
+/// nearer. The device's limits decide only which pixels are refused, and which of the others no such device can draw in another way.
 class Certifier {
   public:
     /// @param scene must outlive the certifier. Instances may change, and meshes that follow() is told of, materials not.
