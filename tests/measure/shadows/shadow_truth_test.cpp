@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/measure/shadows/wrong_shadows.h>
+#include <cdr/measure/truth/layered_truth.h>
 #include <cdr/measure/truth/truth.h>
 
 #include <gtest/gtest.h>
@@ -167,6 +168,18 @@ TEST(ShadowTruth, IdsAreThoseOfTheTruthAndThreadsChangeNothing) {
 TEST(ShadowTruth, ALightThatIsNotThereIsRefused) {
     const scene::Scene scene = makeEmptyScene();
     EXPECT_THROW(castShadows(scene, makePlainCamera(), 8, 8), base::InputError);
+}
+
+TEST(ShadowTruth, InstancesThatReferToNothingAreRefused) {
+    platform::WorkerPool workers(1);
+    const scene::Scene good = floorAndCube(5.0);
+    const measure::TruthCaster shapes(good, workers);
+    for (auto member : {&scene::Instances::material, &scene::Instances::mesh}) {
+        scene::Scene bad = good;
+        (bad.instances.*member)[1] = 3; // of 2 materials and 3 meshes
+        EXPECT_THROW(measure::ShadowTruthCaster(bad, shapes.shapes()), base::InputError);
+        EXPECT_THROW(measure::castShadowedLayers(bad, makePlainCamera(), 8, 8, workers), base::InputError);
+    }
 }
 
 TEST(WrongShadows, InnerPixelsAndEdgesAreCountedApart) {

@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/measure/shadows/shadow_truth.h>
+#include <cdr/measure/truth/visible_instances.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +16,12 @@ constexpr double kMinCosine = 1e-3;
 /// Pixels between the rays that tell how a surface lies.
 constexpr double kAside = 1e-4;
 
+/// base::InputError as requireSoundInstance().
 std::vector<std::uint32_t> solidInstances(const scene::Scene& scene) {
     std::vector<std::uint32_t> solid;
     const scene::Instances& instances = scene.instances;
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
+        requireSoundInstance(scene, i);
         const bool isThere = instances.radius[i] >= 0.0f;
         if (isThere && scene.materials[instances.material[i]].alphaMode != scene::AlphaMode::blend) {
             solid.push_back(i);

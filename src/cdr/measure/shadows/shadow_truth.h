@@ -43,6 +43,7 @@ class ShadowTruthCaster {
   public:
     /// @param scene must outlive the caster, and stay as it is.
     /// @param shapes of its meshes; must outlive the caster.
+    /// base::InputError for an instance that is not finite or refers to what is not there.
     ShadowTruthCaster(const scene::Scene& scene, std::span<const Shape> shapes);
 
     /// @param light index into Scene::lights.
