@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/image/same_size.h>
 #include <cdr/measure/certify/certifier.h>
 #include <cdr/measure/certify/device_bound.h>
 #include <cdr/measure/certify/screen_triangle.h>
@@ -23,9 +24,9 @@ constexpr double kMarginPixels = 1.0;
 
 void requireSound(const DrawnFrame& frame) {
     scene::requireUsable(frame.camera);
-    if (frame.ids.width == 0 || frame.ids.height == 0 || frame.ids.width != frame.distancesView.width ||
-        frame.ids.height != frame.distancesView.height) {
-        throw base::InputError("certify: ids and distances must be of one size, of at least one pixel");
+    image::requireSameSize(frame.ids, frame.distancesView, "certify: the ids' size");
+    if (frame.ids.width == 0 || frame.ids.height == 0) {
+        throw base::InputError("certify: a picture needs at least one pixel");
     }
 }
 

@@ -1,4 +1,4 @@
-#include <cdr/base/format_error.h>
+#include <cdr/image/same_size.h>
 #include <cdr/measure/shadows/wrong_shadows.h>
 
 namespace cdr::measure {
@@ -28,10 +28,7 @@ Verdict verdictAt(const RenderedLight& light, const ShadowImage& truth, std::uin
 
 template <typename Take>
 void forVerdicts(const RenderedLight& light, const ShadowImage& truth, const Take& take) {
-    if (light.reached.width != truth.width || light.reached.height != truth.height) {
-        throw base::inputError("shadows: {}x{} differs from {}x{}", light.reached.width, light.reached.height,
-                               truth.width, truth.height);
-    }
+    image::requireSameSize(light.reached, truth, "shadows");
     for (std::uint32_t y = 0; y < truth.height; ++y) {
         for (std::uint32_t x = 0; x < truth.width; ++x) {
             take(x, y, verdictAt(light, truth, x, y));
