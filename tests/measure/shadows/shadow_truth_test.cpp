@@ -207,6 +207,7 @@ TEST(WrongShadows, InnerPixelsAndEdgesAreCountedApart) {
     EXPECT_EQ(map.at(2, 2), (image::Rgba8{0, 114, 255, 255}));
     EXPECT_EQ(map.at(5, 2), (image::Rgba8{255, 165, 0, 255}));
     EXPECT_THROW(measure::countWrongShadows({image::ImageRgba8(3, 3), 0}, truth), base::InputError);
+    EXPECT_THROW(measure::shadowHeatMap({reached, 2}, truth, image::ImageRgba8(7, 4)), base::InputError);
 }
 
 } // namespace

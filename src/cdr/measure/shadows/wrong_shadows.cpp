@@ -73,6 +73,7 @@ WrongShadows countWrongShadows(const RenderedLight& light, const ShadowImage& tr
 
 image::ImageRgba8 shadowHeatMap(const RenderedLight& light, const ShadowImage& truth,
                                 const image::ImageRgba8& picture) {
+    image::requireSameSize(picture, truth, "shadows: the picture's size");
     image::ImageRgba8 map(truth.width, truth.height);
     forVerdicts(light, truth, [&](std::uint32_t x, std::uint32_t y, Verdict verdict) {
         const image::Rgba8& color = picture.at(x, y);
