@@ -54,7 +54,7 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, platform::WorkerPoo
     const std::uint32_t height = frame.ids.height;
     // Of each pixel what is found, whether it is cast, its truth, and whether that is doubtful.
     constexpr std::uint64_t kBytes = sizeof(PixelFinding) + 1 + sizeof(TruthPixel) + 1;
-    platform::requireHostBytes(kBytes * width * height,
+    platform::requireHostBytes(platform::saturatingProduct({kBytes, width, height}),
                                fmt::format("the certificate of {}x{} pixels", width, height));
     const DeviceBound device(frame);
     const DeviceBound float64 = DeviceBound::ofFloat64(frame);

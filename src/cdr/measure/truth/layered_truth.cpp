@@ -158,7 +158,7 @@ LayeredTruth castView(const scene::Scene& scene, const scene::Camera& camera, co
     if (size.x == 0 || size.y == 0) {
         throw base::InputError("truth: a picture needs at least one pixel");
     }
-    platform::requireHostBytes(std::uint64_t{size.x} * size.y * sizeof(LayeredPixel),
+    platform::requireHostBytes(platform::saturatingProduct({size.x, size.y, sizeof(LayeredPixel)}),
                                fmt::format("the truth of {}x{} pixels with layers", size.x, size.y));
     std::vector<Shape> shapes(scene.meshes.begin(), scene.meshes.end());
     const TruthTextures textures(scene);
