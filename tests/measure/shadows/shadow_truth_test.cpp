@@ -165,6 +165,34 @@ TEST(ShadowTruth, IdsAreThoseOfTheTruthAndThreadsChangeNothing) {
     EXPECT_EQ(castShadows(scene, camera, 160, 90, 4).pixels, truth.pixels);
 }
 
+/// A second floor and a second cube at the places of the first, and a third floor below that a layer lifts. No ray of this
+/// size passes an edge exactly.
+TEST(ShadowTruth, OfFacesAtOnePlaceIdsAreThoseOfTheTruthToo) {
+    scene::Scene scene = floorAndCube(5.0);
+    const glm::mat3 wide = scene.instances.basis[0];
+    const auto lifted = static_cast<std::uint32_t>(scene.materials.size());
+    const auto expectIdsOfTheTruth = [&](std::uint32_t shown, std::uint32_t hidden) {
+        const ShadowImage truth = castShadows(scene, makePlainCamera(), 160, 91);
+        const measure::TruthImage ids = cast(scene, makePlainCamera(), 160, 91);
+        std::size_t pixels = 0;
+        for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+            EXPECT_EQ(truth.pixels[i].id, ids.pixels[i].id) << i;
+            EXPECT_NE(truth.pixels[i].id, hidden) << i;
+            pixels += truth.pixels[i].id == shown;
+        }
+        EXPECT_GT(pixels, 10u);
+    };
+    addObject(scene, kTriangleCube, scene.instances.position(1));
+    expectIdsOfTheTruth(3, 2);
+    addObject(scene, kTriangleCube, scene.instances.position(0), wide);
+    expectIdsOfTheTruth(4, 1);
+    scene.materials.push_back({.name = "lifted", .layer = 0.25f});
+    addObject(scene, kTriangleCube, scene.instances.position(0) - glm::dvec3(0.0, 0.001, 0.0), wide, lifted);
+    expectIdsOfTheTruth(5, 4);
+    scene.materials[lifted].layer = -0.25f;
+    expectIdsOfTheTruth(4, 5);
+}
+
 TEST(ShadowTruth, ALightThatIsNotThereIsRefused) {
     const scene::Scene scene = makeEmptyScene();
     EXPECT_THROW(castShadows(scene, makePlainCamera(), 8, 8), base::InputError);
