@@ -15,7 +15,7 @@ using measure::ScreenTriangle;
 using Exact = glm::vec<3, long double>;
 using ExactMatrix = glm::mat<3, 3, long double>;
 
-constexpr std::uint32_t kSide = 64;
+constexpr std::uint32_t kPictureSide = 64;
 constexpr float kTurn = 0.70710678f;
 constexpr double kViewDistance = 10.0;
 
@@ -27,7 +27,7 @@ struct TurnedView {
     measure::MeshOutline outline;
 
     explicit TurnedView(const glm::dvec3& position) {
-        frame.ids = image::ImageU32(kSide, kSide);
+        frame.ids = image::ImageU32(kPictureSide, kPictureSide);
         const double turn = std::sqrt(0.5);
         frame.camera.right = {turn, 0.0, -turn};
         frame.camera.back = {-turn, 0.0, -turn};
@@ -56,7 +56,7 @@ struct TurnedView {
 
     ScreenTriangle placed() const {
         const auto bound = measure::DeviceBound::ofFloat64(frame);
-        measure::InstanceTriangles triangles(frame.camera, kSide, kSide, bound);
+        measure::InstanceTriangles triangles(frame.camera, kPictureSide, kPictureSide, bound);
         return triangles.of(instances, 0, outline, {}, measure::Sidedness::both).at(0);
     }
 
@@ -67,7 +67,7 @@ struct TurnedView {
 
     /// Of the triangle's plane, along the ray of a pixel.
     double exactDistance(std::uint32_t x, std::uint32_t y) const {
-        const measure::PixelSlopes slopes = measure::pixelSlopes(frame.camera, kSide, kSide);
+        const measure::PixelSlopes slopes = measure::pixelSlopes(frame.camera, kPictureSide, kPictureSide);
         const Exact ray = -Exact(frame.camera.back) +
                           Exact(frame.camera.right) * static_cast<long double>(slopes.x[x]) +
                           Exact(frame.camera.up) * static_cast<long double>(slopes.y[y]);
@@ -79,8 +79,8 @@ struct TurnedView {
     glm::dvec2 exactPixel(std::size_t corner) const {
         const Exact place = exactPlace(corner);
         const long double ahead = -glm::dot(Exact(frame.camera.back), place);
-        const long double scale = 0.5L * kSide / std::tan(0.5L * frame.camera.fovY) / ahead;
-        const long double middle = 0.5L * (kSide - 1);
+        const long double scale = 0.5L * kPictureSide / std::tan(0.5L * frame.camera.fovY) / ahead;
+        const long double middle = 0.5L * (kPictureSide - 1);
         return {static_cast<double>(middle + scale * glm::dot(Exact(frame.camera.right), place)),
                 static_cast<double>(middle - scale * glm::dot(Exact(frame.camera.up), place))};
     }
@@ -96,8 +96,8 @@ TEST(ScreenTriangle, ItsDistanceIsWithinItsBoundHoweverFarAnObjectsMiddleIsToThe
                 {glm::dvec3(x - 8.0, -8.0, 0.0), glm::dvec3(x + 8.0, -8.0, 0.0), glm::dvec3(x, 8.0, 0.0)});
             const ScreenTriangle placed = view.placed();
             ASSERT_FALSE(placed.isThin);
-            const std::uint32_t column = kSide / 2 - 1;
-            const std::uint32_t row = kSide / 2;
+            const std::uint32_t column = kPictureSide / 2 - 1;
+            const std::uint32_t row = kPictureSide / 2;
             const double w = 1.0 / (placed.inverse[0] + placed.inverse[1] * column + placed.inverse[2] * row);
             const double slope = w * w * (std::abs(placed.inverse[1]) + std::abs(placed.inverse[2]));
             const double bound = measure::DeviceBound::surfaceView(placed.bound, w, slope);
