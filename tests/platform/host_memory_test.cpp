@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace {
@@ -20,6 +21,16 @@ TEST(HostMemory, MoreThanTheSystemHasIsRefused) {
     ASSERT_TRUE(platform::freeHostBytes().has_value());
     EXPECT_THROW(platform::requireHostBytes(std::uint64_t{1} << 60, "a picture"), base::RunError);
     EXPECT_NO_THROW(platform::requireHostBytes(1, "a pixel"));
+}
+
+TEST(HostMemory, AProductIsNeverLessThanItIs) {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+    constexpr std::uint64_t kSide = std::uint64_t{1} << 31;
+    EXPECT_EQ(platform::saturatingProduct({3, 5, 7}), 105u);
+    EXPECT_EQ(platform::saturatingProduct({kSide, kSide, 4}), kMost);
+    EXPECT_EQ(platform::saturatingProduct({kSide, kSide, 3}), 3 * kSide * kSide);
+    EXPECT_EQ(platform::saturatingProduct({kSide, kSide, 32, 5}), kMost);
+    EXPECT_EQ(platform::saturatingProduct({kSide, kSide, 32, 0}), 0u);
 }
 
 TEST(HostMemory, TheLimitOfTheProcessCounts) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 
 namespace cdr::platform {
 
@@ -43,6 +44,15 @@ std::optional<std::uint64_t> freeHostBytes() {
     const auto system = availableOnSystem();
     const auto process = availableToProcess();
     return system && process ? std::min(*system, *process) : (system ? system : process);
+}
+
+std::uint64_t saturatingProduct(std::initializer_list<std::uint64_t> factors) {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+    std::uint64_t product = 1;
+    for (const std::uint64_t factor : factors) {
+        product = factor != 0 && product > kMost / factor ? kMost : product * factor;
+    }
+    return product;
 }
 
 void requireHostBytes(std::uint64_t bytes, const std::string& what) {

@@ -60,9 +60,9 @@ void runShadows(const gpu::Device& device, const scene::SceneSetup& setup,
     if (lights.empty()) {
         throw base::inputError("{}: it has no light that could cast a shadow", scene.name);
     }
-    const std::uint64_t pixels = std::uint64_t{experiment.options.width} * experiment.options.height;
     platform::requireHostBytes(
-        pixels * lights.size() * cameras.frames * sizeof(measure::ShadowPixel),
+        platform::saturatingProduct({experiment.options.width, experiment.options.height, lights.size(),
+                                     cameras.frames, sizeof(measure::ShadowPixel)}),
         fmt::format("the truth of {} frames under {} lights", cameras.frames, lights.size()));
     platform::WorkerPool workers(experiment.options.threads);
     const measure::TruthCaster shapes(scene, workers);

@@ -2,7 +2,7 @@
 
 #include "picture_parts.h"
 
-#include <cdr/base/error.h>
+#include <cdr/image/same_size.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +17,7 @@ std::uint32_t dividerColumn(double share, std::uint32_t width) {
 
 void composeSplit(const image::ImageRgba8& left, const image::ImageRgba8& right, double divider,
                   image::ImageRgba8& picture) {
-    if (left.width != right.width || left.height != right.height) {
-        throw base::InputError("split screen: the two pictures differ in size");
-    }
+    image::requireSameSize(left, right, "split screen");
     resize(picture, left.width, left.height);
     const std::uint32_t column = dividerColumn(divider, left.width);
     const bool hasLine = column > 0 && column < left.width;

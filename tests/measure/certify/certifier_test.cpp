@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace cdr::test {
@@ -205,7 +206,8 @@ TEST(Certifier, RepairsADistanceThatIsNotTheSurfaces) {
     const Drawn drawn;
     const glm::uvec2 at = innerPixel(drawn.frame);
     const double right = drawn.frame.distancesView.at(at.x, at.y);
-    for (const double share : {1.0 - 1e-4, 0.5}) { // at the half, the surface is far behind what was drawn
+    // At the half, the surface is far behind what was drawn.
+    for (const double share : {1.0 - 1e-4, 0.5, std::numeric_limits<double>::quiet_NaN()}) {
         DrawnFrame changed = drawn.frame;
         changed.distancesView.at(at.x, at.y) = right * share;
         const Certificate certificate = certified(drawn.made.scene, changed);
@@ -320,6 +322,34 @@ TEST(Certifier, ProvesAnOrderThatTheDepthFormatDoesNotResolve) {
     EXPECT_GT(certificate.proven, 500u);
     EXPECT_EQ(certificate.certified, certificate.pixels);
     EXPECT_EQ(certificate.cast, 0u);
+}
+
+/// The eye is so little below the floor's plane that a device may find it above, and draw the floor along the horizon.
+TEST(Certifier, CastsWhatMayBeTheFrontOfAFaceThatReachesBehindTheCamera) {
+    scene::Scene scene = makeEmptyScene();
+    scene.meshes.push_back(scenes::makeSquare(1.0f));
+    addObject(scene, kCube, {0.0, 0.0, -300.0}, glm::mat3(400.0f));
+    const glm::mat3 up(glm::vec3(1.0f, 0.0f, 0.0f), glm::vec3(0.0f, 0.0f, -1.0f),
+                       glm::vec3(0.0f, 1.0f, 0.0f));
+    const auto square = static_cast<std::uint32_t>(scene.meshes.size()) - 1;
+    const std::uint32_t floorId = addObject(scene, square, {0.0, 1e-9, 0.0}, up) + 1;
+    const scene::Camera camera = makePlainCamera();
+    const RayDevice device{.height = 91}; // the horizon is at the centres of a row
+    DrawnFrame frame = drawnByRays(scene, camera, kEightBits, device);
+    frame.technique = depth::parseTechnique("reversed");
+    frame.cascades = {{camera.nearView, camera.farView}};
+    EXPECT_EQ(shownBy(frame, floorId), 0u);
+    EXPECT_EQ(certified(scene, frame).cast, 0u) << "that it was not drawn is proven";
+    const glm::uvec2 at(device.width / 2, device.height / 2);
+    frame.ids.at(at.x, at.y) = floorId;
+    frame.distancesView.at(at.x, at.y) = 0.5;
+    const Certificate certificate = certified(scene, frame);
+    EXPECT_EQ(certificate.refused, 0u);
+    EXPECT_EQ(certificate.wrong, 1u);
+    EXPECT_EQ(wrongAfter(scene, frame, certificate), 0u);
+    frame.ids.at(at.x, at.y + 5) = floorId; // far from the horizon
+    frame.distancesView.at(at.x, at.y + 5) = 0.5;
+    EXPECT_EQ(certified(scene, frame).refused, 1u);
 }
 
 TEST(Certifier, LightsRepairsAsTheTruthIsLit) {

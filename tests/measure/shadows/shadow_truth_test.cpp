@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/measure/shadows/wrong_shadows.h>
+#include <cdr/measure/truth/layered_truth.h>
 #include <cdr/measure/truth/truth.h>
 
 #include <gtest/gtest.h>
@@ -164,9 +165,49 @@ TEST(ShadowTruth, IdsAreThoseOfTheTruthAndThreadsChangeNothing) {
     EXPECT_EQ(castShadows(scene, camera, 160, 90, 4).pixels, truth.pixels);
 }
 
+/// A second floor and a second cube at the places of the first, and a third floor below that a layer lifts. No ray of this
+/// size passes an edge exactly.
+TEST(ShadowTruth, OfFacesAtOnePlaceIdsAreThoseOfTheTruthToo) {
+    scene::Scene scene = floorAndCube(5.0);
+    const glm::mat3 wide = scene.instances.basis[0];
+    const auto lifted = static_cast<std::uint32_t>(scene.materials.size());
+    const auto expectIdsOfTheTruth = [&](std::uint32_t shown, std::uint32_t hidden) {
+        const ShadowImage truth = castShadows(scene, makePlainCamera(), 160, 91);
+        const measure::TruthImage ids = cast(scene, makePlainCamera(), 160, 91);
+        std::size_t pixels = 0;
+        for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+            EXPECT_EQ(truth.pixels[i].id, ids.pixels[i].id) << i;
+            EXPECT_NE(truth.pixels[i].id, hidden) << i;
+            pixels += truth.pixels[i].id == shown;
+        }
+        EXPECT_GT(pixels, 10u);
+    };
+    addObject(scene, kTriangleCube, scene.instances.position(1));
+    expectIdsOfTheTruth(3, 2);
+    addObject(scene, kTriangleCube, scene.instances.position(0), wide);
+    expectIdsOfTheTruth(4, 1);
+    scene.materials.push_back({.name = "lifted", .layer = 0.25f});
+    addObject(scene, kTriangleCube, scene.instances.position(0) - glm::dvec3(0.0, 0.001, 0.0), wide, lifted);
+    expectIdsOfTheTruth(5, 4);
+    scene.materials[lifted].layer = -0.25f;
+    expectIdsOfTheTruth(4, 5);
+}
+
 TEST(ShadowTruth, ALightThatIsNotThereIsRefused) {
     const scene::Scene scene = makeEmptyScene();
     EXPECT_THROW(castShadows(scene, makePlainCamera(), 8, 8), base::InputError);
+}
+
+TEST(ShadowTruth, InstancesThatReferToNothingAreRefused) {
+    platform::WorkerPool workers(1);
+    const scene::Scene good = floorAndCube(5.0);
+    const measure::TruthCaster shapes(good, workers);
+    for (auto member : {&scene::Instances::material, &scene::Instances::mesh}) {
+        scene::Scene bad = good;
+        (bad.instances.*member)[1] = 3; // of 2 materials and 3 meshes
+        EXPECT_THROW(measure::ShadowTruthCaster(bad, shapes.shapes()), base::InputError);
+        EXPECT_THROW(measure::castShadowedLayers(bad, makePlainCamera(), 8, 8, workers), base::InputError);
+    }
 }
 
 TEST(WrongShadows, InnerPixelsAndEdgesAreCountedApart) {
@@ -196,6 +237,7 @@ TEST(WrongShadows, InnerPixelsAndEdgesAreCountedApart) {
     EXPECT_EQ(map.at(5, 2), (image::Rgba8{255, 165, 0, 255}));
     EXPECT_EQ(map.at(3, 2), (image::Rgba8{78, 78, 78, 255})) << "half the luma";
     EXPECT_THROW(measure::countWrongShadows({image::ImageRgba8(3, 3), 0}, truth), base::InputError);
+    EXPECT_THROW(measure::shadowHeatMap({reached, 2}, truth, image::ImageRgba8(7, 4)), base::InputError);
 }
 
 } // namespace

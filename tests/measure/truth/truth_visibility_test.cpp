@@ -1,6 +1,7 @@
 #include "../test_scenes.h"
 
 #include <cdr/base/error.h>
+#include <cdr/measure/truth/layered_truth.h>
 
 #include <gtest/gtest.h>
 
@@ -262,6 +263,10 @@ TEST(TruthInput, IsRefusedWithAReason) {
     const scene::Scene good = squareScene(glm::mat3(1.0f), kSingleSided);
     EXPECT_THROW(cast(good, camera, 0, 4), base::InputError);
     EXPECT_THROW(cast(good, camera, 4, 0), base::InputError);
+    constexpr std::uint32_t kWide = std::uint32_t{1} << 31; // 2^64 bytes or some times as many
+    EXPECT_THROW(cast(good, camera, kWide, kWide), base::RunError);
+    platform::WorkerPool workers(1);
+    EXPECT_THROW(measure::castLayers(good, camera, kWide, kWide, workers), base::RunError);
     scene::Camera blind = camera;
     blind.nearView = 0.0;
     EXPECT_THROW(cast(good, blind, 4, 4), base::InputError);

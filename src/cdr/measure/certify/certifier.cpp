@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/image/same_size.h>
 #include <cdr/measure/certify/certifier.h>
 #include <cdr/measure/certify/device_bound.h>
 #include <cdr/measure/certify/screen_triangle.h>
@@ -23,9 +24,9 @@ constexpr double kMarginPixels = 1.0;
 
 void requireSound(const DrawnFrame& frame) {
     scene::requireUsable(frame.camera);
-    if (frame.ids.width == 0 || frame.ids.height == 0 || frame.ids.width != frame.distancesView.width ||
-        frame.ids.height != frame.distancesView.height) {
-        throw base::InputError("certify: ids and distances must be of one size, of at least one pixel");
+    image::requireSameSize(frame.ids, frame.distancesView, "certify: the ids' size");
+    if (frame.ids.width == 0 || frame.ids.height == 0) {
+        throw base::InputError("certify: a picture needs at least one pixel");
     }
 }
 
@@ -53,7 +54,7 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, platform::WorkerPoo
     const std::uint32_t height = frame.ids.height;
     // Of each pixel what is found, whether it is cast, its truth, and whether that is doubtful.
     constexpr std::uint64_t kBytes = sizeof(PixelFinding) + 1 + sizeof(TruthPixel) + 1;
-    platform::requireHostBytes(kBytes * width * height,
+    platform::requireHostBytes(platform::saturatingProduct({kBytes, width, height}),
                                fmt::format("the certificate of {}x{} pixels", width, height));
     const DeviceBound device(frame);
     const DeviceBound float64 = DeviceBound::ofFloat64(frame);
@@ -137,9 +138,9 @@ void Certifier::repair(const DrawnFrame& frame, const Findings& findings, platfo
             const TruthPixel& seen = truth.at(x, y);
             const bool isWrong = seen.id != frame.ids.at(x, y);
             certificate.wrong += isWrong ? 1 : 0;
-            // The right object may show a wrong surface of its own.
+            // The right object may show a wrong surface of its own, or a distance that is not a number.
             const double off = std::abs(frame.distancesView.at(x, y) - seen.distanceView);
-            if (isWrong || (seen.id != 0 && off > static_cast<double>(findings.at(x, y).offView))) {
+            if (isWrong || (seen.id != 0 && !(off <= static_cast<double>(findings.at(x, y).offView)))) {
                 certificate.repairs.push_back(
                     {.x = x, .y = y, .id = seen.id, .distanceView = seen.distanceView});
             }

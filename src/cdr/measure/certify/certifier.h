@@ -68,9 +68,10 @@ struct Certificate {
 ///    them over it in the order of their distances.
 /// 7. A pixel that shows what the bound rules out is refused: driver, renderer or scene are not what they are said to be.
 ///
-/// Why a certified pixel is right: float64 places triangles to 10^-9 pixels, and every margin is larger than that. So an
-/// object that covers a pixel by more than the margins covers it. One that is nearer by more than them is nearer. The
-/// device's limits decide only which pixels are refused, and which of the others no such device can draw in another way.
+/// Why a certified pixel is right: every margin is larger than what float64 rounds where it places triangles, 10^-9 pixels in
+/// most views. So an object that covers a pixel by more than the margins covers it. One that is nearer by more than them is
+/// nearer. The device's limits decide only which pixels are refused, and which of the others no such device can draw in
+/// another way.
 class Certifier {
   public:
     /// @param scene must outlive the certifier. Instances may change, and meshes that follow() is told of, materials not.

@@ -129,8 +129,11 @@ TriangleBound DeviceBound::of(const TriangleReach& reach) const {
         }
     }
     bound.pixels += anchorPixels(reach, beforeAnchor);
+    // Float64 rounds along all three axes, and a point of the picture moves by its slope too where its distance does.
+    const double placedView = kDoubleOperation * reach.summedView;
+    bound.pixels += placedView * (m_pixelsPerSlope + m_picturePixels + m_shiftPixels) / reach.leastView;
     bound.depth = (reach.layer.view == 0.0 ? 8.0 : 16.0) * m_rounding * std::min(depth, 1.0);
-    bound.distanceView = 8.0 * m_rounding * (beyondAnchor + reach.alongView);
+    bound.distanceView = 8.0 * m_rounding * (beyondAnchor + reach.alongView) + placedView;
     if (m_bends) {
         const double octaves = std::log(reach.mostView / reach.leastView);
         bound.bend = octaves * octaves / 8.0;

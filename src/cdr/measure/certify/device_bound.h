@@ -20,7 +20,10 @@ struct TriangleReach {
     double acrossView =
         0.0; ///< most that a sum of products to a corner's view-space x or y holds, in magnitude
     double alongView = 0.0; ///< the same of what is added to the object's own distance
-    LayerOffset layer{};    ///< of the surface
+    /// Most that the terms hold, in magnitude, which float64 sums up to one coordinate of a corner. They may cancel, as where an
+    /// object's middle is far to the side.
+    double summedView = 0.0;
+    LayerOffset layer{}; ///< of the surface
 };
 
 /// What may go wrong with a triangle.
@@ -59,7 +62,8 @@ struct FrameBound {
 /// - A layer offset has as many roundings again, in the depth that it adds. A device moves the surface by more than the offset:
 ///   by two steps of the buffer and what rounded vertices part, once for each rank of the layer.
 ///
-/// A triangle's plane is formed in float64. What that rounds is added, which is most for slivers.
+/// A triangle's corners and plane are formed in float64. What that rounds is added, whatever the device: of corners by the terms
+/// of their sums, which may be far larger than their distance, and of a plane most for slivers.
 ///
 /// Roundings count at their worst and in one direction. No specification bounds how a driver interpolates, so this is
 /// tested and not proven. No certified pixel rests on it, see Certifier.

@@ -18,6 +18,10 @@ double sumOf(const glm::dvec2& v) {
     return std::abs(v.x) + std::abs(v.y);
 }
 
+glm::dmat3 magnitudesOf(const glm::dmat3& m) {
+    return {glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2])};
+}
+
 /// A triangle's plane in view space, formed at a corner.
 struct Plane {
     glm::dvec3 corner;
@@ -57,6 +61,7 @@ TriangleBound InstanceTriangles::boundOf(double leastView, double mostView) cons
                        .mostView = mostView,
                        .acrossView = m_acrossView,
                        .alongView = m_alongView,
+                       .summedView = m_summedView,
                        .layer = m_layer});
 }
 
@@ -65,17 +70,18 @@ void InstanceTriangles::place(const scene::Instances& instances, std::size_t ins
     const glm::dmat3 basis(instances.basis[instance]);
     const glm::dmat3 toView = glm::transpose(glm::dmat3(m_camera.right, m_camera.up, -m_camera.back));
     const glm::dmat3 objectToView = toView * basis;
-    m_centre = toView * (instances.position(instance) - m_camera.position);
+    const glm::dvec3 fromCamera = instances.position(instance) - m_camera.position;
+    m_centre = toView * fromCamera;
     m_offsets.resize(outline.positions.size());
     std::transform(outline.positions.begin(), outline.positions.end(), m_offsets.begin(),
                    [&](const glm::dvec3& position) { return objectToView * position; });
-    const auto products = [&](int row) {
-        return std::abs(objectToView[0][row]) * outline.reach.x +
-               std::abs(objectToView[1][row]) * outline.reach.y +
-               std::abs(objectToView[2][row]) * outline.reach.z;
-    };
-    m_acrossView = std::max(std::abs(m_centre.x) + products(0), std::abs(m_centre.y) + products(1));
-    m_alongView = products(2);
+    const glm::dvec3 products = magnitudesOf(objectToView) * outline.reach;
+    m_acrossView = std::max(std::abs(m_centre.x) + products.x, std::abs(m_centre.y) + products.y);
+    m_alongView = products.z;
+    // What cancels in the products of the two matrices was rounded all the same.
+    const glm::dvec3 sums =
+        magnitudesOf(toView) * (glm::abs(fromCamera) + magnitudesOf(basis) * outline.reach);
+    m_summedView = std::max({sums.x, sums.y, sums.z});
 }
 
 InstanceTriangles::Side InstanceTriangles::sideOf(const MeshOutline::Face& face, const MeshOutline& outline,
@@ -85,19 +91,12 @@ InstanceTriangles::Side InstanceTriangles::sideOf(const MeshOutline::Face& face,
     // In object space, so a basis that mirrors keeps its fronts.
     const glm::dvec3 normal = glm::cross(outline.positions[b] - origin, outline.positions[c] - origin);
     const Side side = glm::dot(normal, eye - origin) > 0.0 ? Side::front : Side::back;
-    const glm::dvec3 views[3] = {m_centre + m_offsets[a], m_centre + m_offsets[b], m_centre + m_offsets[c]};
-    const double least = std::min({views[0].z, views[1].z, views[2].z});
-    if (least < m_clipView) {
-        return side; // of clipped parts appendPart() decides
+    const Polygon polygon = clipped(face, {});
+    bool isThin = polygon.count > 2;
+    for (std::size_t i = 2; i < polygon.count; ++i) {
+        isThin = isThin && partOf({polygon.corners[0], polygon.corners[i - 1], polygon.corners[i]}).isThin;
     }
-    const double most = std::max({views[0].z, views[1].z, views[2].z});
-    const glm::dvec2 p = pixelOf(views[0]);
-    const glm::dvec2 u = pixelOf(views[1]) - p;
-    const glm::dvec2 v = pixelOf(views[2]) - p;
-    const double off = boundOf(least, most).pixels;
-    // By how much moving each corner can change twice the area.
-    const double change = 1.5 * off * (sumOf(u) + sumOf(v) + sumOf(v - u)) + 8.0 * off * off;
-    return std::abs(cross2(u, v)) > change ? side : Side::thin;
+    return isThin ? Side::thin : side;
 }
 
 void InstanceTriangles::decideSides(const MeshOutline& outline, const glm::dvec3& eye) {
@@ -128,28 +127,27 @@ InstanceTriangles::Polygon InstanceTriangles::clipped(const MeshOutline::Face& f
     return polygon;
 }
 
-void InstanceTriangles::appendPart(const std::array<Corner, 3>& corners, const std::array<double, 3>& inverse,
-                                   Side side) {
-    ScreenTriangle triangle;
-    triangle.inverse = inverse;
-    triangle.leastView = std::min({corners[0].view.z, corners[1].view.z, corners[2].view.z});
-    triangle.mostView = std::max({corners[0].view.z, corners[1].view.z, corners[2].view.z});
-    triangle.bound = boundOf(triangle.leastView, triangle.mostView);
+ScreenTriangle InstanceTriangles::partOf(const std::array<Corner, 3>& corners) const {
+    ScreenTriangle part;
+    part.leastView = std::min({corners[0].view.z, corners[1].view.z, corners[2].view.z});
+    part.mostView = std::max({corners[0].view.z, corners[1].view.z, corners[2].view.z});
+    part.bound = boundOf(part.leastView, part.mostView);
     for (std::size_t i = 0; i < 3; ++i) {
-        triangle.corners[i] = pixelOf(corners[i].view);
-        triangle.goesOn[i] = corners[i].goesOn;
+        part.corners[i] = pixelOf(corners[i].view);
+        part.goesOn[i] = corners[i].goesOn;
     }
-    const glm::dvec2 u = triangle.corners[1] - triangle.corners[0];
-    const glm::dvec2 v = triangle.corners[2] - triangle.corners[0];
+    const glm::dvec2 u = part.corners[1] - part.corners[0];
+    const glm::dvec2 v = part.corners[2] - part.corners[0];
+    const double off = part.bound.pixels;
+    // By how much moving each corner can change twice the area.
+    const double change = 1.5 * off * (sumOf(u) + sumOf(v) + sumOf(v - u)) + 8.0 * off * off;
     const double area = cross2(u, v);
-    const double off = triangle.bound.pixels;
-    triangle.isThin = side == Side::thin ||
-                      std::abs(area) <= 1.5 * off * (sumOf(u) + sumOf(v) + sumOf(v - u)) + 8.0 * off * off;
+    part.isThin = !(std::abs(area) > change);
     if (area < 0.0) {
-        std::swap(triangle.corners[1], triangle.corners[2]);
-        std::swap(triangle.goesOn[0], triangle.goesOn[2]); // the middle edge stays between the same corners
+        std::swap(part.corners[1], part.corners[2]);
+        std::swap(part.goesOn[0], part.goesOn[2]); // the middle edge stays between the same corners
     }
-    m_triangles.push_back(triangle);
+    return part;
 }
 
 void InstanceTriangles::append(const MeshOutline::Face& face, Side side) {
@@ -172,10 +170,11 @@ void InstanceTriangles::append(const MeshOutline::Face& face, Side side) {
         // Between the two parts of a polygon the surface goes on.
         corners[0].goesOn = i > 2 || corners[0].goesOn;
         corners[2].goesOn = i + 1 < polygon.count || corners[2].goesOn;
-        appendPart(corners, inverse, side);
+        ScreenTriangle& part = m_triangles.emplace_back(partOf(corners));
+        part.inverse = inverse;
         // Of a thin one nothing is taken for sure.
-        if (ScreenTriangle& made = m_triangles.back(); !made.isThin) {
-            made.bound.distanceView += plane.rounding(made.mostView);
+        if (!part.isThin) {
+            part.bound.distanceView += plane.rounding(part.mostView);
         }
     }
 }

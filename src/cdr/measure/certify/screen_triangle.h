@@ -60,7 +60,8 @@ class InstanceTriangles {
     Side sideOf(const MeshOutline::Face& face, const MeshOutline& outline, const glm::dvec3& eye) const;
     void append(const MeshOutline::Face& face, Side side);
     Polygon clipped(const MeshOutline::Face& face, const std::array<bool, 3>& goesOn) const;
-    void appendPart(const std::array<Corner, 3>& corners, const std::array<double, 3>& inverse, Side side);
+    /// Its place in the picture, but for `inverse`.
+    ScreenTriangle partOf(const std::array<Corner, 3>& corners) const;
     TriangleBound boundOf(double leastView, double mostView) const;
     glm::dvec2 pixelOf(const glm::dvec3& view) const;
 
@@ -72,6 +73,7 @@ class InstanceTriangles {
     glm::dvec3 m_centre{0.0};  ///< view space, of the instance
     double m_acrossView = 0.0; ///< TriangleReach, of the instance
     double m_alongView = 0.0;
+    double m_summedView = 0.0;
     LayerOffset m_layer;
     std::vector<glm::dvec3> m_offsets; ///< of corners from the centre, along the view's axes
     std::vector<Side> m_sides;

@@ -1,4 +1,4 @@
-#include <cdr/base/error.h>
+#include <cdr/image/same_size.h>
 #include <cdr/measure/compare/cracks.h>
 
 #include <algorithm>
@@ -29,9 +29,7 @@ bool isExplained(const SeenImage& whole, std::uint32_t x, std::uint32_t y, const
 } // namespace
 
 std::vector<Crack> findCracks(const SeenImage& shown, const SeenImage& whole, std::uint32_t reach) {
-    if (shown.width != whole.width || shown.height != whole.height) {
-        throw base::InputError("cracks: the pictures differ in size");
-    }
+    image::requireSameSize(shown, whole, "cracks");
     std::vector<Crack> cracks;
     for (std::uint32_t y = 0; y < shown.height; ++y) {
         for (std::uint32_t x = 0; x < shown.width; ++x) {

@@ -1,4 +1,5 @@
 #include <cdr/base/format_error.h>
+#include <cdr/image/same_size.h>
 #include <cdr/measure/compare/flip_color.h>
 #include <cdr/measure/compare/flip_difference.h>
 
@@ -243,10 +244,7 @@ float combine(float colorDifference, float edgeDifference, float pointDifference
 
 image::ImageFloat FlipDifference::map(const image::ImageRgba8& reference, const image::ImageRgba8& test,
                                       platform::WorkerPool& workers) const {
-    if (reference.width != test.width || reference.height != test.height) {
-        throw base::inputError("FLIP: {}x{} differs from {}x{}", reference.width, reference.height,
-                               test.width, test.height);
-    }
+    image::requireSameSize(reference, test, "FLIP");
     image::ImageFloat map(test.width, test.height);
     const std::uint32_t columns = (test.width + kTileSide - 1) / kTileSide;
     const std::uint32_t rows = (test.height + kTileSide - 1) / kTileSide;

@@ -1,19 +1,8 @@
-#include <cdr/base/error.h>
+#include <cdr/image/same_size.h>
 #include <cdr/measure/compare/flips.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 
 namespace cdr::measure {
-
-namespace {
-
-template <typename A, typename B>
-void requireSameSize(const image::Raster<A>& a, const image::Raster<B>& b) {
-    if (a.width != b.width || a.height != b.height) {
-        throw base::InputError("flips: the two frames differ in size");
-    }
-}
-
-} // namespace
 
 FlipCount& FlipCount::operator+=(const FlipCount& other) {
     flips += other.flips;
@@ -25,9 +14,9 @@ image::Raster<std::uint8_t> steadyMask(const TruthImage& before,
                                        const image::Raster<std::uint8_t>& innerBefore,
                                        const TruthImage& after,
                                        const image::Raster<std::uint8_t>& innerAfter) {
-    requireSameSize(before, innerBefore);
-    requireSameSize(before, after);
-    requireSameSize(before, innerAfter);
+    image::requireSameSize(before, innerBefore, "flips");
+    image::requireSameSize(before, after, "flips");
+    image::requireSameSize(before, innerAfter, "flips");
     image::Raster<std::uint8_t> steady(before.width, before.height);
     for (std::size_t i = 0; i < steady.pixels.size(); ++i) {
         const bool inner = innerBefore.pixels[i] != 0 && innerAfter.pixels[i] != 0;
@@ -38,8 +27,8 @@ image::Raster<std::uint8_t> steadyMask(const TruthImage& before,
 
 FlipCount countFlips(const image::ImageU32& idsBefore, const image::ImageU32& idsAfter,
                      const image::Raster<std::uint8_t>& steady) {
-    requireSameSize(idsBefore, idsAfter);
-    requireSameSize(idsBefore, steady);
+    image::requireSameSize(idsBefore, idsAfter, "flips");
+    image::requireSameSize(idsBefore, steady, "flips");
     FlipCount count;
     for (std::size_t i = 0; i < steady.pixels.size(); ++i) {
         const std::uint64_t stays = steady.pixels[i];
@@ -50,7 +39,7 @@ FlipCount countFlips(const image::ImageU32& idsBefore, const image::ImageU32& id
 }
 
 FlipCount countFlips(const IdFrame& before, const IdFrame& after) {
-    requireSameSize(before.truth, after.truth);
+    image::requireSameSize(before.truth, after.truth, "flips");
     return countFlips(before.ids, after.ids,
                       steadyMask(before.truth, innerMask(before.truth), after.truth, innerMask(after.truth)));
 }

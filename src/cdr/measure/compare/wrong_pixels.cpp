@@ -1,4 +1,4 @@
-#include <cdr/base/format_error.h>
+#include <cdr/image/same_size.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 
 #include <algorithm>
@@ -10,13 +10,6 @@ namespace {
 
 constexpr image::Rgba8 kWrong{255, 0, 0, 255};
 constexpr image::Rgba8 kWrongOnEdge{255, 165, 0, 255};
-
-template <typename A, typename B>
-void requireSameSize(const image::Raster<A>& a, const image::Raster<B>& b, const char* what) {
-    if (a.width != b.width || a.height != b.height) {
-        throw base::inputError("{}: {}x{} differs from {}x{}", what, a.width, a.height, b.width, b.height);
-    }
-}
 
 /// One row: `above`, `row` and `below` are ids of `width` pixels. Without branches, so that compilers use
 /// vectors.
@@ -70,8 +63,8 @@ WrongPixels countWrong(const image::ImageU32& ids, const TruthImage& truth) {
 
 WrongPixels countWrong(const image::ImageU32& ids, const TruthImage& truth,
                        const image::Raster<std::uint8_t>& inner) {
-    requireSameSize(ids, truth, "wrong pixels: the id image's size");
-    requireSameSize(inner, truth, "wrong pixels: the mask's size");
+    image::requireSameSize(ids, truth, "wrong pixels: the id image's size");
+    image::requireSameSize(inner, truth, "wrong pixels: the mask's size");
     WrongPixels count;
     for (std::size_t i = 0; i < ids.pixels.size(); ++i) {
         const bool wrong = ids.pixels[i] != truth.pixels[i].id;
@@ -91,8 +84,8 @@ WrongPixels countWrong(const image::ImageU32& ids, const TruthImage& truth,
 
 image::ImageRgba8 heatMap(const image::ImageU32& ids, const TruthImage& truth,
                           const image::ImageRgba8& picture) {
-    requireSameSize(ids, truth, "heat map: the id image's size");
-    requireSameSize(picture, truth, "heat map: the picture's size");
+    image::requireSameSize(ids, truth, "heat map: the id image's size");
+    image::requireSameSize(picture, truth, "heat map: the picture's size");
     const image::Raster<std::uint8_t> inner = innerMask(truth);
     image::ImageRgba8 map(truth.width, truth.height);
     for (std::size_t i = 0; i < map.pixels.size(); ++i) {

@@ -1,23 +1,12 @@
-#include <cdr/base/error.h>
+#include <cdr/image/same_size.h>
 #include <cdr/measure/shadows/shadow_flips.h>
 
 namespace cdr::measure {
 
-namespace {
-
-template <typename Pixel>
-void requireSizeOf(const ShadowImage& truth, const image::Raster<Pixel>& other) {
-    if (other.width != truth.width || other.height != truth.height) {
-        throw base::InputError("shadow flips: the frames differ in size");
-    }
-}
-
-} // namespace
-
 FlipCount countShadowFlips(const ShadowFrame& before, const ShadowFrame& after) {
-    requireSizeOf(before.truth, after.truth);
-    requireSizeOf(before.truth, before.light.reached);
-    requireSizeOf(before.truth, after.light.reached);
+    image::requireSameSize(before.truth, after.truth, "shadow flips");
+    image::requireSameSize(before.truth, before.light.reached, "shadow flips");
+    image::requireSameSize(before.truth, after.light.reached, "shadow flips");
     FlipCount count;
     for (std::uint32_t y = 0; y < before.truth.height; ++y) {
         for (std::uint32_t x = 0; x < before.truth.width; ++x) {

@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/measure/shadows/shadow_truth.h>
+#include <cdr/measure/truth/visible_instances.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +16,12 @@ constexpr double kMinCosine = 1e-3;
 /// Pixels between the rays that tell how a surface lies.
 constexpr double kAside = 1e-4;
 
+/// base::InputError as requireSoundInstance().
 std::vector<std::uint32_t> solidInstances(const scene::Scene& scene) {
     std::vector<std::uint32_t> solid;
     const scene::Instances& instances = scene.instances;
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
+        requireSoundInstance(scene, i);
         const bool isThere = instances.radius[i] >= 0.0f;
         if (isThere && scene.materials[instances.material[i]].alphaMode != scene::AlphaMode::blend) {
             solid.push_back(i);
@@ -52,7 +55,9 @@ ShadowTruthCaster::ShadowTruthCaster(const scene::Scene& scene, std::span<const 
             m_casters[i] = {.shape = &shapes[scene.instances.mesh[i]],
                             .worldToObject = inverse->worldToObject,
                             .sides = sidednessOf(material),
-                            .isMasked = material.alphaMode == scene::AlphaMode::mask};
+                            .isMasked = material.alphaMode == scene::AlphaMode::mask,
+                            .layer = material.layer};
+            m_nearestLayer = std::max(m_nearestLayer, m_casters[i].layer);
         }
     }
 }
@@ -84,16 +89,21 @@ MaskedHit ShadowTruthCaster::nearestOf(std::uint32_t instance, const scene::Came
 
 ShadowTruthCaster::Hit ShadowTruthCaster::nearest(const scene::Camera& camera, const PixelRay& pixel,
                                                   const ViewRange& range) const {
-    Hit hit{.at = range.farView};
+    Hit hit;
     m_bvh.visit(camera.position, directionAt(camera, {pixel.slopeX, pixel.slopeY}), range.nearView,
                 range.farView, [&](std::uint32_t instance) {
-                    const MaskedHit met = nearestOf(instance, camera, pixel, {range.nearView, hit.at});
-                    hit.doubtAt = std::min(hit.doubtAt, met.doubtView);
-                    const double at = met.distanceView;
-                    if (at < hit.at || (at == hit.at && (!hit.isHit || instance < hit.instance))) {
-                        hit = {.at = at, .instance = instance, .isHit = true, .doubtAt = hit.doubtAt};
+                    const double layer = m_casters[instance].layer;
+                    const ViewRange open{range.nearView, std::min(range.farView, hit.lastAt(layer))};
+                    const MaskedHit met = nearestOf(instance, camera, pixel, open);
+                    hit.doubtRank = std::min(hit.doubtRank, met.doubtView - layer);
+                    const double rank = met.distanceView - layer;
+                    if (rank < hit.rank || (rank == hit.rank && instance > hit.instance)) {
+                        hit = {.at = met.distanceView,
+                               .rank = rank,
+                               .instance = instance,
+                               .doubtRank = hit.doubtRank};
                     }
-                    return hit.at;
+                    return std::min(range.farView, hit.lastAt(m_nearestLayer));
                 });
     return hit;
 }
@@ -165,10 +175,11 @@ ShadowPixel ShadowTruthCaster::pixelAt(const scene::Camera& camera, const PixelR
                                        const scene::PointLight& light) const {
     const ViewRange range{camera.nearView, camera.farView};
     const Hit hit = nearest(camera, pixel, range);
-    if (!hit.isHit) {
-        return {.isDoubtful = hit.doubtAt < kNoHit};
+    if (hit.rank == kNoHit) {
+        return {.isDoubtful = hit.doubtRank < kNoHit};
     }
-    ShadowPixel found{.id = m_scene->instances.object[hit.instance] + 1, .isDoubtful = hit.doubtAt <= hit.at};
+    ShadowPixel found{.id = m_scene->instances.object[hit.instance] + 1,
+                      .isDoubtful = hit.doubtRank <= hit.rank};
     const glm::dvec3 point = directionAt(camera, {pixel.slopeX, pixel.slopeY}) * hit.at;
     // How the surface lies, by points of the same instance beside this one.
     const auto aside = [&](double x, double y) {

@@ -9,6 +9,7 @@
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -43,6 +44,7 @@ class ShadowTruthCaster {
   public:
     /// @param scene must outlive the caster, and stay as it is.
     /// @param shapes of its meshes; must outlive the caster.
+    /// base::InputError for an instance that is not finite or refers to what is not there.
     ShadowTruthCaster(const scene::Scene& scene, std::span<const Shape> shapes);
 
     /// @param light index into Scene::lights.
@@ -66,12 +68,17 @@ class ShadowTruthCaster {
         glm::dmat3 worldToObject{1.0};
         Sidedness sides = Sidedness::fronts;
         bool isMasked = false;
+        double layer = 0.0; ///< scene::Material::layer
     };
+    /// What a pixel shows, by the rule of TruthPixel.
     struct Hit {
-        double at = 0.0; ///< parameter of the ray
+        double at = kNoHit;   ///< parameter of the ray
+        double rank = kNoHit; ///< less the layer
         std::uint32_t instance = 0;
-        bool isHit = false;
-        double doubtAt = kNoHit; ///< of the nearest doubtful point of masks that are no farther
+        double doubtRank = kNoHit; ///< of the nearest doubtful point of masks that are no farther
+
+        /// No surface of a layer that is farther is before it. Its own place is within, whatever is rounded.
+        double lastAt(double layer) const { return std::max(at, rank + layer); }
     };
     /// A ray whose origin is relative to a camera.
     struct Ray {
@@ -101,6 +108,7 @@ class ShadowTruthCaster {
     const scene::Scene* m_scene;
     std::unique_ptr<const TruthTextures> m_textures; ///< which masks are read from
     std::vector<Caster> m_casters;                   ///< by instance
+    double m_nearestLayer = 0.0;                     ///< the largest, or 0
     InstanceBvh m_bvh;
 };
 

@@ -1,4 +1,4 @@
-#include <cdr/base/format_error.h>
+#include <cdr/image/same_size.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/shadows/wrong_shadows.h>
 
@@ -29,10 +29,7 @@ Verdict verdictAt(const RenderedLight& light, const ShadowImage& truth, std::uin
 
 template <typename Take>
 void forVerdicts(const RenderedLight& light, const ShadowImage& truth, const Take& take) {
-    if (light.reached.width != truth.width || light.reached.height != truth.height) {
-        throw base::inputError("shadows: {}x{} differs from {}x{}", light.reached.width, light.reached.height,
-                               truth.width, truth.height);
-    }
+    image::requireSameSize(light.reached, truth, "shadows");
     for (std::uint32_t y = 0; y < truth.height; ++y) {
         for (std::uint32_t x = 0; x < truth.width; ++x) {
             take(x, y, verdictAt(light, truth, x, y));
@@ -77,6 +74,7 @@ WrongShadows countWrongShadows(const RenderedLight& light, const ShadowImage& tr
 
 image::ImageRgba8 shadowHeatMap(const RenderedLight& light, const ShadowImage& truth,
                                 const image::ImageRgba8& picture) {
+    image::requireSameSize(picture, truth, "shadows: the picture's size");
     image::ImageRgba8 map(truth.width, truth.height);
     forVerdicts(light, truth, [&](std::uint32_t x, std::uint32_t y, Verdict verdict) {
         map.at(x, y) = verdict == Verdict::wrong       ? (light.reaches(x, y) ? kMissing : kInvented)

@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/image/same_size.h>
 #include <cdr/measure/shadows/shadow_truth.h>
 #include <cdr/measure/truth/layered_truth.h>
 #include <cdr/measure/truth/surface_hit.h>
@@ -157,7 +158,7 @@ LayeredTruth castView(const scene::Scene& scene, const scene::Camera& camera, co
     if (size.x == 0 || size.y == 0) {
         throw base::InputError("truth: a picture needs at least one pixel");
     }
-    platform::requireHostBytes(std::uint64_t{size.x} * size.y * sizeof(LayeredPixel),
+    platform::requireHostBytes(platform::saturatingProduct({size.x, size.y, sizeof(LayeredPixel)}),
                                fmt::format("the truth of {}x{} pixels with layers", size.x, size.y));
     std::vector<Shape> shapes(scene.meshes.begin(), scene.meshes.end());
     const TruthTextures textures(scene);
@@ -213,10 +214,8 @@ image::ImageRgba8 pictureOf(const LayeredTruth& truth, const TruthFinish& finish
 
 LayerDifference compareLayers(const image::ImageRgba8& picture, const image::ImageU32& fragmentCounts,
                               const LayeredTruth& truth) {
-    if (picture.width != truth.width || picture.height != truth.height ||
-        fragmentCounts.width != truth.width || fragmentCounts.height != truth.height) {
-        throw base::InputError("translucent truth: sizes differ");
-    }
+    image::requireSameSize(picture, truth, "translucent truth: the picture's size");
+    image::requireSameSize(fragmentCounts, truth, "translucent truth: the counts' size");
     LayerDifference difference;
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < truth.pixels.size(); ++i) {

@@ -215,7 +215,7 @@ void castTile(const TileView& view, std::span<const std::uint32_t> members, cons
 }
 
 TruthImage emptyTruth(std::uint32_t width, std::uint32_t height) {
-    platform::requireHostBytes(std::uint64_t{width} * height * sizeof(TruthPixel),
+    platform::requireHostBytes(platform::saturatingProduct({width, height, sizeof(TruthPixel)}),
                                fmt::format("the truth of {}x{} pixels", width, height));
     return {width, height};
 }

@@ -1,4 +1,5 @@
 #include <cdr/base/format_error.h>
+#include <cdr/image/same_size.h>
 #include <cdr/measure/truth/object_ray.h>
 #include <cdr/measure/truth/truth_air.h>
 #include <cdr/measure/truth/truth_light.h>
@@ -84,14 +85,6 @@ image::Rgba8 shade(const scene::Scene& scene, const scene::Camera& camera, const
     return encode(throughAir(scene, camera.position, fromCamera, color));
 }
 
-template <typename A, typename B>
-void requireShadedSize(const image::Raster<A>& a, const image::Raster<B>& b) {
-    if (a.width != b.width || a.height != b.height) {
-        throw base::inputError("truth picture: {}x{} differs from {}x{}", a.width, a.height, b.width,
-                               b.height);
-    }
-}
-
 } // namespace
 
 image::ImageRgba8 shadeTruth(const scene::Scene& scene, const scene::Camera& camera, const TruthImage& truth,
@@ -119,9 +112,9 @@ image::ImageRgba8 shadeTruth(const scene::Scene& scene, const scene::Camera& cam
 
 image::ImageRgba8 orderByTruth(const image::ImageRgba8& picture, const image::ImageU32& ids,
                                const TruthImage& truth, const image::ImageRgba8& shaded) {
-    requireShadedSize(picture, ids);
-    requireShadedSize(picture, truth);
-    requireShadedSize(picture, shaded);
+    image::requireSameSize(picture, ids, "truth picture");
+    image::requireSameSize(picture, truth, "truth picture");
+    image::requireSameSize(picture, shaded, "truth picture");
     image::ImageRgba8 ordered = picture;
     for (std::size_t i = 0; i < ordered.pixels.size(); ++i) {
         if (ids.pixels[i] != truth.pixels[i].id) {

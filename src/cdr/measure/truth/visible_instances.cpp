@@ -12,26 +12,6 @@ namespace cdr::measure {
 
 namespace {
 
-void requireSound(const scene::Scene& scene, std::size_t i) {
-    const scene::Instances& instances = scene.instances;
-    const auto fail = [&](const char* what) {
-        throw base::InputError("instance " + std::to_string(i) + " " + what);
-    };
-    if (instances.mesh[i] >= scene.meshes.size()) {
-        fail("refers to a mesh that is not there");
-    }
-    if (instances.material[i] >= scene.materials.size()) {
-        fail("refers to a material that is not there");
-    }
-    if (instances.object[i] > scene::kMaxObjects) {
-        fail("has an object index that no id can hold");
-    }
-    const glm::dvec3 p = instances.position(i);
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
-        fail("has a position that is not finite");
-    }
-}
-
 ViewBox viewBox(const Shape& shape, const scene::Camera& camera, const glm::dvec3& position,
                 const glm::mat3& basis, double skew) {
     const glm::dmat3 worldToView = glm::transpose(glm::dmat3(camera.right, camera.up, -camera.back));
@@ -67,7 +47,7 @@ std::vector<Candidate> candidates(const scene::Scene& scene, std::span<const Sha
     std::vector<std::vector<Candidate>> found(jobs);
     workers.run(jobs, [&](std::size_t job, std::size_t) {
         for (std::size_t i = job * kChunk; i < std::min((job + 1) * kChunk, instances.size()); ++i) {
-            requireSound(scene, i);
+            requireSoundInstance(scene, i);
             const std::optional<InverseBasis> inverse = invertBasis(instances.basis[i]);
             if (!inverse) {
                 continue;
@@ -88,6 +68,26 @@ std::vector<Candidate> candidates(const scene::Scene& scene, std::span<const Sha
 }
 
 } // namespace
+
+void requireSoundInstance(const scene::Scene& scene, std::size_t instance) {
+    const scene::Instances& instances = scene.instances;
+    const auto fail = [&](const char* what) {
+        throw base::InputError("instance " + std::to_string(instance) + " " + what);
+    };
+    if (instances.mesh[instance] >= scene.meshes.size()) {
+        fail("refers to a mesh that is not there");
+    }
+    if (instances.material[instance] >= scene.materials.size()) {
+        fail("refers to a material that is not there");
+    }
+    if (instances.object[instance] > scene::kMaxObjects) {
+        fail("has an object index that no id can hold");
+    }
+    const glm::dvec3 p = instances.position(instance);
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+        fail("has a position that is not finite");
+    }
+}
 
 std::vector<VisibleInstance> visibleInstances(const scene::Scene& scene, std::span<const Shape> shapes,
                                               const scene::Camera& camera, std::uint32_t width,

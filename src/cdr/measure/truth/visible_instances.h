@@ -7,6 +7,7 @@
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,8 +29,11 @@ struct VisibleInstance {
     double nearestRank() const { return nearestView - layer; }
 };
 
+/// base::InputError for an instance that is not finite or refers to what is not there.
+void requireSoundInstance(const scene::Scene& scene, std::size_t instance);
+
 /// The instances that may cover pixels of the picture, by nearest view distance less the layer, then by
-/// instance index. base::InputError for an instance that is not finite or refers to what is not there.
+/// instance index. base::InputError as requireSoundInstance().
 /// @param shapes one per mesh of the scene; must outlive the result.
 /// @param marginPixels as footprint() takes it: what lies so far off the pixel centres counts too.
 std::vector<VisibleInstance> visibleInstances(const scene::Scene& scene, std::span<const Shape> shapes,
