@@ -62,11 +62,11 @@ vk::SurfaceCapabilitiesKHR surfaceOf(vk::Extent2D now, vk::Extent2D least = {1, 
 TEST(SurfaceExtent, IsTheSurfacesOrWhatIsWanted) {
     constexpr std::uint32_t kAny = std::numeric_limits<std::uint32_t>::max();
     const vk::Extent2D wanted{800, 480};
-    EXPECT_EQ(chooseSurfaceExtent(surfaceOf({640, 360}), wanted), vk::Extent2D(640, 360));
+    EXPECT_EQ(chooseSurfaceExtent(surfaceOf({640, 360}), wanted), (vk::Extent2D{640, 360}));
     EXPECT_EQ(chooseSurfaceExtent(surfaceOf({kAny, kAny}), wanted), wanted);
-    EXPECT_EQ(chooseSurfaceExtent(surfaceOf({kAny, kAny}, {900, 1}), wanted), vk::Extent2D(900, 480));
+    EXPECT_EQ(chooseSurfaceExtent(surfaceOf({kAny, kAny}, {900, 1}), wanted), (vk::Extent2D{900, 480}));
     EXPECT_EQ(chooseSurfaceExtent(surfaceOf({kAny, kAny}, {1, 1}, {500, 300}), wanted),
-              vk::Extent2D(500, 300));
+              (vk::Extent2D{500, 300}));
 }
 
 TEST(SurfaceExtent, IsNoneWithoutPixels) {
