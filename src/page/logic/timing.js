@@ -2,11 +2,14 @@
 
 import { figure64 } from "./thesis.js";
 
-/** Every mode with its overhead, its interval and the thesis' value; without the baseline. */
+/**
+ * Every mode with its overhead, its interval and the thesis' value; without the baseline. Where frames are too few for an
+ * interval, its ends are null, and whether the thesis agrees.
+ */
 export function bars(document) {
     return document.results.slice(1).map((row) => {
         const thesis = row.thesis_pct ?? null;
-        const [low, high] = row.ci95;
+        const { low, high } = endsOf(row.ci95);
         return {
             name: row.name ?? row.mode,
             targets: row.targets,
@@ -16,15 +19,20 @@ export function bars(document) {
             low,
             high,
             thesis,
-            agrees: thesis === null ? null : thesis >= low && thesis <= high,
+            agrees: thesis === null || low === null ? null : thesis >= low && thesis <= high,
         };
     });
 }
 
-/** The interval of standard over itself: differences inside it are nothing. */
+/** The interval of standard over itself: differences inside it are nothing. Its ends are null as those of bars(). */
 export function noiseFloor(document) {
-    const [low, high] = document.noise_floor_ci95 ?? document.results[1].ci95;
-    return { overhead: document.noise_floor_pct ?? document.results[1].overhead_pct, low, high };
+    const overhead = document.noise_floor_pct ?? document.results[1].overhead_pct;
+    return { overhead, ...endsOf(document.noise_floor_ci95 ?? document.results[1].ci95) };
+}
+
+function endsOf(interval) {
+    const [low, high] = interval ?? [null, null];
+    return { low, high };
 }
 
 /** Kendall's tau-b of thesis and measured overheads: 1 the same order, -1 the opposite. NaN below two pairs. */

@@ -167,10 +167,15 @@ function judgeTiming(document) {
     if (bars.length === 0) {
         return { status: "missing", sentence: "None of the thesis\u2019 modes was timed." };
     }
-    const inside = bars.filter((bar) => bar.agrees);
     const tau = rankAgreement(bars);
+    const order = `the rank order agrees with Kendall\u2019s \u03c4\u00a0=\u00a0${number(tau, 2)}, and standard over itself gives ${signedPercent(noise.overhead)}`;
+    if ([noise, ...bars].some((bar) => bar.low === null)) {
+        const frames = document.options.frames;
+        return { status: "open", sentence: `${frames} ${frames === 1 ? "frame is" : "frames are"} too few for an interval: ${order}.` };
+    }
+    const inside = bars.filter((bar) => bar.agrees);
     const widest = Math.max(...bars.map((bar) => bar.high - bar.low));
-    const facts = `${inside.length} of ${bars.length} of the thesis\u2019 overheads lie in our 95\u202f% intervals, the rank order agrees with Kendall\u2019s \u03c4\u00a0=\u00a0${number(tau, 2)}, and standard over itself gives ${signedPercent(noise.overhead)} (${signedPercent(noise.low)} to ${signedPercent(noise.high)})`;
+    const facts = `${inside.length} of ${bars.length} of the thesis\u2019 overheads lie in our 95\u202f% intervals, ${order} (${signedPercent(noise.low)} to ${signedPercent(noise.high)})`;
     if (widest > kTooWide || document.options.frames < kTooFew) {
         return {
             status: "open",

@@ -4,7 +4,7 @@ import { table41 } from "../../../src/page/logic/thesis.js";
 import { checkPercentages, tableRows } from "../../../src/page/logic/precision.js";
 import { listingSeparation } from "../../../src/page/logic/listing_a2.js";
 import { judgedRatio, listingReliability, reliability } from "../../../src/page/logic/probe.js";
-import { rankAgreement } from "../../../src/page/logic/timing.js";
+import { bars, noiseFloor, rankAgreement } from "../../../src/page/logic/timing.js";
 import { observerWins, pairRows } from "../../../src/page/logic/flicker.js";
 import { statuses, verdicts } from "../../../src/page/logic/verdicts.js";
 
@@ -114,6 +114,20 @@ test("timing is undecided while its intervals are wide or its frames few", () =>
     assert.equal(verdictOf("figure-6-4", { timing: timing(other, 1) }).status, "no");
     const shifted = { "cdr-2": [13, 3.4], log: [14, 4.4], "logcdr-5": [15, 10.4] };
     assert.equal(verdictOf("figure-6-4", { timing: timing(shifted, 1) }).status, "partly");
+});
+
+test("timing without intervals is undecided, and says so", () => {
+    const few = timing({ "cdr-2": [5, 3.4], log: [7, 4.4] }, 1, 5);
+    few.noise_floor_ci95 = null;
+    few.results.forEach((row) => { row.ci95 = null; });
+    assert.deepEqual(noiseFloor(few), { overhead: 0, low: null, high: null });
+    assert.deepEqual(bars(few).map(({ low, high, agrees }) => [low, high, agrees]), Array(2).fill([null, null, null]));
+    const verdict = verdictOf("figure-6-4", { timing: few });
+    assert.equal(verdict.status, "open");
+    assert.match(verdict.sentence, /^5 frames are too few for an interval: .*1, and standard over itself gives 0\u00a0%\.$/);
+    assert.ok(!/null|NaN|undefined|none/.test(verdict.sentence), verdict.sentence);
+    few.options.frames = 1;
+    assert.match(verdictOf("figure-6-4", { timing: few }).sentence, /^1 frame is too few/);
 });
 
 test("Kendall's tau-b counts ties as its definition says", () => {
