@@ -19,6 +19,11 @@ std::string plainText(const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+/// What a row has there; null for a part of null, such as an end of an interval that does not exist.
+Json partAt(const Json& row, const Json::json_pointer& pointer) {
+    return row.at(pointer.parent_pointer()).is_null() ? Json(nullptr) : row.at(pointer);
+}
+
 } // namespace
 
 CsvField::CsvField(const char* text) : heading(text), pointer("/" + heading) {
@@ -54,7 +59,7 @@ std::string csvOf(const std::vector<CsvField>& fields, const Json& rows) {
     for (const Json& row : rows) {
         cells.clear();
         for (const CsvField& field : fields) {
-            cells.push_back(plainText(row.at(Json::json_pointer(field.pointer))));
+            cells.push_back(plainText(partAt(row, Json::json_pointer(field.pointer))));
         }
         csv += fmt::format("{}\n", fmt::join(cells, ","));
     }

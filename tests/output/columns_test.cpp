@@ -67,6 +67,9 @@ TEST(Columns, CsvReadsTheJson) {
     const Json rows = Json::parse(R"([{"a":1,"b":[0.5,null],"c":true,"d":"x"}])");
     EXPECT_EQ(csvOf({"a", "low=/b/0", "high=/b/1", "c", "d"}, rows), "a,low,high,c,d\n1,0.5,,true,x\n");
     EXPECT_EQ(csvOf({"d", "a"}, rows), "d,a\nx,1\n");
+    EXPECT_EQ(csvOf({"a", "low=/b/0", "high=/b/1"}, Json::parse(R"([{"a":1,"b":null}])")),
+              "a,low,high\n1,,\n");
+    EXPECT_ANY_THROW(csvOf({"c"}, Json::parse(R"([{"a":1}])"))) << "a field that no row has";
 }
 
 } // namespace
