@@ -61,17 +61,14 @@ inline Json finiteOrNull(const std::optional<double>& value) {
 }
 
 /// Both ends, as CellFormat's patterns take them.
-inline Json jsonOf(const measure::Interval& interval) {
-    return {interval.low, interval.high};
-}
-
 inline Json jsonOf(const std::optional<measure::Interval>& interval) {
-    return interval ? jsonOf(*interval) : Json(nullptr);
+    return interval ? Json{interval->low, interval->high} : Json(nullptr);
 }
 
-/// A bootstrap interval of 95 %, in JSON and in the table. Where a row may have none: null and "-".
-template <typename Row, typename Interval>
-Column<Row> intervalColumn(Interval Row::*interval, const std::string& pattern = "{} to {}") {
+/// A bootstrap interval of 95 %, in JSON and in the table. Where a row has none: null and "-".
+template <typename Row>
+Column<Row> intervalColumn(std::optional<measure::Interval> Row::*interval,
+                           const std::string& pattern = "{} to {}") {
     return {.key = "ci95",
             .value = [interval](const Row& row) { return jsonOf(row.*interval); },
             .heading = "95 % interval",
@@ -178,7 +175,7 @@ struct CsvField {
     std::string pointer; ///< JSON pointer into a row
 };
 
-/// Rows of jsonOf() as CSV with a header. Null is an empty field.
+/// Rows of jsonOf() as CSV with a header. Null is an empty field, and so is each part of it.
 std::string csvOf(const std::vector<CsvField>& fields, const Json& rows);
 
 } // namespace cdr::output

@@ -225,7 +225,7 @@ TEST_F(Commands, AdviseMeasures) {
     ASSERT_EQ(document["results"].size(), 8u);
     for (const json& row : document["results"]) {
         EXPECT_GT(row["time_ratio"].get<double>(), 0.0);
-        EXPECT_LE(row["time_ratio_ci95"][0].get<double>(), row["time_ratio_ci95"][1].get<double>());
+        EXPECT_TRUE(row.at("time_ratio_ci95").is_null()) << "two frames have no interval";
         EXPECT_EQ(row["largest"], 1.0);
         const bool anchored = row["mapping"].get<std::string>().starts_with("anchored");
         EXPECT_EQ(row["suffices"], anchored) << row["technique"];

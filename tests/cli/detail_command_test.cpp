@@ -29,8 +29,7 @@ TEST_F(DetailCommand, ComparesEveryModeWithNone) {
         modes.push_back(row.at("mode"));
         const bool isWhole = modes.back().starts_with("none");
         EXPECT_GT(row.at("execute_ms").get<double>(), 0.0);
-        EXPECT_LE(row.at("ci95").at(0).get<double>(), row.at("execute_speedup").get<double>());
-        EXPECT_GE(row.at("ci95").at(1).get<double>(), row.at("execute_speedup").get<double>());
+        EXPECT_TRUE(row.at("ci95").is_null()) << "one frame has no interval";
         EXPECT_EQ(row.at("pixels"), 96 * 54);
         EXPECT_EQ(row.at("flip").get<double>() == 0.0, isWhole);
         EXPECT_EQ(row.at("triangles").get<double>() > 3e6, isWhole);

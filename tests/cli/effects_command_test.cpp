@@ -36,6 +36,7 @@ TEST_F(EffectsCommand, ComparesTheTechniquesThatAreGiven) {
     EXPECT_EQ(document.at("options").at("techniques"), json::array({"log"}));
     for (const json& row : document.at("results")) {
         EXPECT_EQ(row.at("least_alike"), "log");
+        EXPECT_TRUE(row.at("ci95").is_null()) << "one frame has no interval";
     }
 }
 

@@ -16,7 +16,7 @@ using FocusCommand = FolderTest;
 
 TEST_F(FocusCommand, ComparesEveryLensWithManyCameras) {
     const ProgramResult result = run(
-        "--validate focus --frames 2 --cameras 16 --size 320x180 --aperture 0.5 --out pictures --json f.json");
+        "--validate focus --frames 6 --cameras 16 --size 320x180 --aperture 0.5 --out pictures --json f.json");
     ASSERT_EQ(result.status, 0) << result.err;
     const json document = jsonIn("f.json");
     EXPECT_EQ(document.at("command"), "focus");

@@ -131,6 +131,7 @@ TEST_F(RanksCommand, ScalingMeasuresRanksWhereToldTo) {
         EXPECT_EQ(point.at("ranks"), ranks);
         EXPECT_EQ(point.at("cascades"), i < 3 ? 1 : 4);
         EXPECT_EQ(point.at("same_image"), true);
+        EXPECT_TRUE(point.at("speedup_ci95").is_null()) << "two repeats have no interval";
         ASSERT_EQ(point.at("shares").size(), ranks);
         // Only a rank that has cascades and is not the first has anything to send.
         EXPECT_EQ(point.at("bytes_sent") > 1000, i > 3) << point;
@@ -144,6 +145,8 @@ TEST_F(RanksCommand, ScalingMeasuresRanksWhereToldTo) {
     EXPECT_EQ(document.at("results").back().at("nodes"), 1000);
     EXPECT_EQ(document.at("check").at("frames"), 24);
     EXPECT_GT(document.at("costs").at("send_ms"), 0.0);
+    EXPECT_TRUE(document.at("check").at("predicted_interval").is_null());
+    EXPECT_NE(projected.out.find("(a 95 % interval needs 6 frames)"), std::string::npos) << projected.out;
 
     EXPECT_EQ(
         runAsRanks(2, "scaling --draws 300", folder()).err,

@@ -29,7 +29,7 @@ TEST_F(RivalsCommand, WritesWhatEachResolvesCostsAndNeeds) {
             inMixed[row.at("technique")] = row;
         }
         EXPECT_GT(row.at("frame_ms").get<double>(), 0.0);
-        EXPECT_EQ(row.at("ci95").size(), 2u);
+        EXPECT_TRUE(row.at("ci95").is_null()) << "two frames have no interval";
     }
     EXPECT_EQ(document.at("results").size(), 2 * inMixed.size());
     EXPECT_EQ(document.at("needs").size(), inMixed.size());

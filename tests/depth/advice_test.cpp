@@ -197,14 +197,16 @@ TEST(Advice, MeasurementsDecideWhereThereAreAny) {
     measurements[index("logcdr")] = {.resolvedView = 0.45,
                                      .largestView = 1.0,
                                      .timeRatio = 1.25,
-                                     .timeRatioLow = 0.90849,
-                                     .timeRatioHigh = 1.42153};
+                                     .timeRatio95 = RatioInterval{.low = 0.90849, .high = 1.42153}};
     Advice advice = advise(asked, measurements);
     EXPECT_FALSE(rowOf(advice, "reversed", DepthFormat::d32f)->suffices);
     EXPECT_EQ(nameOf(advice.rows[*advice.simplest].technique), "logcdr");
     EXPECT_NE(explain(asked, advice)[0].find("was measured to resolve 0.45"), std::string::npos);
     EXPECT_NE(explain(asked, advice)[1].find("+25 % of a frame (-9.151 to +42.15)."), std::string::npos)
         << "digits as in the table";
+    measurements[index("logcdr")]->timeRatio95.reset();
+    EXPECT_NE(explain(asked, advise(asked, measurements))[1].find("+25 % of a frame."), std::string::npos)
+        << "too few frames for an interval";
 
     // Nothing that was tried came out right: wider gaps stay unanswered, narrower ones are refused.
     measurements.assign(predicted.rows.size(), std::nullopt);

@@ -41,17 +41,29 @@ TEST(Projection, EndsWhereEachNodeHasOneFrame) {
 
 TEST(Projection, NeverRunsShorterThanItsBoundsAndWidensWithItsCosts) {
     FrameCosts costs = evenCosts();
-    costs.makeMs = {30.0, 35.0, 40.0, 45.0, 50.0};
+    costs.makeMs = {30.0, 34.0, 38.0, 42.0, 46.0, 50.0};
+    costs.takeMs.resize(6, 1.0);
     double last = project(costs, 1, 300, 1).seconds;
     for (std::size_t nodes = 2; nodes < 400; ++nodes) {
         const Projection projection = project(costs, nodes, 300, 1);
         EXPECT_LE(projection.seconds, last) << nodes;
-        EXPECT_LE(projection.secondsInterval.low, projection.seconds);
-        EXPECT_GE(projection.secondsInterval.high, projection.seconds);
+        EXPECT_LE(projection.secondsInterval.value().low, projection.seconds);
+        EXPECT_GE(projection.secondsInterval.value().high, projection.seconds);
         EXPECT_LE(projection.efficiency, 1.0 + 1e-12);
         last = projection.seconds;
     }
-    EXPECT_LT(project(costs, 2, 300, 1).secondsInterval.low, project(costs, 2, 300, 1).seconds);
+    EXPECT_LT(project(costs, 2, 300, 1).secondsInterval.value().low, project(costs, 2, 300, 1).seconds);
+}
+
+TEST(Projection, HasAnIntervalWhereBothCostsHaveOne) {
+    FrameCosts costs = evenCosts();
+    costs.makeMs.resize(6, 40.0);
+    costs.takeMs.resize(5, 1.0);
+    EXPECT_FALSE(project(costs, 2, 300, 1).secondsInterval.has_value());
+    costs.takeMs.resize(6, 1.0);
+    EXPECT_TRUE(project(costs, 2, 300, 1).secondsInterval.has_value());
+    costs.makeMs.resize(5);
+    EXPECT_FALSE(project(costs, 2, 300, 1).secondsInterval.has_value());
 }
 
 } // namespace

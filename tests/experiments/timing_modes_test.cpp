@@ -79,10 +79,30 @@ TEST(TimingModes, OptionsOfARendererSayAllThatAModeDoes) {
 }
 
 TEST(TimingModes, AnOverheadIsSeenOnlyBesideTheNoise) {
-    EXPECT_FALSE(liesApart({-0.5, 2.0}, {-1.0, 1.0}));
-    EXPECT_FALSE(liesApart({1.0, 2.0}, {-1.0, 1.0}));
-    EXPECT_TRUE(liesApart({1.1, 2.0}, {-1.0, 1.0}));
-    EXPECT_TRUE(liesApart({-3.0, -1.1}, {-1.0, 1.0}));
+    using cdr::measure::Interval;
+    const Interval floor{-1.0, 1.0};
+    EXPECT_FALSE(liesApart(Interval{-0.5, 2.0}, floor));
+    EXPECT_FALSE(liesApart(Interval{1.0, 2.0}, floor));
+    EXPECT_TRUE(liesApart(Interval{1.1, 2.0}, floor));
+    EXPECT_TRUE(liesApart(Interval{-3.0, -1.1}, floor));
+    EXPECT_FALSE(liesApart(std::nullopt, floor));
+    EXPECT_FALSE(liesApart(Interval{1.1, 2.0}, std::nullopt));
+}
+
+TEST(TimingModes, APlotLeavesOutIntervalsThatDoNotExist) {
+    std::vector<TimingResult> results(3);
+    results[1].mode.name = "standard-again";
+    results[2].mode.name = "log";
+    results[2].overheadPercent = 5.0;
+    const std::string without = timingPlot(results, "a device");
+    EXPECT_NE(without.find("2 \"log\" 5 NaN NaN NaN\n"), std::string::npos) << without;
+    EXPECT_EQ(without.find("rectangle"), std::string::npos);
+    EXPECT_EQ(without.find("noise"), std::string::npos);
+    results[1].overheadPercent95 = {.low = -1.0, .high = 1.5};
+    results[2].overheadPercent95 = {.low = 4.0, .high = 6.5};
+    const std::string with = timingPlot(results, "a device");
+    EXPECT_NE(with.find("2 \"log\" 5 4 6.5 NaN\n"), std::string::npos) << with;
+    EXPECT_NE(with.find("first -1 to graph 1, first 1.5"), std::string::npos) << with;
 }
 
 TEST(TimingModes, RivalsFollowADepthTestThatShadesAsLittle) {

@@ -170,9 +170,11 @@ std::string costLine(const AdviceRow& row) {
         const double more = 100.0 * (ratio - 1.0);
         return base::concat(more > 0.0 ? "+" : "", base::quantityText(more, base::NumberStyle::plain));
     };
-    return base::concat("Cost over standard: ", costOf(row), "; measured, ", percent(measured.timeRatio),
-                        " % of a frame (", percent(measured.timeRatioLow), " to ",
-                        percent(measured.timeRatioHigh), ").");
+    const auto& interval = measured.timeRatio95;
+    return base::concat(
+        "Cost over standard: ", costOf(row), "; measured, ", percent(measured.timeRatio), " % of a frame",
+        interval ? base::concat(" (", percent(interval->low), " to ", percent(interval->high), ")") : "",
+        ".");
 }
 
 /// Those of a question that names none.

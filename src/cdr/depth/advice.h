@@ -32,16 +32,20 @@ struct AdviceQuestion {
     std::vector<Technique> techniques{};
 };
 
+/// Between which values a ratio lies.
+struct RatioInterval {
+    double low = 1.0;
+    double high = 1.0;
+};
+
 /// What was measured of a technique on a device, at the distance of the question.
 struct Measurement {
     /// The smallest separation that came out right together with all larger ones; empty when the largest
     /// tried did not.
     std::optional<double> resolvedView;
-    double largestView = 0.0; ///< tried
-    /// Frame time relative to standard: median of the ratios and its 95 % interval.
-    double timeRatio = 1.0;
-    double timeRatioLow = 1.0;  ///< of the interval
-    double timeRatioHigh = 1.0; ///< of the interval
+    double largestView = 0.0;                   ///< tried
+    double timeRatio = 1.0;                     ///< frame time relative to standard: median of the ratios
+    std::optional<RatioInterval> timeRatio95{}; ///< its 95 % interval; empty: there were too few frames
 };
 
 /// One technique, and how it answers.

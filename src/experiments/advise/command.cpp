@@ -68,8 +68,14 @@ std::string measuredText(const depth::Measurement& measured, base::LengthUnit un
 
 std::string timeText(const depth::Measurement& measured) {
     const auto percent = [](double ratio) { return output::Readable{100.0 * (ratio - 1.0)}; };
-    return fmt::format("{:+} % ({:+} to {:+})", percent(measured.timeRatio), percent(measured.timeRatioLow),
-                       percent(measured.timeRatioHigh));
+    const std::string text = fmt::format("{:+} %", percent(measured.timeRatio));
+    const auto& interval = measured.timeRatio95;
+    return interval ? fmt::format("{} ({:+} to {:+})", text, percent(interval->low), percent(interval->high))
+                    : text;
+}
+
+output::Json intervalJson(const std::optional<depth::RatioInterval>& interval) {
+    return interval ? output::Json{interval->low, interval->high} : output::Json(nullptr);
 }
 
 using Row = depth::AdviceRow;
@@ -102,9 +108,7 @@ output::Columns<Row> measuredColumns(base::LengthUnit unit) {
              .text = textOf(timeText),
              .before = "enough"},
             {.key = "time_ratio_ci95",
-             .value = measuredValue([](const Measured& m) {
-                 return output::jsonOf(measure::Interval{m.timeRatioLow, m.timeRatioHigh});
-             })}};
+             .value = measuredValue([](const Measured& m) { return intervalJson(m.timeRatio95); })}};
 }
 
 /// @param measured whether the table shows measurements, else costs in words.

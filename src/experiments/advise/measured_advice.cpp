@@ -95,9 +95,10 @@ depth::Advice measureAdvice(const gpu::Device& device, const depth::AdviceQuesti
         const auto ratio = [](double percent) { return 1.0 + 0.01 * percent; };
         measurements.emplace_back(depth::Measurement{.resolvedView = result->resolvedView,
                                                      .largestView = result->largestView,
-                                                     .timeRatio = ratio(cost->overheadPercent),
-                                                     .timeRatioLow = ratio(cost->overheadPercent95.low),
-                                                     .timeRatioHigh = ratio(cost->overheadPercent95.high)});
+                                                     .timeRatio = ratio(cost->overheadPercent)});
+        if (const auto& percent95 = cost->overheadPercent95) {
+            measurements.back()->timeRatio95 = {.low = ratio(percent95->low), .high = ratio(percent95->high)};
+        }
     }
     return depth::advise(question, measurements);
 }

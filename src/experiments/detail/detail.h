@@ -11,6 +11,7 @@
 #include <ranks/ranks.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,16 +37,16 @@ struct DetailResult {
     double frameMs = 0.0;
     double recordMs = 0.0;
     double executeMs = 0.0;
-    double speedup = 1.0;        ///< of execute over none: the median of the ratios frame by frame
-    measure::Interval speedup95; ///< bootstrapped
-    double triangles = 0.0;      ///< a frame draws, mean; straddlers count once per cascade
-    double flip = 0.0;           ///< mean LDR-FLIP to none
-    double largestFlip = 0.0;    ///< of any frame's mean
-    std::uint64_t pixels = 0;    ///< of all frames
-    std::uint64_t otherIds = 0;  ///< that show another object than none does
-    std::uint64_t cracks = 0;    ///< measure::findCracks() to none
-    image::ImageRgba8 picture;   ///< the first frame
-    image::ImageRgba8 cracked;   ///< the same with a red square about every crack
+    double speedup = 1.0; ///< of execute over none: the median of the ratios frame by frame
+    std::optional<measure::Interval> speedup95{}; ///< bootstrapped
+    double triangles = 0.0;                       ///< a frame draws, mean; straddlers count once per cascade
+    double flip = 0.0;                            ///< mean LDR-FLIP to none
+    double largestFlip = 0.0;                     ///< of any frame's mean
+    std::uint64_t pixels = 0;                     ///< of all frames
+    std::uint64_t otherIds = 0;                   ///< that show another object than none does
+    std::uint64_t cracks = 0;                     ///< measure::findCracks() to none
+    image::ImageRgba8 picture;                    ///< the first frame
+    image::ImageRgba8 cracked;                    ///< the same with a red square about every crack
 };
 
 struct DetailReport {

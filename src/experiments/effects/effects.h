@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,8 +49,8 @@ std::string_view nameOf(EffectMode mode);
 struct EffectsResult {
     EffectMode mode = EffectMode::plain;
     double executeMs = 0.0;
-    double ratio = 1.0;        ///< of execute to "plain": the median of the ratios frame by frame
-    measure::Interval ratio95; ///< bootstrapped
+    double ratio = 1.0; ///< of execute to "plain": the median of the ratios frame by frame
+    std::optional<measure::Interval> ratio95{}; ///< bootstrapped
     /// Of the techniques compared, the one whose picture differs most from anchored's with the same effect.
     std::string leastAlike;
     double differing = 0.0;    ///< share of its pixels that differ by more than kEffectTolerance

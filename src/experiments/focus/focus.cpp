@@ -100,7 +100,6 @@ class FocusComparison {
                                   .frameMs = m_referenceMs,
                                   .executeMs = m_referenceExecuteMs,
                                   .speedup = report.results[kBase].executeMs / m_referenceExecuteMs,
-                                  .speedup95 = {},
                                   .pixels = m_options.cameras * reference.pixels.size(),
                                   .picture = reference});
         return report;

@@ -40,10 +40,10 @@ struct FocusResult {
     double frameMs = 0.0;
     double executeMs = 0.0;
     double speedup = 1.0; ///< of execute over "layers": the median of the ratios frame by frame
-    std::optional<measure::Interval> speedup95; ///< bootstrapped; not of "cameras", which are drawn once
-    std::uint64_t pixels = 0;                   ///< of all layers; of "cameras" all pictures
-    double flip = 0.0;                          ///< mean LDR-FLIP to the reference
-    double rmse = 0.0;                          ///< of linear light to the reference, over all channels
+    std::optional<measure::Interval> speedup95{}; ///< bootstrapped; not of "cameras", which are drawn once
+    std::uint64_t pixels = 0;                     ///< of all layers; of "cameras" all pictures
+    double flip = 0.0;                            ///< mean LDR-FLIP to the reference
+    double rmse = 0.0;                            ///< of linear light to the reference, over all channels
     image::ImageRgba8 picture;
 };
 

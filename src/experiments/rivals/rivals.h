@@ -57,11 +57,11 @@ struct RivalScene {
     std::uint32_t frames = 0;
     std::size_t cascades = 0; ///< at most
     measure::WrongPixels wrong;
-    measure::FlipCount flips;  ///< between consecutive frames of those
-    double frameMs = 0.0;      ///< median, from the camera until the device is done
-    double executeMs = 0.0;    ///< of that on the device
-    double ratio = 1.0;        ///< of frames over the baseline's: the median of the ratios frame by frame
-    measure::Interval ratio95; ///< bootstrapped
+    measure::FlipCount flips; ///< between consecutive frames of those
+    double frameMs = 0.0;     ///< median, from the camera until the device is done
+    double executeMs = 0.0;   ///< of that on the device
+    double ratio = 1.0;       ///< of frames over the baseline's: the median of the ratios frame by frame
+    std::optional<measure::Interval> ratio95{}; ///< bootstrapped
 };
 
 /// One contender on the ladder at one distance.
@@ -84,7 +84,7 @@ struct RivalResolved {
 struct RivalWholeFrame {
     std::string scene;
     double ratio = 1.0;
-    measure::Interval ratio95;
+    std::optional<measure::Interval> ratio95{};
 };
 
 struct RivalsReport {

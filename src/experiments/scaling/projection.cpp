@@ -46,8 +46,8 @@ Costs medianOf(const FrameCosts& costs) {
 
 Projection project(const FrameCosts& costs, std::size_t nodes, std::size_t frames, std::uint64_t seed) {
     const Costs middle = medianOf(costs);
-    const measure::Interval make = measure::bootstrapMedian(costs.makeMs, seed);
-    const measure::Interval take = measure::bootstrapMedian(costs.takeMs, seed);
+    const std::optional<measure::Interval> make = measure::bootstrapMedian(costs.makeMs, seed);
+    const std::optional<measure::Interval> take = measure::bootstrapMedian(costs.takeMs, seed);
     const auto secondsOf = [&](double makeMs, double takeMs) {
         Costs each = middle;
         each.make = makeMs;
@@ -57,13 +57,15 @@ Projection project(const FrameCosts& costs, std::size_t nodes, std::size_t frame
     const std::array<double, 3> least = leastMs(middle, nodes, frames);
     const bool isShort = nodes >= frames;
     const bool takes = least[1] >= std::max(least[0], least[2]);
-    Projection projection{
-        .nodes = nodes,
-        .seconds = secondsOf(middle.make, middle.take),
-        .secondsInterval = {.low = secondsOf(make.low, take.low), .high = secondsOf(make.high, take.high)},
-        .bound = takes     ? ProjectionBound::taking
-                 : isShort ? ProjectionBound::frames
-                           : ProjectionBound::making};
+    Projection projection{.nodes = nodes,
+                          .seconds = secondsOf(middle.make, middle.take),
+                          .bound = takes     ? ProjectionBound::taking
+                                   : isShort ? ProjectionBound::frames
+                                             : ProjectionBound::making};
+    if (make && take) {
+        projection.secondsInterval = {.low = secondsOf(make->low, take->low),
+                                      .high = secondsOf(make->high, take->high)};
+    }
     projection.efficiency =
         msOf(middle, 1, frames) / kMsPerSecond / (static_cast<double>(nodes) * projection.seconds);
     return projection;
@@ -83,7 +85,7 @@ output::Columns<Projection> projectionColumns() {
             {.key = "seconds_interval",
              .value = [](const Projection& projection) { return output::jsonOf(projection.secondsInterval); },
              .heading = "95 % of the costs",
-             .format = {"{} to {}"}},
+             .format = {.pattern = "{} to {}", .missing = "-"}},
             {.key = "efficiency", .value = &Projection::efficiency, .heading = "efficiency"},
             {.key = "bound",
              .value = [](const Projection& projection) { return kBoundNames.nameOf(projection.bound); },

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace cdr::experiments {
@@ -29,9 +30,10 @@ enum class ProjectionBound : std::uint8_t {
 /// A run of so many nodes, a rank each.
 struct Projection {
     std::size_t nodes = 1;
-    double seconds = 0.0;              ///< from the medians of the costs
-    measure::Interval secondsInterval; ///< from both ends of their 95 % intervals
-    double efficiency = 1.0;           ///< time of one node over that of all nodes together
+    double seconds = 0.0; ///< from the medians of the costs
+    /// From both ends of their 95 % intervals; empty where one has none.
+    std::optional<measure::Interval> secondsInterval{};
+    double efficiency = 1.0; ///< time of one node over that of all nodes together
     ProjectionBound bound = ProjectionBound::making;
 };
 

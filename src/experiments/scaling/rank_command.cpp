@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace cdr::cli {
@@ -22,6 +24,12 @@ void requireSameImages(const std::vector<experiments::RankPoint>& points) {
         throw base::runError("{} cascades: the image of {} ranks differs from that of one", differs->cascades,
                              differs->ranks);
     }
+}
+
+/// Behind a time that was predicted, in brackets.
+std::string intervalText(const std::optional<measure::Interval>& interval) {
+    return interval ? fmt::format("{:.3g} to {:.3g}", interval->low, interval->high)
+                    : fmt::format("a 95 % interval needs {} frames", measure::kMinIntervalSamples);
 }
 
 } // namespace
@@ -95,10 +103,9 @@ void runProjection(Command& command, const experiments::FrameCostOptions& option
         "take. Claiming a frame takes {:.3g} ms. More than {} nodes do not help.",
         measure::median(costs.makeMs), costs.bytes, costs.msPerByte * costs.bytes,
         measure::median(costs.takeMs), costs.claimMs, useful));
-    console.line(fmt::format(
-        "Check: {} frames by {} rank{} took {:.3g} s. The prediction is {:.3g} s ({:.3g} to {:.3g}).",
-        run.frames, ranks, ranks == 1 ? "" : "s", run.seconds, here.seconds, here.secondsInterval.low,
-        here.secondsInterval.high));
+    console.line(fmt::format("Check: {} frames by {} rank{} took {:.3g} s. The prediction is {:.3g} s ({}).",
+                             run.frames, ranks, ranks == 1 ? "" : "s", run.seconds, here.seconds,
+                             intervalText(here.secondsInterval)));
     console.line(command.opened().text());
     auto document = command.makeDocument({{"ranks", ranks},
                                           {"ranks_on_node", command.ranks().place().countOnNode},

@@ -253,7 +253,7 @@ output::Columns<RankPoint> rankPointColumns() {
         {.key = "speedup_ci95",
          .value = [](const RankPoint& point) { return output::jsonOf(point.speedUpInterval); },
          .heading = "95 %",
-         .format = {"{} to {}"}},
+         .format = {.pattern = "{} to {}", .missing = "-"}},
         {.key = "efficiency", .value = &RankPoint::efficiency, .heading = "efficiency"},
         {.key = "slowest_draw_ms", .value = &RankPoint::slowestDrawMs, .heading = "slowest draw ms"},
         {.key = "bytes_sent", .value = &RankPoint::bytesSent, .heading = "bytes sent"},

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace cdr::experiments {
@@ -45,9 +46,9 @@ struct RankPoint {
     unsigned cascades = 1;
     std::size_t ranks = 1;
     double frameMs = 0.0; ///< median, from the start until the first rank has the frame
-    measure::Interval frameInterval;
+    std::optional<measure::Interval> frameInterval{};
     double speedUp = 1.0;
-    measure::Interval speedUpInterval;
+    std::optional<measure::Interval> speedUpInterval{};
     std::vector<RankShare> shares; ///< by rank
     bool sameImage = true;         ///< as of one rank
 

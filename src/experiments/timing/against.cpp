@@ -124,26 +124,28 @@ Comparison compare(const BuildTimes& times, std::uint64_t seed) {
         ratios.push_back(times.hereUs[round] / times.againstUs[round]);
         noise.push_back(times.againUs[round] / times.hereUs[round]);
     }
-    const measure::Interval noise95 = measure::bootstrapMedian(noise, seed);
     Comparison comparison{.name = times.name,
                           .hereUs = measure::median(times.hereUs),
                           .againstUs = measure::median(times.againstUs),
                           .ratio = measure::median(ratios),
                           .ratio95 = measure::bootstrapMedian(ratios, seed)};
-    comparison.noisePercent = 100.0 * std::max(std::abs(noise95.low - 1.0), std::abs(noise95.high - 1.0));
-    comparison.rounds = rounds;
-    comparison.isSeen = rounds >= measure::kMinIntervalSamples && !comparison.ratio95.contains(1.0) &&
-                        100.0 * std::abs(comparison.ratio - 1.0) > comparison.noisePercent;
+    const std::optional<measure::Interval> noise95 = measure::bootstrapMedian(noise, seed);
+    if (comparison.ratio95 && noise95) {
+        comparison.noisePercent =
+            100.0 * std::max(std::abs(noise95->low - 1.0), std::abs(noise95->high - 1.0));
+        comparison.isSeen = !comparison.ratio95->contains(1.0) &&
+                            100.0 * std::abs(comparison.ratio - 1.0) > *comparison.noisePercent;
+    }
     return comparison;
 }
 
 std::string verdictOf(const Comparison& comparison) {
-    if (comparison.rounds < measure::kMinIntervalSamples) {
+    if (!comparison.noisePercent) {
         return fmt::format("too few rounds to tell, {} are needed", measure::kMinIntervalSamples);
     }
     return comparison.isSeen
                ? fmt::format("{} times", output::Readable{comparison.ratio})
-               : fmt::format("no difference seen, noise ±{} %", output::Readable{comparison.noisePercent});
+               : fmt::format("no difference seen, noise ±{} %", output::Readable{*comparison.noisePercent});
 }
 
 AgainstReport runAgainst(const AgainstOptions& options, const Progress& progress) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,11 +36,11 @@ struct Comparison {
     std::string name;
     double hereUs = 0.0; ///< median
     double againstUs = 0.0;
-    double ratio = 1.0;        ///< median of the rounds' ratios
-    measure::Interval ratio95; ///< bootstrapped
-    double noisePercent = 0.0; ///< this build over itself: how far from 1 the same interval reaches
-    std::size_t rounds = 0;
-    /// The interval leaves out 1, and the ratio differs from it by more than the noise. Never with fewer rounds than an interval needs.
+    double ratio = 1.0;                         ///< median of the rounds' ratios
+    std::optional<measure::Interval> ratio95{}; ///< bootstrapped
+    /// This build over itself: how far from 1 the same interval reaches.
+    std::optional<double> noisePercent{};
+    /// The interval leaves out 1, and the ratio differs from it by more than the noise. Never without an interval.
     bool isSeen = false;
 };
 

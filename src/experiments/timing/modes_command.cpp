@@ -37,17 +37,16 @@ auto howOf(Part experiments::TimingMode::*part) {
     };
 }
 
-/// @param floor standard over itself. @param frames of each mode
-output::Columns<experiments::TimingResult> timingColumns(const measure::Interval& floor, std::size_t frames) {
+/// @param floor standard over itself
+output::Columns<experiments::TimingResult> timingColumns(const std::optional<measure::Interval>& floor) {
     using Result = experiments::TimingResult;
     using Mode = experiments::TimingMode;
     using Parts = experiments::TimingParts;
     const output::CellFormat micros{.missing = "-"};
     // The overheads of rivals are over another mode, whose noise is not measured.
-    const auto isSeen = [floor, frames](const Result& result) {
+    const auto isSeen = [floor](const Result& result) {
         return result.mode.idsAlone ? output::absent()
-                                    : output::Json(frames >= measure::kMinIntervalSamples &&
-                                                   experiments::liesApart(result.overheadPercent95, floor));
+                                    : output::Json(experiments::liesApart(result.overheadPercent95, floor));
     };
     const auto range = [](const Result& result) {
         return fmt::format("{} to {}", output::Readable{result.lowUs}, output::Readable{result.highUs});
@@ -118,6 +117,17 @@ const char* describeScene(const experiments::TimingOptions& options) {
                : "64,000 unit cubes in a 400^3 field, 60 degrees, near 0.1, far 100,000, one turn about y";
 }
 
+/// @param again standard over itself
+std::string noiseFloorLine(const experiments::TimingResult& again) {
+    const auto& interval = again.overheadPercent95;
+    return fmt::format("Noise floor, the difference of two runs of standard: {:+} %, {}",
+                       output::Readable{again.overheadPercent},
+                       interval ? fmt::format("95 % interval {:+} to {:+}", output::Readable{interval->low},
+                                              output::Readable{interval->high})
+                                : fmt::format("too few samples for a 95 % interval, {} are needed",
+                                              measure::kMinIntervalSamples));
+}
+
 nlohmann::ordered_json timingDocument(const Command& command, const TimingArguments& arguments,
                                       const Results& results) {
     const experiments::TimingOptions& options = arguments.options;
@@ -131,8 +141,7 @@ nlohmann::ordered_json timingDocument(const Command& command, const TimingArgume
                                           {"frames_in_flight", options.framesInFlight},
                                           {"mode", options.framesInFlight > 1 ? "throughput" : "latency"}});
     document["machine"] = experiments::machineJson(arguments.machine);
-    document["results"] =
-        output::jsonOf(timingColumns(results.at(1).overheadPercent95, options.frames), results);
+    document["results"] = output::jsonOf(timingColumns(results.at(1).overheadPercent95), results);
     document["noise_floor_pct"] = results.at(1).overheadPercent;
     document["noise_floor_ci95"] = output::jsonOf(results.at(1).overheadPercent95);
     return document;
@@ -157,18 +166,14 @@ void timeModes(Command& command, TimingArguments& arguments) {
 
     const Console& console = command.console();
     const std::string device = command.opened().text();
-    const auto columns = timingColumns(results.at(1).overheadPercent95, options.frames);
+    const auto columns = timingColumns(results.at(1).overheadPercent95);
     console.table(output::tableOf(columns, results));
     console.line(fmt::format(
         "\n{}; {} frames per mode after {} that are not measured, seed {}, {} threads, {}x{}; commit {}",
         device, options.frames, experiments::kWarmUpFrames, options.seed, options.threads, options.width,
         options.height, program::buildInfo().commit));
     console.line(experiments::machineText(arguments.machine));
-    const experiments::TimingResult& again = results.at(1);
-    console.line(
-        fmt::format("Noise floor, the difference of two runs of standard: {:+} %, 95 % interval {:+} to {:+}",
-                    output::Readable{again.overheadPercent}, output::Readable{again.overheadPercent95.low},
-                    output::Readable{again.overheadPercent95.high}));
+    console.line(noiseFloorLine(results.at(1)));
     if (!arguments.rivalsBeside.empty()) {
         printNeeds(console, arguments.rivalsBeside);
         console.line(

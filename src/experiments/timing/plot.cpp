@@ -6,8 +6,32 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <string>
 
 namespace cdr::experiments {
+
+namespace {
+
+/// In data, where gnuplot draws nothing for NaN.
+std::string numberOf(const std::optional<double>& value) {
+    return value ? fmt::format("{}", *value) : "NaN";
+}
+
+/// Two columns, both ends.
+std::string endsOf(const std::optional<measure::Interval>& interval) {
+    return interval ? fmt::format("{} {}", interval->low, interval->high) : "NaN NaN";
+}
+
+/// A grey band over all bars; nothing where the noise is not known.
+std::string bandOf(const std::optional<measure::Interval>& noise) {
+    return noise ? fmt::format("set object 1 rectangle from graph 0, first {} to graph 1, first {} fillcolor "
+                               "rgb '#eeeeee' fillstyle solid noborder behind\n",
+                               noise->low, noise->high)
+                 : "";
+}
+
+} // namespace
 
 std::string timingPlot(const std::vector<TimingResult>& results, const std::string& measuredOn) {
     std::string rows;
@@ -15,12 +39,10 @@ std::string timingPlot(const std::vector<TimingResult>& results, const std::stri
         const TimingResult& result = results[i];
         // In data, unlike in commands, only double quotes make a string.
         const std::string over = result.mode.isRival() ? " over " + result.over : "";
-        rows +=
-            fmt::format("{} \"{}{}\" {} {} {} {}\n", i, result.mode.name, over, result.overheadPercent,
-                        result.overheadPercent95.low, result.overheadPercent95.high,
-                        result.mode.thesisPercent ? fmt::format("{}", *result.mode.thesisPercent) : "NaN");
+        rows += fmt::format("{} \"{}{}\" {} {} {}\n", i, result.mode.name, over, result.overheadPercent,
+                            endsOf(result.overheadPercent95), numberOf(result.mode.thesisPercent));
     }
-    const measure::Interval& noise = results.at(1).overheadPercent95;
+    const std::optional<measure::Interval>& noise = results.at(1).overheadPercent95;
     return fmt::format(
         "set title {}\n"
         "set ylabel 'overhead over standard, % (median of ratios per frame, 95 % interval)'\n"
@@ -29,15 +51,15 @@ std::string timingPlot(const std::vector<TimingResult>& results, const std::stri
         "set key top left\n"
         "set xrange [0.3:{}]\n"
         "set xzeroaxis lt -1\n"
-        "set object 1 rectangle from graph 0, first {} to graph 1, first {} fillcolor rgb '#eeeeee' "
-        "fillstyle solid noborder behind\n"
+        "{}"
         "$data << END\n{}END\n"
         "plot $data using 1:3:4:5:(0.6):xtic(2) with boxerrorbars fillstyle solid 0.6 linecolor rgb "
-        "'#0072b2' title 'measured; grey band: the noise floor', "
+        "'#0072b2' title 'measured{}', "
         "$data using 1:6 with points pointtype 7 pointsize 1.4 linecolor rgb '#d55e00' "
         "title 'thesis, Figure 6.4'\n",
         output::gnuplotQuote("Frame time over standard, " + measuredOn),
-        static_cast<double>(results.size()) - 0.3, noise.low, noise.high, rows);
+        static_cast<double>(results.size()) - 0.3, bandOf(noise), rows,
+        noise ? "; grey band: the noise floor" : "");
 }
 
 std::string stagesPlot(const std::vector<ModeStages>& modes, const std::string& measuredOn) {

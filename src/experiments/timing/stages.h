@@ -4,6 +4,7 @@
 #include <cdr/measure/statistics/statistics.h>
 #include <experiments/timing/timing.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,8 @@ struct StageCost {
     std::string name;
     std::string how; ///< "measured", or what was left out to find it
     double medianUs = 0.0;
-    measure::Interval us95;    ///< bootstrapped
-    double framePercent = 0.0; ///< of the whole frame's median
+    std::optional<measure::Interval> us95{}; ///< bootstrapped
+    double framePercent = 0.0;               ///< of the whole frame's median
 };
 
 /// base::InputError for a mode that draws other meshes, since stages are those of the scene's own.

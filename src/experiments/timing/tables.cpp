@@ -13,7 +13,10 @@ output::Columns<Comparison> againstColumns() {
         {.key = "against_us", .value = &Comparison::againstUs, .heading = "against us"},
         {.key = "ratio", .value = &Comparison::ratio, .heading = "ratio"},
         output::intervalColumn(&Comparison::ratio95),
-        {.key = "noise_pct", .value = &Comparison::noisePercent, .heading = "noise", .format = {"±{} %"}},
+        {.key = "noise_pct",
+         .value = [](const Comparison& comparison) { return output::finiteOrNull(comparison.noisePercent); },
+         .heading = "noise",
+         .format = {.pattern = "±{} %", .missing = "-"}},
         {.key = "seen", .value = &Comparison::isSeen, .heading = "over the other build", .text = verdictOf}};
 }
 

@@ -263,8 +263,9 @@ TimingScene parseTimingScene(std::string_view name) {
     return kSceneNames.parse(name);
 }
 
-bool liesApart(const measure::Interval& overhead, const measure::Interval& floor) {
-    return overhead.low > floor.high || overhead.high < floor.low;
+bool liesApart(const std::optional<measure::Interval>& overhead,
+               const std::optional<measure::Interval>& floor) {
+    return overhead && floor && (overhead->low > floor->high || overhead->high < floor->low);
 }
 
 std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,

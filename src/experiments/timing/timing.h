@@ -120,8 +120,8 @@ struct TimingResult {
     double highUs = 0.0;              ///< 95th
     std::optional<TimingParts> parts; ///< of latency; frames in flight have no parts of their own
     std::string over; ///< mode that the overhead is over: standard, or standard/ids of rivals, if it is there
-    double overheadPercent = 0.0;        ///< the median of the ratios frame by frame
-    measure::Interval overheadPercent95; ///< bootstrapped
+    double overheadPercent = 0.0;                         ///< the median of the ratios frame by frame
+    std::optional<measure::Interval> overheadPercent95{}; ///< bootstrapped
 };
 
 /// Results in the order of the modes. base::InputError for no frames or fewer than two modes, for an unknown scene, and
@@ -131,8 +131,10 @@ struct TimingResult {
 std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
                                     const Progress& progress, runs::TimedRanks& ranks);
 
-/// Whether an overhead is more than noise: its interval and that of standard over itself have nothing in common.
-bool liesApart(const measure::Interval& overhead, const measure::Interval& floor);
+/// Whether an overhead is more than noise: its interval and that of standard over itself have nothing in common. Never without
+/// both.
+bool liesApart(const std::optional<measure::Interval>& overhead,
+               const std::optional<measure::Interval>& floor);
 
 /// Figure 6.4 as a gnuplot script: overheads with their intervals, the thesis' beside them.
 /// @param measuredOn goes under the title.

@@ -52,8 +52,12 @@ double median(std::vector<double> samples) {
     return percentile(std::move(samples), 50.0);
 }
 
-Interval bootstrapMedian(const std::vector<double>& samples, std::uint64_t seed, std::size_t resamples) {
+std::optional<Interval> bootstrapMedian(const std::vector<double>& samples, std::uint64_t seed,
+                                        std::size_t resamples) {
     requireSamples(samples);
+    if (samples.size() < kMinIntervalSamples) {
+        return std::nullopt;
+    }
     std::vector<double> sorted = samples;
     std::sort(sorted.begin(), sorted.end());
     std::mt19937 random(static_cast<std::uint32_t>(seed ^ (seed >> 32)));
@@ -70,7 +74,7 @@ Interval bootstrapMedian(const std::vector<double>& samples, std::uint64_t seed,
         resampled = std::midpoint(low, sorted[finder.indexAt(sorted.size() / 2)]);
     }
     std::sort(medians.begin(), medians.end());
-    return {.low = percentileOfSorted(medians, 2.5), .high = percentileOfSorted(medians, 97.5)};
+    return Interval{.low = percentileOfSorted(medians, 2.5), .high = percentileOfSorted(medians, 97.5)};
 }
 
 } // namespace cdr::measure

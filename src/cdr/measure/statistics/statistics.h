@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace cdr::measure {
@@ -47,10 +48,10 @@ inline constexpr std::size_t kResamples = 2000;
 
 /// 95 % interval of the median by the percentile bootstrap (Efron 1979): the middle 95 % of the medians of
 /// resamples drawn with replacement. The same interval for the same samples and seed on every platform.
-/// Samples count as independent, so it is too narrow for a series that drifts.
+/// Samples count as independent, so it is too narrow for a series that drifts. Nothing for fewer than kMinIntervalSamples.
 /// @param samples at least one; base::InputError when empty.
 /// @param resamples at least one.
-Interval bootstrapMedian(const std::vector<double>& samples, std::uint64_t seed,
-                         std::size_t resamples = kResamples);
+std::optional<Interval> bootstrapMedian(const std::vector<double>& samples, std::uint64_t seed,
+                                        std::size_t resamples = kResamples);
 
 } // namespace cdr::measure
