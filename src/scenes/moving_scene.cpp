@@ -52,9 +52,10 @@ void MovingScene::deform(std::uint32_t frame, platform::WorkerPool& workers) {
 }
 
 bool MovingScene::show(std::uint32_t frame, platform::WorkerPool& workers) {
-    if (frame == m_frame) {
+    if (m_frame == frame) {
         return false;
     }
+    m_frame.reset();
     if (!m_meshes.empty()) {
         deform(frame, workers);
     }

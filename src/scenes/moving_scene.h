@@ -6,6 +6,7 @@
 #include <scenes/deform.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,7 +21,7 @@ class MovingScene {
     MovingScene(scene::Scene scene, scene::SceneMotion motion, Deform deform = Deform::cpu);
 
     /// Brings all to where they are at a frame. Whether that was another one than is shown.
-    /// base::InputError where a frame puts something where nothing can be drawn.
+    /// base::InputError where a frame puts something where nothing can be drawn. Then a part may have moved, until the next frame.
     bool show(std::uint32_t frame, platform::WorkerPool& workers);
     /// Gives all materials other layers (scene::Material::layer), by index. base::InputError for one that is not finite.
     void setLayers(std::span<const float> layers);
@@ -37,7 +38,7 @@ class MovingScene {
     std::vector<scene::InstanceHandle> m_instances;
     std::vector<scene::MeshHandle> m_meshes;
     std::vector<scene::LightHandle> m_lights;
-    std::uint32_t m_frame = 0;
+    std::optional<std::uint32_t> m_frame = 0; ///< none where show() failed half way
     Deform m_deform;
 };
 

@@ -98,7 +98,7 @@ TEST_F(ViewCommand, DrawsTheFrameOfASceneThatMoves) {
     viewer::ReproducedView view{.settings = {.scene = "traffic"},
                                 .side = 0,
                                 .camera = scene::canonical(setup.path.at(5)),
-                                .sceneCamera = setup.path.at(0),
+                                .sceneCamera = setup.path.at(5),
                                 .extent = kExtent,
                                 .frame = 5};
     const render::Frame frame = show(moving.world().scene(), view); // of a scene built from scratch

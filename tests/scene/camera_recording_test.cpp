@@ -210,6 +210,11 @@ TEST(CameraRecordingFile, RefusesWhatIsNotOneInOneLineThatNamesIt) {
          }},
         {"camera 3: seconds", [](auto& j) { j["cameras"][3]["seconds"] = 0.0; }},
         {"camera 0: seconds", [](auto& j) { j["cameras"][0]["seconds"] = -1.0; }},
+        {"camera 4: it is too far from the one before",
+         [](auto& j) {
+             j["cameras"][3]["position"] = {1e308, 0.0, 0.0};
+             j["cameras"][4]["position"] = {-1e308, 0.0, 0.0};
+         }},
     };
     for (const Spoiled& spoil : spoiled) {
         nlohmann::json json = sound;

@@ -72,6 +72,35 @@ TEST(MovingScene, KeepsNoLevelsAndNoClustersOfWhatBends) {
     EXPECT_FALSE(meshes[1].clusters.clusters.empty());
 }
 
+/// The meshes have then moved, and the instances have not.
+TEST(MovingScene, ComesBackFromAFrameThatFails) {
+    scene::Scene scene;
+    scene.meshes.push_back(scene::makeBox(glm::vec3(1.0f)));
+    scene.materials.push_back({.name = "white"});
+    scene::addInstance(scene, 0, 0, 0, {0.0, 0.0, -5.0}, glm::mat3(1.0f));
+    const std::vector<scene::Vertex> atRest = scene.meshes[0].vertices;
+    scene::SceneMotion motion;
+    motion.instances = {0};
+    motion.transforms = [](std::uint32_t frame) {
+        if (frame == 1) {
+            throw base::InputError("nowhere");
+        }
+        return std::vector<scene::Transform>{{.position = {0.0, 0.0, -5.0}}};
+    };
+    motion.meshes = {0};
+    motion.vertices = [&atRest](std::uint32_t frame, platform::WorkerPool&) {
+        std::vector<scene::Vertex> vertices = atRest;
+        vertices[0].position.x += 0.25f * static_cast<float>(frame);
+        return std::vector<scene::MeshVertices>{{.vertices = vertices, .details = {}}};
+    };
+    MovingScene moving(scene, motion);
+    platform::WorkerPool workers(1);
+    EXPECT_THROW(moving.show(1, workers), base::InputError);
+    EXPECT_TRUE(moving.show(0, workers));
+    EXPECT_EQ(moving.world().scene().meshes[0].vertices[0].position, atRest[0].position);
+    EXPECT_FALSE(moving.show(0, workers));
+}
+
 } // namespace
 
 } // namespace cdr::scenes

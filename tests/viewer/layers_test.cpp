@@ -48,6 +48,25 @@ TEST_F(LayersOfTheViewer, SayWhatIsPickedFromThenOn) {
     EXPECT_EQ(valueOf(states[0], "under").substr(0, 4), "sign") << states[0];
 }
 
+/// Each colour is a material. The grey scene has one, which the cube has then; its layer was of a colour that is gone.
+TEST_F(LayersOfTheViewer, AreOfTheMaterialsThatThePickedObjectHasInOtherColours) {
+    const std::string pickCube = "move 190 258\nwait-ui 2\npress\nrelease\nwait-ui 2\nwait-frame\n";
+    const std::string otherColours =
+        "click Look\nwait-ui 2\nclick bright colours\nwait-ui 2\nwait-frame\nclick Camera\nwait-ui 2\n";
+    const RunResult run = play("cubes --size 748x500 --technique anchored",
+                               kOpened + pickCube + "click Camera\nwait-ui 2\nclick 3/layer\ntype 1\n" +
+                                   "key enter\nwait-ui 2\nwait-frame\nstate\n" + otherColours +
+                                   "where 0/layer\nstate\n" + otherColours + "where 3/layer\nstate\nquit\n");
+    const auto states = run.states(3);
+    EXPECT_EQ(valueOf(states[0], "picked").substr(0, 8), "object 9") << states[0];
+    EXPECT_EQ(valueOf(states[0], "layer"), "#3=1");
+    EXPECT_EQ(valueOf(states[1], "colours"), "thesis");
+    EXPECT_EQ(valueOf(states[1], "layer"), "");
+    EXPECT_EQ(valueOf(states[1], "notice").find("material"), std::string::npos) << states[1];
+    EXPECT_EQ(valueOf(states[1], "picked"), valueOf(states[0], "picked"));
+    EXPECT_EQ(valueOf(states[2], "colours"), "bright");
+}
+
 /// Of both sides, and of a scene that is opened again with them.
 TEST_F(LayersOfTheViewer, HoldInAComparisonAndWhenTheSceneIsOpenedAnew) {
     const RunResult run = play(kPosters + "--compare reversed,anchored --layer poster=-1",

@@ -28,8 +28,6 @@ constexpr vk::DeviceSize kBlockBytes = vk::DeviceSize{32} << 20;
 /// What each device draws without fullDrawIndexUint32.
 constexpr std::uint32_t kSureIndex = (std::uint32_t{1} << 24u) - 1;
 
-constexpr const char* kPortabilitySubset = "VK_KHR_portability_subset"; // its own macro is a beta one
-
 std::string lower(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -63,11 +61,7 @@ std::uint32_t chooseDevice(const std::vector<DeviceInfo>& infos, const std::stri
 
 /// Those that cdr uses or has to.
 std::vector<const char*> extensionsOf(vk::PhysicalDevice physical, const DeviceInfo& info) {
-    std::vector<const char*> extensions;
-    if (hasExtension(physical, kPortabilitySubset)) {
-        // Drivers that lack a part of Vulkan say so by this extension, and ask that it be enabled.
-        extensions.push_back(kPortabilitySubset);
-    }
+    std::vector<const char*> extensions = extensionsAskedFor(physical);
     if (info.hasConditionalRendering) {
         extensions.push_back(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME);
     }

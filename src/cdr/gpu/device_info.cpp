@@ -144,6 +144,12 @@ bool hasExtension(vk::PhysicalDevice physical, std::string_view name) {
     });
 }
 
+std::vector<const char*> extensionsAskedFor(vk::PhysicalDevice physical) {
+    constexpr const char* kPortabilitySubset = "VK_KHR_portability_subset"; // its own macro is a beta one
+    return hasExtension(physical, kPortabilitySubset) ? std::vector{kPortabilitySubset}
+                                                      : std::vector<const char*>();
+}
+
 std::vector<std::string> thoseOff(std::initializer_list<std::pair<vk::Bool32, const char*>> features) {
     std::vector<std::string> off;
     for (const auto& [isOn, name] : features) {

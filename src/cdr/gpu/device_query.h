@@ -30,6 +30,9 @@ std::optional<vk::Format> findDepthFormat(vk::PhysicalDevice physical, depth::De
 /// Whether a device can be made with this extension.
 bool hasExtension(vk::PhysicalDevice physical, std::string_view name);
 
+/// The extensions that a device must be made with. Drivers that lack a part of Vulkan say so by one, and ask for it.
+std::vector<const char*> extensionsAskedFor(vk::PhysicalDevice physical);
+
 DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index);
 
 /// Whether --device, a number or a part of a name in any case, means this device. An empty choice means all.

@@ -46,8 +46,8 @@ CameraPath pathOf(const CameraRecording& recording, std::uint32_t frames);
 /// base::RunError when that fails.
 void writeRecording(const std::filesystem::path& path, const CameraRecording& recording);
 /// Reads what writeRecording() writes. base::InputError, with the file and what is wrong, for a file that is
-/// missing, too large or not such a recording. Its cameras must be usable and orthonormal, and its moments
-/// must ascend.
+/// missing, too large or not such a recording. Its cameras must be usable and orthonormal, the way from each to the next
+/// finite, and its moments must ascend.
 CameraRecording readRecording(const std::filesystem::path& path);
 
 } // namespace cdr::scene

@@ -105,6 +105,12 @@ RecordedCamera cameraIn(const nlohmann::json& json) {
     return recorded;
 }
 
+/// Cameras between the two have numbers for positions.
+bool hasWayBetween(const Camera& before, const Camera& after) {
+    const glm::dvec3 way = after.position - before.position;
+    return std::isfinite(way.x) && std::isfinite(way.y) && std::isfinite(way.z);
+}
+
 CameraRecording recordingIn(const nlohmann::json& json) {
     if (!json.is_object() || json.value("format", "") != kFormat) {
         throw base::InputError("is not a camera path of cdr-viewer");
@@ -130,6 +136,9 @@ CameraRecording recordingIn(const nlohmann::json& json) {
         if (!(seconds >= 0.0) || !std::isfinite(seconds) ||
             (i > 0 && seconds <= recording.cameras[i - 1].seconds)) {
             throw base::inputError("camera {}: seconds must be finite and ascend from 0 on", i);
+        }
+        if (i > 0 && !hasWayBetween(recording.cameras[i - 1].camera, recording.cameras[i].camera)) {
+            throw base::inputError("camera {}: it is too far from the one before", i);
         }
     }
     return recording;

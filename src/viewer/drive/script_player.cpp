@@ -108,9 +108,7 @@ void ScriptPlayer::play(const ScriptStep& step, const PlayedViewer& viewer) {
                               printLine(fmt::format("{} {:.0f} {:.0f}", print.name, place.x, place.y));
                           },
                           [&](const PrintState&) { printLine(stateLine(viewer.model)); },
-                          [&](const PrintCommand&) {
-                              printLine(commandLinesOf(viewer.model.picture, viewer.model.camera.ofScene));
-                          },
+                          [&](const PrintCommand&) { printLine(commandLinesOf(viewer.model.picture)); },
                           [&](const Minimise&) {
                               window.minimise();
                               window.inject(ResizeInput{0, 0}); // as other window systems report it

@@ -50,7 +50,7 @@ void drawAnimationPanel(const Widgets& widgets, const RenderResult* result, View
         return;
     }
     if (widgets.toggle(playback.isPlaying ? "pause" : "play animation", onIf(playback.isPlaying))) {
-        playback.isPlaying = !playback.isPlaying;
+        playback.toggle(length);
     }
     widgets.beside();
     widgets.checkbox("loop", playback.loops);

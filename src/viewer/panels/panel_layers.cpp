@@ -31,8 +31,9 @@ void drawLayer(const Widgets& widgets, const scene::Scene& scene, std::uint32_t 
 
 void drawLayersPanel(const Widgets& widgets, const PictureModel& picture, ViewSettings& settings) {
     const bool isPicked = picture.measuring.first().has_value() && picture.shown != nullptr;
-    if (!isPicked || picture.shown->sceneName != settings.scene) {
-        return;
+    if (!isPicked || picture.shown->sceneName != settings.scene ||
+        picture.shown->settings.colours != settings.colours) {
+        return; // or the layers of other materials would be chosen
     }
     widgets.heading("Layer");
     const scene::Scene& scene = picture.shown->scene->setup.scene;

@@ -66,7 +66,7 @@ void drawScenePanel(const Widgets& widgets, const RenderResult* result, ViewSett
         const scene::OpenedScene& opened = *result->scene;
         bool isBright = settings.colours == scenes::Colours::bright;
         if (scenes::isGreyInThesis(settings.scene) && widgets.checkbox("bright colours", isBright)) {
-            settings.colours = isBright ? scenes::Colours::bright : scenes::Colours::thesis;
+            chooseColours(settings, isBright ? scenes::Colours::bright : scenes::Colours::thesis);
         }
         widgets.sentence(fmt::format("{}, {}. Drop a .gltf or .glb file to open it.",
                                      counted(opened.setup.scene.objectCount(), "object"),

@@ -27,13 +27,18 @@ void toggleScenePath(ViewerModel& model, const Pressed&) {
 }
 
 void toggleAnimation(ViewerModel& model, const Pressed&) {
-    model.camera.playback.isPlaying = !model.camera.playback.isPlaying;
-    const bool hasAny = model.picture.shown != nullptr &&
-                        model.picture.shown->sceneName == model.settings.scene &&
-                        !model.picture.shown->scene->animations.empty();
-    if (hasAny && !model.settings.choice.framesPerSecond) {
-        model.settings.choice = withAnimation(model.settings.choice, *model.picture.shown->scene, 0);
+    Playback& playback = model.camera.playback;
+    const bool isOpen =
+        model.picture.shown != nullptr && model.picture.shown->sceneName == model.settings.scene;
+    if (!isOpen || model.picture.shown->scene->animations.empty()) {
+        playback.isPlaying = !playback.isPlaying; // of what is being opened
+        return;
     }
+    const scene::OpenedScene& scene = *model.picture.shown->scene;
+    if (!model.settings.choice.framesPerSecond) {
+        model.settings.choice = withAnimation(model.settings.choice, scene, 0);
+    }
+    playback.toggle(playableSeconds(model.settings.choice, scene));
 }
 
 void togglePanels(ViewerModel& model, const Pressed&) {

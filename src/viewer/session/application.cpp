@@ -3,8 +3,9 @@
 #include "startup.h"
 #include "statistics_report.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/format_error.h>
 #include <cdr/image/codec.h>
+#include <cdr/platform/file.h>
 #include <cdr/platform/standard_streams.h>
 #include <viewer/panels/overlay.h>
 #include <viewer/panels/panels.h>
@@ -277,6 +278,10 @@ void Application::saveScreenshot() {
     }
     if (m_unsaved) {
         throw base::RunError(*m_unsaved);
+    }
+    if (m_capture) {
+        throw base::runError("{}: there is no screenshot, since the window could not be drawn or read",
+                             platform::oneLine(m_arguments.screenshot));
     }
 }
 

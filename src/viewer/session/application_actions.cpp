@@ -121,7 +121,7 @@ void Application::captureWindow() {
 }
 
 void Application::copyCommandLines() {
-    const std::string lines = commandLinesOf(m_model.picture, m_model.camera.ofScene);
+    const std::string lines = commandLinesOf(m_model.picture);
     if (lines.empty()) {
         m_model.interface.sayProblem("nothing is shown yet");
         return;
@@ -131,8 +131,7 @@ void Application::copyCommandLines() {
 }
 
 void Application::frameSelected() {
-    const auto& last = m_model.picture.measuring.second() ? m_model.picture.measuring.second()
-                                                          : m_model.picture.measuring.first();
+    const auto& last = m_model.picture.measuring.last();
     if (!last || m_model.picture.shown == nullptr) {
         m_model.interface.sayProblem("nothing is selected: click an object first");
         return;

@@ -355,7 +355,9 @@ void Session::pick(const Click& click, const RenderResult& result) {
                at(click.share.x, columnsShown(result.settings, frame)), at(click.share.y, frame.height()));
     if (point) {
         m_model.picture.measuring.click(*point);
-        m_model.picture.pickedMaterials = materialsOf(result.scene->setup.scene, point->object);
+        // Not in the result's scene, which may have been opened in other colours.
+        m_model.picture.pickedMaterials =
+            m_model.picture.measuring.materialsIn(m_model.picture.shown->scene->setup.scene);
         m_model.camera.pivot = point->position;
         m_pivotFrom.reset();
     }
@@ -373,6 +375,7 @@ void Session::takeOpened(const RenderResult& result) {
     m_model.performance.statistics.clear();
     m_model.picture.underCursor = {};
     m_model.picture.readable = {};
+    m_model.picture.pickedMaterials = m_model.picture.measuring.materialsIn(result.scene->setup.scene);
 }
 
 void Session::enterScene(const RenderResult& result) {

@@ -133,8 +133,8 @@ bool isSamePose(const scene::Camera& a, const scene::Camera& b) {
 
 void addCamera(Words& words, const ReproducedView& view) {
     const scene::Camera& camera = view.camera;
-    const scene::Camera& own = view.sceneCamera; // that of frame 0
-    if (view.frame != 0 || !isSamePose(camera, own)) {
+    const scene::Camera& own = view.sceneCamera;
+    if (!isSamePose(camera, own)) {
         const scene::Camera said = scene::canonical(camera);
         words.add("--eye", exactText(said.position));
         words.add("--direction", exactText(-said.back));

@@ -15,7 +15,7 @@ struct ReproducedView {
     ViewSettings settings;
     std::size_t side = 0; ///< of a split screen: 0 left, 1 right
     scene::Camera camera;
-    scene::Camera sceneCamera; ///< the scene's own at frame 0: what agrees with it is left out
+    scene::Camera sceneCamera; ///< the scene's own at `frame`: what agrees with it is left out
     PictureExtent extent;
     std::uint32_t frame = 0; ///< at which a scene that moves is shown
     std::string device{};    ///< as `--device` names it; empty: the first that can

@@ -98,6 +98,10 @@ void Measuring::click(const PickedPoint& point) {
     }
 }
 
+std::vector<std::uint32_t> Measuring::materialsIn(const scene::Scene& scene) const {
+    return last() ? materialsOf(scene, last()->object) : std::vector<std::uint32_t>();
+}
+
 std::optional<Span> Measuring::span() const {
     return m_first && m_second ? std::optional(spanBetween(*m_first, *m_second)) : std::nullopt;
 }

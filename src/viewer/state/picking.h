@@ -52,9 +52,13 @@ class Measuring {
   public:
     void click(const PickedPoint& point);
     void clear() { m_first.reset(), m_second.reset(); }
+    /// The materials of what was clicked on last; none where the scene has no such object.
+    std::vector<std::uint32_t> materialsIn(const scene::Scene& scene) const;
 
     const std::optional<PickedPoint>& first() const { return m_first; }
     const std::optional<PickedPoint>& second() const { return m_second; }
+    /// That was clicked on.
+    const std::optional<PickedPoint>& last() const { return m_second ? m_second : m_first; }
     std::optional<Span> span() const;
 
   private:

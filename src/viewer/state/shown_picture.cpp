@@ -20,7 +20,7 @@ image::ImageRgba8 shownPicture(const RenderResult* shown, double divider) {
     return picture;
 }
 
-std::string commandLinesOf(const PictureModel& picture, const scene::Camera& sceneCamera) {
+std::string commandLinesOf(const PictureModel& picture) {
     if (picture.shown == nullptr || picture.shown->sides.empty()) {
         return {};
     }
@@ -32,7 +32,7 @@ std::string commandLinesOf(const PictureModel& picture, const scene::Camera& sce
             .settings = shown.settings,
             .side = side,
             .camera = shown.camera,
-            .sceneCamera = sceneCamera,
+            .sceneCamera = shown.scene->setup.path.at(shown.frame),
             .extent = {shown.sides[side].options.width, shown.sides[side].options.height},
             .frame = shown.frame,
             .device = picture.device};

@@ -14,6 +14,6 @@ namespace cdr::viewer {
 image::ImageRgba8 shownPicture(const RenderResult* shown, double divider);
 
 /// The `cdr render` lines that draw what is shown, one for each picture, left first. Empty while nothing is.
-std::string commandLinesOf(const PictureModel& picture, const scene::Camera& sceneCamera);
+std::string commandLinesOf(const PictureModel& picture);
 
 } // namespace cdr::viewer

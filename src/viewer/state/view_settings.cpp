@@ -49,6 +49,11 @@ void chooseScene(ViewSettings& settings, std::string nameOrPath) {
     settings.layers.clear();
 }
 
+void chooseColours(ViewSettings& settings, scenes::Colours colours) {
+    settings.colours = colours;
+    settings.layers.clear();
+}
+
 std::optional<float> chosenLayer(const ViewSettings& settings, const scene::Scene& scene,
                                  std::uint32_t material) {
     const auto found =

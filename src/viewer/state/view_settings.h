@@ -63,6 +63,9 @@ struct ViewSettings {
 /// points stays, and so do a lamp or a sky from file to file. A file is read again, even if it is the one that is open.
 void chooseScene(ViewSettings& settings, std::string nameOrPath);
 
+/// Other colours. They come with materials of their own, so layers that were given to materials go.
+void chooseColours(ViewSettings& settings, scenes::Colours colours);
+
 /// The layer that the settings give a material; empty where it has the scene's own.
 std::optional<float> chosenLayer(const ViewSettings& settings, const scene::Scene& scene,
                                  std::uint32_t material);

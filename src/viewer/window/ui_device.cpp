@@ -3,7 +3,9 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/device_query.h>
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace cdr::viewer {
 
@@ -23,12 +25,14 @@ vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t family) {
     const vk::DeviceQueueCreateInfo queue{
         .queueFamilyIndex = family, .queueCount = 1, .pQueuePriorities = &kPriority};
     const vk::PhysicalDeviceVulkan13Features features{.synchronization2 = true, .dynamicRendering = true};
-    const char* extension = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
-    return physical.createDeviceUnique({.pNext = &features,
-                                        .queueCreateInfoCount = 1,
-                                        .pQueueCreateInfos = &queue,
-                                        .enabledExtensionCount = 1,
-                                        .ppEnabledExtensionNames = &extension});
+    std::vector<const char*> extensions = gpu::extensionsAskedFor(physical);
+    extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    return physical.createDeviceUnique(
+        {.pNext = &features,
+         .queueCreateInfoCount = 1,
+         .pQueueCreateInfos = &queue,
+         .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
+         .ppEnabledExtensionNames = extensions.data()});
 }
 
 } // namespace

@@ -47,6 +47,26 @@ TEST(MeshPose, BoundsHoldWhatRoundingsMove) {
     EXPECT_LE(boundingRadiusOf(pose), 1e4f);
 }
 
+/// A joint pushes its vertices away by them.
+TEST(MeshPose, BoundsHoldVerticesWithNegativeWeights) {
+    auto deformer = std::make_shared<Deformer>();
+    for (const glm::vec3& corner :
+         {glm::vec3(0.0f), glm::vec3(1.0f, 0.0f, 0.0f), glm::vec3(0.0f, 1.0f, 0.0f)}) {
+        deformer->vertices.push_back({.position = corner, .normal = {0.0f, 0.0f, 1.0f}});
+        deformer->firstInfluence.push_back(deformer->influences.size());
+        deformer->influences.push_back({.joint = 0, .weight = 3.0f});
+        deformer->influences.push_back({.joint = 1, .weight = -2.0f});
+    }
+    deformer->firstInfluence.push_back(deformer->influences.size());
+    finish(*deformer);
+    MeshPose pose{.deformer = deformer, .weights = {}, .joints = {}, .place = {}};
+    pose.joints = {glm::dmat4(1.0), glm::translate(glm::dmat4(1.0), glm::dvec3(10.0, 0.0, 0.0))};
+    pose.place = placeOf(*deformer, pose.joints);
+    const float least = boundingRadiusOf(test::deformedByCpu(pose).vertices);
+    EXPECT_GT(least, 20.0f);
+    EXPECT_LE(least, boundingRadiusOf(pose));
+}
+
 TEST(MeshPose, ANumberThatIsNoneBoundsNothing) {
     for (const DeformerKind& kind : test::deformerKinds()) {
         const auto deformer = test::makeDeformer(kind, 6);

@@ -5,6 +5,8 @@
 #include <cdr/image/levels.h>
 #include <cdr/scene/gltf/import.h>
 
+#include <random>
+
 namespace cdr::scene::test {
 namespace {
 
@@ -48,6 +50,32 @@ class GltfTextures : public GltfFolder {
         return cdr::test::inputErrorOf([&] { import(document, limits); }, "imported");
     }
 };
+
+/// Else a small file keeps the importer reading for hours.
+TEST_F(GltfTextures, ManyPicturesInOneBufferViewAreRefused) {
+    std::mt19937 random(1);
+    image::ImageRgba8 noise(64, 64);
+    for (image::Rgba8& pixel : noise.pixels) {
+        const auto bits = static_cast<std::uint32_t>(random());
+        pixel = {static_cast<std::uint8_t>(bits >> 24), static_cast<std::uint8_t>(bits >> 16),
+                 static_cast<std::uint8_t>(bits >> 8), 255};
+    }
+    for (const std::size_t count : {4u, 40u}) {
+        std::vector<Bytes> pictures(count, image::encodePng(picture(1, 1)));
+        pictures[0] = image::encodePng(noise);
+        Document document = with(pictures);
+        for (json& sharing : document.root["images"]) {
+            sharing["bufferView"] = document.root["images"][0]["bufferView"];
+        }
+        GltfLimits limits;
+        limits.maxFileBytes = document.glb().size();
+        const std::string said = refusalOf(document, limits);
+        const char* expected =
+            count == 4 ? "imported" : ": with it, pictures in buffer views are over the limit of bytes";
+        EXPECT_NE(said.find(expected), std::string::npos) << said;
+        EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+    }
+}
 
 TEST_F(GltfTextures, AreTheSameForAnyNumberOfThreads) {
     std::vector<Bytes> pictures;

@@ -4,8 +4,10 @@
 #include <viewer/state/camera/fly_controller.h>
 #include <viewer/state/camera/lens_zoom.h>
 #include <viewer/state/command_line.h>
+#include <viewer/state/shown_picture.h>
 
 #include <algorithm>
+#include <memory>
 #include <random>
 #include <sstream>
 
@@ -142,10 +144,36 @@ TEST(RenderCommand, SaysEverythingThatIsChosen) {
 
 TEST(RenderCommand, SaysTheFrameOfASceneThatMovesAndTheCameraThere) {
     ReproducedView view = viewWith(kOwn);
-    view.frame = 7; // where the scene's own camera is another one
+    view.frame = 7;
+    view.sceneCamera.position.x = 3.0;
     EXPECT_EQ(valueOf(renderCommand(view), "--frame"), "7");
     EXPECT_EQ(cameraIn(renderCommand(view)).position, kOwn.position);
     EXPECT_NE(valueOf(renderCommand(view), "--eye"), "");
+}
+
+/// `cdr render --frame 7` begins with the camera that the scene has there, whose lens may be another than at frame 0.
+TEST(RenderCommand, SaysTheLensThatTheScenesOwnHasNotAtThatFrame) {
+    auto scene = std::make_shared<scene::OpenedScene>();
+    scene->setup.path = {.frames = 10, .at = [](std::uint32_t frame) {
+                             scene::Camera camera = kOwn;
+                             camera.fovY = scene::radiansOf(60.0 - frame);
+                             camera.nearView = frame == 0 ? kOwn.nearView : 2.0 * kOwn.nearView;
+                             return camera;
+                         }};
+    RenderResult result{.scene = scene, .camera = kOwn, .frame = 7};
+    result.sides.emplace_back();
+    PictureModel picture;
+    picture.shown = std::make_shared<const RenderResult>(result);
+    const std::string held = commandLinesOf(picture);
+    EXPECT_EQ(cameraIn(held).fovY, kOwn.fovY) << held;
+    EXPECT_NE(valueOf(held, "--fov"), "") << held;
+    EXPECT_NE(valueOf(held, "--near"), "") << held;
+    EXPECT_EQ(valueOf(held, "--far"), "") << held;
+    result.camera = scene->setup.path.at(7);
+    picture.shown = std::make_shared<const RenderResult>(result);
+    const std::string followed = commandLinesOf(picture);
+    EXPECT_EQ(valueOf(followed, "--fov"), "") << followed;
+    EXPECT_EQ(valueOf(followed, "--near"), "") << followed;
 }
 
 TEST(RenderCommand, MapsViewsToOutputs) {

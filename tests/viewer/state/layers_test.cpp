@@ -31,6 +31,25 @@ TEST(LayerEdits, ListTheMaterialsOfAnObject) {
     EXPECT_TRUE(materialsOf(scene, 5).empty());
 }
 
+/// What is picked is an object. A scene opened anew may give it other materials, or have it no more.
+TEST(LayerEdits, ListTheMaterialsOfWhatIsPickedInEachScene) {
+    const scene::Scene scene = sceneOfObjects();
+    scene::Scene grey = scene;
+    grey.materials.resize(1);
+    grey.instances.material.assign(grey.instances.size(), 0);
+    Measuring measuring;
+    EXPECT_TRUE(measuring.materialsIn(scene).empty());
+    PickedPoint point;
+    point.object = 4;
+    measuring.click(point);
+    EXPECT_EQ(measuring.materialsIn(scene), (std::vector<std::uint32_t>{0}));
+    point.object = 9;
+    measuring.click(point);
+    EXPECT_EQ(measuring.materialsIn(scene), (std::vector<std::uint32_t>{1, 2}));
+    EXPECT_EQ(measuring.materialsIn(grey), (std::vector<std::uint32_t>{0}));
+    EXPECT_TRUE(measuring.materialsIn({}).empty());
+}
+
 TEST(LayerEdits, ChooseForOneMaterialAndClear) {
     const scene::Scene scene = sceneOfObjects();
     ViewSettings settings;
@@ -57,6 +76,16 @@ TEST(LayerEdits, StandBesideChoicesOfSeveralMaterials) {
     chooseLayer(settings, scene, 2, 3.0f);
     EXPECT_EQ(scenes::layersOf(scene, settings.layers), (std::vector<float>{0.0f, 1.0f, 3.0f}));
     clearLayer(settings, scene, 2);
+    EXPECT_TRUE(settings.layers.empty());
+}
+
+/// The grey scene has not the materials that a layer is of.
+TEST(LayerEdits, GoWithTheColoursThatTheyAreOf) {
+    ViewSettings settings;
+    settings.colours = scenes::Colours::bright;
+    settings.layers = {{"#3", 1.0f}};
+    chooseColours(settings, scenes::Colours::thesis);
+    EXPECT_EQ(settings.colours, scenes::Colours::thesis);
     EXPECT_TRUE(settings.layers.empty());
 }
 

@@ -116,11 +116,16 @@ void measureReaches(Deformer& deformer) {
     }
     measureJoints(deformer);
     deformer.weightError = 0.0;
+    deformer.weightSize = 0.0;
     for (std::size_t vertex = 0; vertex + 1 < deformer.firstInfluence.size(); ++vertex) {
         double sum = 0.0;
+        double size = 0.0;
         for (std::size_t i = deformer.firstInfluence[vertex]; i < deformer.firstInfluence[vertex + 1]; ++i) {
-            sum += static_cast<double>(deformer.influences[i].weight);
+            const auto weight = static_cast<double>(deformer.influences[i].weight);
+            sum += weight;
+            size += std::abs(weight);
         }
+        deformer.weightSize = largerOrNan(deformer.weightSize, size);
         deformer.weightError = largerOrNan(deformer.weightError, std::abs(sum - 1.0));
     }
 }

@@ -52,6 +52,7 @@ struct Deformer {
     std::vector<double> targetReach;      ///< how far each morph target moves a vertex at most
     std::vector<JointReach> jointReaches; ///< of joints that move vertices, ascending
     double weightError = 0.0;             ///< by how much the weights of a vertex miss a sum of one at most
+    double weightSize = 1.0; ///< what the weights of a vertex add up to at most, all taken as positive
 };
 
 /// Whether finish() takes it.

@@ -119,8 +119,8 @@ float boundingRadiusOf(const MeshPose& pose) {
                                               stretch * (glm::length(joint.centre) + joint.radius));
     }
     const double offByWeights = deformer.weightError * glm::length(pose.place.position);
-    return roundedUp((1.0 + deformer.weightError) * most * (1.0 + kRoundings) + offByWeights +
-                     kWorldRoundings * fromOrigin);
+    return roundedUp(deformer.weightSize * (most * (1.0 + kRoundings) + kWorldRoundings * fromOrigin) +
+                     offByWeights);
 }
 
 } // namespace cdr::scene

@@ -40,7 +40,8 @@ class CDR_EXPORT World {
   public:
     World() : World(Scene{}) {}
     /// Of another world's scene, what that removed is not there, and its places are free.
-    /// @throws base::InputError as requireUsable(scene).
+    /// @throws base::InputError as requireUsable(scene). So it may refuse the scene of a world with poses that the device draws (setPose):
+    ///         the bounds of its meshes are those of the poses, and its vertices are not.
     explicit World(Scene scene);
 
     /// As it is now.

@@ -19,6 +19,13 @@ void Playback::advance(double elapsed, double length) {
     seconds = isPlaying ? std::fmod(seconds, length) : length;
 }
 
+void Playback::toggle(double length) {
+    isPlaying = !isPlaying;
+    if (isPlaying && seconds >= length) {
+        seconds = 0.0;
+    }
+}
+
 double Playback::moment(const scene::GltfChoice& choice) const {
     return choice.seconds.value_or(0.0) + seconds;
 }

@@ -19,6 +19,9 @@ struct Playback {
     /// Goes on by so much time of the person at the window. Without a loop it stops at the end.
     /// @param length seconds that there are
     void advance(double elapsed, double length);
+    /// Plays or pauses. At the end it begins again.
+    /// @param length as for advance()
+    void toggle(double length);
 
     /// The animation's own time that is shown, seconds: frame 0 may be later than its beginning.
     double moment(const scene::GltfChoice& choice) const;

@@ -23,7 +23,7 @@ struct PictureModel {
     bool isWrongCurrent = false;   ///< of the picture that is shown
     bool seesNothing = false;      ///< no surface is in view
     Measuring measuring;
-    std::vector<std::uint32_t> pickedMaterials; ///< of the object that was clicked on last
+    std::vector<std::uint32_t> pickedMaterials; ///< in `shown`, of the object that was clicked on last
     std::optional<scene::Camera> clickedCamera; ///< of the picture that was clicked on last
     std::string device; ///< that draws, as `--device` names it; empty: the first that can
 };

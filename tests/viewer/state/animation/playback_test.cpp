@@ -56,6 +56,21 @@ TEST(Playback, LoopsOrStopsAtTheEnd) {
     EXPECT_FALSE(playback.isPlaying);
 }
 
+/// Else it would stop at once.
+TEST(Playback, BeginsAgainWhereItHasEnded) {
+    Playback playback{.isPlaying = true, .loops = false, .speed = 1.0, .seconds = 1.5};
+    playback.advance(1.0, 2.0);
+    playback.toggle(2.0);
+    EXPECT_TRUE(playback.isPlaying);
+    EXPECT_EQ(playback.seconds, 0.0);
+    playback.advance(0.5, 2.0);
+    playback.toggle(2.0);
+    EXPECT_FALSE(playback.isPlaying);
+    playback.toggle(2.0);
+    EXPECT_TRUE(playback.isPlaying);
+    EXPECT_EQ(playback.seconds, 0.5) << "a pause is no end";
+}
+
 /// The frame number and the rate say the moment that the copied command line shows.
 TEST(Playback, FramesNameTheMoment) {
     const scene::GltfChoice choice = withAnimation({}, twoAnimations(), 1);

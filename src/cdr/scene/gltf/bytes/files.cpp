@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How many times the limit of one file the external files of one glTF may take together.
+/// How many times the limit of one file the external files of one glTF may take together, and its pictures in buffers.
 constexpr std::uintmax_t kFilesInMemory = 4;
 
 /// Most bytes of a file that is not worth an open descriptor.
@@ -66,7 +66,8 @@ bool isInside(const fs::path& path, const fs::path& folder) {
 Files::Files(std::optional<fs::path> folder, const GltfLimits& limits)
     : m_folder(folder && folder->empty() ? fs::path(".") : std::move(folder)),
       m_maxFileBytes(limits.maxFileBytes),
-      m_bytesLeft(std::max(limits.maxFileBytes, limits.maxFileBytes * kFilesInMemory)) {}
+      m_bytesLeft(std::max(limits.maxFileBytes, limits.maxFileBytes * kFilesInMemory)),
+      m_viewBytesLeft(m_bytesLeft) {}
 
 ByteSource Files::openWithin(const std::string& uri, std::uintmax_t maxBytes) const {
     if (isDataUri(uri)) {
@@ -84,6 +85,13 @@ ByteSource Files::open(const std::string& uri) {
 
 platform::Bytes Files::readAgain(const std::string& uri) const {
     return openWithin(uri, m_maxFileBytes).read();
+}
+
+void Files::countInView(std::size_t bytes, const std::string& picture) {
+    if (bytes > m_viewBytesLeft) {
+        refuse("{}: with it, pictures in buffer views are over the limit of bytes", picture);
+    }
+    m_viewBytesLeft -= bytes;
 }
 
 fs::path Files::resolve(const std::string& uri) const {

@@ -29,6 +29,10 @@ class Files {
     /// The bytes of a URI that was opened, as they are now. They count no more. Threads may share this.
     platform::Bytes readAgain(const std::string& uri) const;
 
+    /// Counts a picture that is read out of a buffer view. Refuses it where all of them take too many bytes together: many may share
+    /// a view, and each is read in full.
+    void countInView(std::size_t bytes, const std::string& picture);
+
     /// The file that a URI names, which is no `data:` URI; refuses one outside the folder.
     std::filesystem::path resolve(const std::string& uri) const;
 
@@ -39,6 +43,7 @@ class Files {
     std::uintmax_t m_maxFileBytes;
     std::uintmax_t
         m_bytesLeft; ///< of all files together: one small file named a thousand times must not fill memory
+    std::uintmax_t m_viewBytesLeft; ///< the same for all pictures in buffer views
 };
 
 /// The bytes of a buffer view, all inside its buffer.

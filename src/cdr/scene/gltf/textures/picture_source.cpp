@@ -19,6 +19,7 @@ PictureSource readPictureSource(const Sources& sources, int image) {
     PictureSource source{.image = image, .name = oneLine(fullNameOf(json))};
     if (!uri) {
         source.inBuffer = sources.buffers.view(*bufferView).bytes;
+        sources.files.countInView(source.inBuffer->size(), source.label());
     }
     const platform::Bytes encoded = uri ? sources.files.open(*uri).read() : source.inBuffer->read();
     source.size = image::sizeOfEncoded(encoded, source.label());
