@@ -16,16 +16,11 @@ if(CDR_SANITIZE)
     target_link_options(cdr_compile_options INTERFACE -fsanitize=${CDR_SANITIZE})
 endif()
 
-# For what takes no part in a frame, such as the own files of programs. In a whole build they are compiled a third faster.
+# For what takes no part in a frame, such as the own files of programs, tests and benchmarks. In a whole build it is compiled
+# a third faster.
 add_library(cdr_quick_compile INTERFACE)
 if(CDR_UNITY_BUILD)
-    target_compile_options(cdr_quick_compile INTERFACE $<$<CONFIG:Release>:-O1>)
-endif()
-
-# For tests: what takes time in them is in libraries, and -Og is compiled faster still.
-add_library(cdr_test_compile INTERFACE)
-if(CDR_UNITY_BUILD)
-    target_compile_options(cdr_test_compile INTERFACE $<$<CONFIG:Release>:-Og>)
+    target_compile_options(cdr_quick_compile INTERFACE $<$<CONFIG:Release>:-Og>)
 endif()
 
 # cdr_batches(TARGET SOURCE...): with CDR_UNITY_BUILD the sources of a folder are compiled as one. Those of other folders may
@@ -121,7 +116,7 @@ function(cdr_test name)
     else()
         cdr_batches(${name} ${sources})
     endif()
-    target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main cdr_compile_options cdr_test_compile)
+    target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main cdr_compile_options cdr_quick_compile)
     target_compile_definitions(${name} PRIVATE
         CDR_ASSETS_DIR="${CDR_ASSETS_DIR}" CDR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     if(NOT TEST_OWN_HEADERS)
