@@ -288,6 +288,30 @@ TEST_F(FailedFrameTest, LightsThatFindNoRoomLeaveWhatSlotsRead) {
     EXPECT_GE(failures, 3u);
 }
 
+/// Descriptors are made for layers that were not drawn before.
+TEST_F(FailedFrameTest, LayersOfALensOutliveDescriptorsWithoutMemory) {
+    render::RenderOptions chosen = thumbnailOptions(depth::parseTechnique("reversed/at:5,7.5,15,30"));
+    chosen.targets = render::TargetsKind::layers;
+    chosen.focus = {.distance = 10.0, .aperture = 0.3};
+    const std::string wanted = hashOf(draw(m_scene, *m_onDevice, cameraAt(0.0), chosen));
+    for (const char* call : {"vkCreateDescriptorPool", "vkAllocateDescriptorSets"}) {
+        std::size_t failures = 0;
+        for (bool hasFailed = true; hasFailed; failures += hasFailed ? 1 : 0) {
+            render::Renderer renderer(device(), m_scene, *m_onDevice, chosen);
+            {
+                const FailingCall failing(call, failures);
+                try {
+                    renderer.draw(cameraAt(0.0));
+                } catch (const std::exception&) {
+                }
+                hasFailed = FailingCall::hasFailed();
+            }
+            EXPECT_EQ(hashOf(renderer.render(cameraAt(0.0))), wanted) << call << " " << failures;
+        }
+        EXPECT_GE(failures, 3u) << call; // for merging, composing and lighting a layer
+    }
+}
+
 } // namespace
 
 } // namespace cdr::render_test
