@@ -53,6 +53,8 @@ class TranslucentPass {
     void prepareAgain(Slot& slot, const FrameView& view, platform::WorkerPool& workers) const;
     /// After shading; the lit image stays a colour attachment.
     void record(vk::CommandBuffer primary, Slot& slot) const;
+    /// What the frame is drawn with, known before it runs; settle() adds its fragments.
+    TranslucencyStats decided(const Slot& slot) const;
     /// After the frame ran. False when its fragments found no room; draw it again.
     bool settle(Slot& slot, TranslucencyStats& stats);
 
