@@ -1,6 +1,7 @@
 #include "failed_edits.h"
 
 #include <cdr/render/views/views_renderer.h>
+#include <scenes/sheets.h>
 
 #include <array>
 #include <functional>
@@ -58,6 +59,15 @@ class FailedFrameTest : public RenderTest {
         render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored/ratio:1.5"));
         options.motion = true;
         return options;
+    }
+
+    void addPanes() {
+        m_scene.meshes.push_back(scenes::makeSquare(100.0f));
+        m_scene.materials.push_back(
+            {.name = "glass", .baseColorFactor = glm::vec4(0.5f), .alphaMode = scene::AlphaMode::blend});
+        for (std::uint32_t pane = 0; pane < 3; ++pane) {
+            scene::addInstance(m_scene, 1, 1, 1 + pane, {0.0, 0.0, -2.0 - 0.5 * pane}, glm::mat3(1.0f));
+        }
     }
 
     static void expectSame(const render::Surfaces& now, const render::Surfaces& before) {
@@ -127,6 +137,31 @@ TEST_F(FailedFrameTest, AFittedSplitKeepsToTheLastFrame) {
     ASSERT_EQ(renderer.render(cameraBehind(0.0)).anchorsView, first.anchorsView);
     expectFailure("vkQueueSubmit2", [&] { renderer.draw(cameraBehind(30.0)); });
     EXPECT_EQ(renderer.render(cameraBehind(0.001)).anchorsView, first.anchorsView);
+}
+
+/// Three panes over all of the picture find no room in its lists, nor does the device have more.
+TEST_F(FailedFrameTest, WhatIsNotSettledLeavesNoMotion) {
+    addPanes();
+    const render::GpuScene onDevice(device(), m_scene);
+    render::RenderOptions chosen = withSorting(thumbnailOptions(depth::parseTechnique("reversed")));
+    chosen.motion = true;
+    const scene::Camera next = cameraAt(0.3);
+    const render::Frame wanted = draw(m_scene, onDevice, next, chosen);
+    render::Renderer renderer(device(), m_scene, onDevice, chosen);
+    renderer.draw(cameraBehind(500.0));
+    expectFailure("vkCreateBuffer", [&] { renderer.draw(cameraAt(0.0)); });
+    EXPECT_EQ(renderer.lastStats().translucency.fragments, 3u * 96 * 54); // it was submitted
+    const render::Frame frame = renderer.render(next);
+    EXPECT_EQ(frame.motion, wanted.motion);
+    EXPECT_EQ(hashOf(frame), hashOf(wanted));
+
+    render::ViewsRenderer views(device(), m_scene, onDevice, chosen, 2);
+    views.draw(std::array{cameraBehind(500.0), cameraBehind(500.0)});
+    expectFailure("vkCreateBuffer", [&] { views.draw(std::array{cameraAt(0.0), cameraAt(0.0)}); });
+    for (const render::Frame& each : views.render(std::array{next, next})) {
+        EXPECT_EQ(each.motion, wanted.motion);
+        EXPECT_EQ(hashOf(each), hashOf(wanted));
+    }
 }
 
 TEST_F(FailedFrameTest, RefusedViewsLeaveTheLastOnes) {

@@ -157,7 +157,12 @@ bool FrameRunner::hasRoomSufficed(FrameSlot& slot) const {
 }
 
 void FrameRunner::waitFor(FrameSlot& slot) {
-    settle(slot);
+    try {
+        settle(slot);
+    } catch (...) {
+        m_decider.forgetFrames(); // nobody gets this one, so nothing is measured from it
+        throw;
+    }
     const auto done = platform::Trace::Clock::now();
     slot.stats.times.executeMs = platform::millisecondsBetween(slot.submitted, done);
     if (options().trace != nullptr) {

@@ -56,7 +56,7 @@ class FrameRunner {
 
     /// Waits for the frame of a slot. Draws it again where its lists had no room and nothing came after it.
     void settle(FrameSlot& slot);
-    /// The same, and notes when it was done.
+    /// The same, and notes when it was done. Where it throws, the next frame is decided as a first one.
     void waitFor(FrameSlot& slot);
     /// Settles all frames, in the order in which they were submitted.
     void finish();

@@ -213,12 +213,22 @@ void ViewsRenderer::launchTogether(Cameras cameras, std::span<Delivery> deliveri
     }
 }
 
+const FrameSlot& ViewsRenderer::waitFor(FrameRunner& view) {
+    FrameSlot& slot = *view.slots().last();
+    try {
+        view.waitFor(slot);
+    } catch (...) {
+        forgetFrames(); // of all views: they go on from one frame
+        throw;
+    }
+    return slot;
+}
+
 std::vector<Frame> ViewsRenderer::render(Cameras cameras, FrameCopy copy) {
     launch(cameras, {.destination = destinationOf(copy), .awaited = Awaited::yes});
     std::vector<Frame> frames;
     for (const auto& view : m_views) {
-        FrameSlot& slot = *view->slots().last();
-        view->waitFor(slot);
+        const FrameSlot& slot = waitFor(*view);
         frames.push_back(fetch(view->passes(), slot));
     }
     return frames;
@@ -228,9 +238,7 @@ std::vector<FrameStats> ViewsRenderer::draw(Cameras cameras) {
     launch(cameras, {.awaited = Awaited::yes});
     std::vector<FrameStats> stats;
     for (const auto& view : m_views) {
-        FrameSlot& slot = *view->slots().last();
-        view->waitFor(slot);
-        stats.push_back(slot.stats);
+        stats.push_back(waitFor(*view).stats);
     }
     return stats;
 }

@@ -102,6 +102,8 @@ class CDR_EXPORT ViewsRenderer {
     void launchTogether(Cameras cameras, std::span<Delivery> deliveries);
     /// One view after the other.
     void launchInTurn(Cameras cameras, std::span<const Delivery> deliveries);
+    /// For the last frame of a view. Where it throws, the next frame of all views is rendered as a first one is.
+    const FrameSlot& waitFor(FrameRunner& view);
     /// Not where each view is timed alone, or has a host's command buffer of its own.
     bool mayBeTogether(const Launch& how) const;
 
