@@ -59,7 +59,8 @@ void FrameDecider::decideAgain(FrameSlot& slot) {
     }
     if (slot.inputs->translucent) {
         const TranslucentPass& pass = *m_equipment.passes().translucent;
-        pass.prepareAgain(*slot.inputs->translucent, slot.view, m_workers);
+        pass.prepareAgain(*slot.inputs->translucent, slot.view, subPixelBits(m_device, m_equipment.options()),
+                          m_workers);
         slot.stats.translucency = pass.decided(*slot.inputs->translucent);
     }
 }

@@ -91,16 +91,17 @@ void TranslucentPass::prepare(Slot& slot, const FrameView& view, AfterRefusal af
     if (methodOf(slot) == Translucency::sorted && slot.list->capacity() == 0) {
         slot.refusal = slot.list->grow(1);
     }
-    slot.draws.prepare(view, methodOf(slot), workers);
+    slot.draws.prepare(view, methodOf(slot), subPixelBits, workers);
     if (slot.shadows) {
         slot.shadows->prepare(view, slot.draws.visible(), subPixelBits, workers);
         slot.shadows->bind(slot.surroundings, kShadowBinding, *m_sampler);
     }
 }
 
-void TranslucentPass::prepareAgain(Slot& slot, const FrameView& view, platform::WorkerPool& workers) const {
+void TranslucentPass::prepareAgain(Slot& slot, const FrameView& view, std::uint32_t subPixelBits,
+                                   platform::WorkerPool& workers) const {
     if (methodOf(slot) != m_options.method) {
-        slot.draws.prepare(view, methodOf(slot), workers);
+        slot.draws.prepare(view, methodOf(slot), subPixelBits, workers);
     }
 }
 
