@@ -216,6 +216,31 @@ TEST_F(FailedFrameTest, ASizeThatIsNotMadeLeavesTheLastFrame) {
     EXPECT_EQ(hashOf(renderer.render(cameraAt(1.0))), hashOf(draw(m_scene, cameraAt(1.0), options())));
 }
 
+/// A size that some views have and others have not would be none that can be drawn.
+TEST_F(FailedFrameTest, ASizeThatIsNotMadeOfAllViewsLeavesTheLastFrames) {
+    render::ViewsRenderer renderer(device(), m_scene, *m_onDevice, options(), 2);
+    const std::array cameras{cameraAt(0.0), cameraAt(0.2)};
+    renderer.draw(cameras);
+    const std::array last{renderer.surfaces(0), renderer.surfaces(1)};
+    std::size_t failures = 0;
+    for (bool hasFailed = true; hasFailed; failures += hasFailed ? 1 : 0) {
+        const FailingCall failing("vkCreateFence", failures);
+        try {
+            renderer.resize(32, 32);
+        } catch (const std::exception&) {
+        }
+        hasFailed = FailingCall::hasFailed();
+        if (hasFailed) {
+            EXPECT_EQ(renderer.options(), options());
+            expectSame(renderer.surfaces(0), last[0]);
+            expectSame(renderer.surfaces(1), last[1]);
+        }
+    }
+    EXPECT_GE(failures, 2u); // of each view
+    EXPECT_EQ(renderer.options().width, 32u);
+    EXPECT_EQ(renderer.render(cameras)[1].width(), 32u);
+}
+
 /// However far it came: once the mesh is gone that had no room, or there is room for it, all others are there.
 /// A fitted split keeps to the last frame that was drawn.
 TEST_F(FailedFrameTest, AFrameThatIsRefusedDoesNotMoveFittedCascades) {

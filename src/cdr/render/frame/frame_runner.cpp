@@ -73,10 +73,10 @@ void FrameRunner::dropRecorded() {
     }
 }
 
-void FrameRunner::resize(std::uint32_t width, std::uint32_t height) {
+FrameEquipment::Made FrameRunner::resized(std::uint32_t width, std::uint32_t height) {
     finish();
     followScene(); // paths that are made anew look at the scene as it is
-    m_equipment.resize(width, height);
+    return m_equipment.resized(width, height);
 }
 
 void FrameRunner::followScene() {

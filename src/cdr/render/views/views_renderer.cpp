@@ -302,19 +302,12 @@ Surfaces ViewsRenderer::surfaces(std::size_t view) const {
 
 void ViewsRenderer::resize(std::uint32_t width, std::uint32_t height) {
     finish();
-    const std::uint32_t widthBefore = options().width;
-    const std::uint32_t heightBefore = options().height;
-    std::size_t resized = 0;
-    try {
-        for (const auto& view : m_views) {
-            view->resize(width, height);
-            ++resized;
-        }
-    } catch (...) {
-        for (std::size_t view = 0; view < resized; ++view) {
-            m_views[view]->resize(widthBefore, heightBefore);
-        }
-        throw;
+    std::vector<FrameEquipment::Made> made; // of all views first, since this may throw
+    for (const auto& view : m_views) {
+        made.push_back(view->resized(width, height));
+    }
+    for (std::size_t view = 0; view < made.size(); ++view) {
+        m_views[view]->take(std::move(made[view]));
     }
     m_split->forget();
 }

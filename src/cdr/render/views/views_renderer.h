@@ -79,8 +79,8 @@ class CDR_EXPORT ViewsRenderer {
     Surfaces surfaces(std::size_t view) const;
     /// Makes pictures of another size, as Renderer::resize().
     /// @param width of each in pixels. @param height the same.
-    /// @errors base::InputError, base::RunError and std::system_error as the constructor. Where one is thrown after some
-    ///         views have changed, those are changed back.
+    /// @errors base::InputError, base::RunError and std::system_error as the constructor; all sizes are then as they were.
+    ///         Until none is thrown, the device holds the images of both sizes.
     void resize(std::uint32_t width, std::uint32_t height);
 
     /// How many cameras look.
