@@ -34,9 +34,8 @@ struct TranslucentPush {
     uint width;        // of the picture
     uint capacity;     // of the fragment list, in fragments
     float layerOffset; // scene::Material::layer
-    float
-        layerSlope; // render::LayerPlace::rank, times the pixels by which the device rounds two vertices apart
-    float lensX;    // as CascadePush has them
+    float layerSlope;  // render::LayerPlace::rank, times the pixels by which two vertices are rounded apart
+    float lensX;       // as CascadePush has them
     float lensY;
 };
 

@@ -1,6 +1,7 @@
 #include "failed_edits.h"
 
 #include <cdr/render/views/views_renderer.h>
+#include <scenes/sheets.h>
 
 #include <array>
 #include <functional>
@@ -58,6 +59,15 @@ class FailedFrameTest : public RenderTest {
         render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored/ratio:1.5"));
         options.motion = true;
         return options;
+    }
+
+    void addPanes() {
+        m_scene.meshes.push_back(scenes::makeSquare(100.0f));
+        m_scene.materials.push_back(
+            {.name = "glass", .baseColorFactor = glm::vec4(0.5f), .alphaMode = scene::AlphaMode::blend});
+        for (std::uint32_t pane = 0; pane < 3; ++pane) {
+            scene::addInstance(m_scene, 1, 1, 1 + pane, {0.0, 0.0, -2.0 - 0.5 * pane}, glm::mat3(1.0f));
+        }
     }
 
     static void expectSame(const render::Surfaces& now, const render::Surfaces& before) {
@@ -129,6 +139,31 @@ TEST_F(FailedFrameTest, AFittedSplitKeepsToTheLastFrame) {
     EXPECT_EQ(renderer.render(cameraBehind(0.001)).anchorsView, first.anchorsView);
 }
 
+/// Three panes over all of the picture find no room in its lists, nor does the device have more.
+TEST_F(FailedFrameTest, WhatIsNotSettledLeavesNoMotion) {
+    addPanes();
+    const render::GpuScene onDevice(device(), m_scene);
+    render::RenderOptions chosen = withSorting(thumbnailOptions(depth::parseTechnique("reversed")));
+    chosen.motion = true;
+    const scene::Camera next = cameraAt(0.3);
+    const render::Frame wanted = draw(m_scene, onDevice, next, chosen);
+    render::Renderer renderer(device(), m_scene, onDevice, chosen);
+    renderer.draw(cameraBehind(500.0));
+    expectFailure("vkCreateBuffer", [&] { renderer.draw(cameraAt(0.0)); });
+    EXPECT_EQ(renderer.lastStats().translucency.fragments, 3u * 96 * 54); // it was submitted
+    const render::Frame frame = renderer.render(next);
+    EXPECT_EQ(frame.motion, wanted.motion);
+    EXPECT_EQ(hashOf(frame), hashOf(wanted));
+
+    render::ViewsRenderer views(device(), m_scene, onDevice, chosen, 2);
+    views.draw(std::array{cameraBehind(500.0), cameraBehind(500.0)});
+    expectFailure("vkCreateBuffer", [&] { views.draw(std::array{cameraAt(0.0), cameraAt(0.0)}); });
+    for (const render::Frame& each : views.render(std::array{next, next})) {
+        EXPECT_EQ(each.motion, wanted.motion);
+        EXPECT_EQ(hashOf(each), hashOf(wanted));
+    }
+}
+
 TEST_F(FailedFrameTest, RefusedViewsLeaveTheLastOnes) {
     for (const bool deviceClock : {false, true}) { // views are drawn together, and in turn
         render::RenderOptions chosen = options();
@@ -179,6 +214,31 @@ TEST_F(FailedFrameTest, ASizeThatIsNotMadeLeavesTheLastFrame) {
     EXPECT_EQ(renderer.options(), options());
     expectSame(renderer.surfaces(), last);
     EXPECT_EQ(hashOf(renderer.render(cameraAt(1.0))), hashOf(draw(m_scene, cameraAt(1.0), options())));
+}
+
+/// A size that some views have and others have not would be none that can be drawn.
+TEST_F(FailedFrameTest, ASizeThatIsNotMadeOfAllViewsLeavesTheLastFrames) {
+    render::ViewsRenderer renderer(device(), m_scene, *m_onDevice, options(), 2);
+    const std::array cameras{cameraAt(0.0), cameraAt(0.2)};
+    renderer.draw(cameras);
+    const std::array last{renderer.surfaces(0), renderer.surfaces(1)};
+    std::size_t failures = 0;
+    for (bool hasFailed = true; hasFailed; failures += hasFailed ? 1 : 0) {
+        const FailingCall failing("vkCreateFence", failures);
+        try {
+            renderer.resize(32, 32);
+        } catch (const std::exception&) {
+        }
+        hasFailed = FailingCall::hasFailed();
+        if (hasFailed) {
+            EXPECT_EQ(renderer.options(), options());
+            expectSame(renderer.surfaces(0), last[0]);
+            expectSame(renderer.surfaces(1), last[1]);
+        }
+    }
+    EXPECT_GE(failures, 2u); // of each view
+    EXPECT_EQ(renderer.options().width, 32u);
+    EXPECT_EQ(renderer.render(cameras)[1].width(), 32u);
 }
 
 /// However far it came: once the mesh is gone that had no room, or there is room for it, all others are there.
@@ -286,6 +346,30 @@ TEST_F(FailedFrameTest, LightsThatFindNoRoomLeaveWhatSlotsRead) {
         EXPECT_EQ(hashOf(renderer.render(camera)), wanted) << "buffer " << failures;
     }
     EXPECT_GE(failures, 3u);
+}
+
+/// Descriptors are made for layers that were not drawn before.
+TEST_F(FailedFrameTest, LayersOfALensOutliveDescriptorsWithoutMemory) {
+    render::RenderOptions chosen = thumbnailOptions(depth::parseTechnique("reversed/at:5,7.5,15,30"));
+    chosen.targets = render::TargetsKind::layers;
+    chosen.focus = {.distance = 10.0, .aperture = 0.3};
+    const std::string wanted = hashOf(draw(m_scene, *m_onDevice, cameraAt(0.0), chosen));
+    for (const char* call : {"vkCreateDescriptorPool", "vkAllocateDescriptorSets"}) {
+        std::size_t failures = 0;
+        for (bool hasFailed = true; hasFailed; failures += hasFailed ? 1 : 0) {
+            render::Renderer renderer(device(), m_scene, *m_onDevice, chosen);
+            {
+                const FailingCall failing(call, failures);
+                try {
+                    renderer.draw(cameraAt(0.0));
+                } catch (const std::exception&) {
+                }
+                hasFailed = FailingCall::hasFailed();
+            }
+            EXPECT_EQ(hashOf(renderer.render(cameraAt(0.0))), wanted) << call << " " << failures;
+        }
+        EXPECT_GE(failures, 3u) << call; // for merging, composing and lighting a layer
+    }
 }
 
 } // namespace

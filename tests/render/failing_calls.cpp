@@ -30,7 +30,9 @@ WantedFailure& wantedFailure() {
     return only;
 }
 
+constexpr char kAllocateDescriptorSets[] = "vkAllocateDescriptorSets";
 constexpr char kCreateBuffer[] = "vkCreateBuffer";
+constexpr char kCreateDescriptorPool[] = "vkCreateDescriptorPool";
 constexpr char kCreateFence[] = "vkCreateFence";
 constexpr char kCreateSampler[] = "vkCreateSampler";
 constexpr char kQueueSubmit2[] = "vkQueueSubmit2";
@@ -61,8 +63,14 @@ struct Failable<name, VkResult(VKAPI_PTR*)(Parameters...)> {
 
 /// The same for any of them; what was found itself where the name is another's.
 PFN_vkVoidFunction failableOf(std::string_view name, PFN_vkVoidFunction found) {
+    if (name == kAllocateDescriptorSets) {
+        return Failable<kAllocateDescriptorSets, PFN_vkAllocateDescriptorSets>::standIn(found);
+    }
     if (name == kCreateBuffer) {
         return Failable<kCreateBuffer, PFN_vkCreateBuffer>::standIn(found);
+    }
+    if (name == kCreateDescriptorPool) {
+        return Failable<kCreateDescriptorPool, PFN_vkCreateDescriptorPool>::standIn(found);
     }
     if (name == kCreateFence) {
         return Failable<kCreateFence, PFN_vkCreateFence>::standIn(found);

@@ -13,7 +13,8 @@ namespace cdr::render_test {
 /// of these calls meanwhile.
 class FailingCall {
   public:
-    /// @param name vkCreateBuffer, vkCreateFence, vkCreateSampler, vkQueueSubmit2 or vkGetQueryPoolResults
+    /// @param name vkAllocateDescriptorSets, vkCreateBuffer, vkCreateDescriptorPool, vkCreateFence, vkCreateSampler,
+    ///             vkQueueSubmit2 or vkGetQueryPoolResults
     /// @param after calls that succeed first
     explicit FailingCall(std::string_view name, std::size_t after = 0);
     ~FailingCall();

@@ -10,6 +10,7 @@
 #include <cdr/render/output/readback.h>
 #include <cdr/render/views/views_renderer.h>
 #include <scenes/cubes.h>
+#include <scenes/sheets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,6 +83,28 @@ TEST_F(FrameTest, TellsWhatFramesCameToThatAreNotCopied) {
         EXPECT_EQ(renderer.lastStats().times.executeMs, 0.0);
         renderer.resize(64, 64);
         EXPECT_EQ(renderer.lastStats().draws, 0u);
+    }
+}
+
+TEST_F(FrameTest, TellsHowSurfacesBlendBeforeTheyAreDrawn) {
+    const scene::SceneSetup setup = scenes::makeSheets(2013);
+    const render::GpuScene onDevice(device(), setup.scene);
+    render::RenderOptions options = withSorting(thumbnailOptions(depth::parseTechnique("reversed")));
+    for (const bool hasRoom : {true, false}) {
+        options.translucency.maxBytes = hasRoom ? options.translucency.maxBytes : 1000;
+        render::Renderer renderer(device(), setup.scene, onDevice, options);
+        renderer.submit(setup.path.at(0));
+        const render::TranslucencyStats begun = renderer.lastStats().translucency;
+        EXPECT_EQ(begun.method, hasRoom ? render::Translucency::sorted : render::Translucency::weighted);
+        EXPECT_EQ(begun.refusal.has_value(), !hasRoom);
+        EXPECT_GT(begun.draws, 0u);
+        EXPECT_GT(begun.bytes, 0u);
+        renderer.finish();
+        const render::TranslucencyStats done = renderer.lastStats().translucency;
+        EXPECT_EQ(done.method, begun.method);
+        EXPECT_EQ(done.refusal, begun.refusal);
+        EXPECT_EQ(done.draws, begun.draws);
+        EXPECT_EQ(done.fragments > 0, hasRoom);
     }
 }
 

@@ -62,7 +62,7 @@ FrameStats Renderer::lastStats() const {
 }
 
 void Renderer::resize(std::uint32_t width, std::uint32_t height) {
-    m_frames->resize(width, height);
+    m_frames->take(m_frames->resized(width, height));
 }
 
 const RenderOptions& Renderer::options() const {

@@ -7,6 +7,7 @@
 #include <scenes/coplanar.h>
 #include <scenes/sheets.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -106,6 +107,58 @@ TEST_F(LayersTest, HoldWhereVerticesAreRoundedToSubPixels) {
         const measure::WrongPixels wrong = wrongOver(setup.scene, options);
         EXPECT_LT(wrong.fraction(), 1e-4 + mostWrong())
             << bits; // slivers that rounding moves over a pixel's centre
+    }
+}
+
+/// Walls that are seen at 20 degrees, each with a blended decal in its plane.
+scene::Scene blendedDecals() {
+    scene::Scene scene = boxScene();
+    scene.meshes.push_back(scenes::makeSquare(1.5f));
+    scene.meshes.push_back(scenes::makeSquare(0.75f));
+    scene.materials.push_back({.name = "decal",
+                               .baseColorFactor = glm::vec4(0.5f),
+                               .alphaMode = scene::AlphaMode::blend,
+                               .layer = 1e-3f});
+    for (std::uint32_t i = 0; i < 10; ++i) {
+        const glm::dvec3 place(-5.03 + 2.51 * (i % 5), i < 5 ? -2.02 : 1.97, -8.0);
+        const auto angle = static_cast<float>(std::atan2(-place.x, -place.z) + 1.22);
+        const float along = std::cos(angle);
+        const float across = std::sin(angle);
+        const glm::mat3 turned(along, 0.0f, -across, 0.0f, 1.0f, 0.0f, across, 0.0f, along);
+        scene::addInstance(scene, 1, 0, 2 * i, place, turned);
+        scene::addInstance(scene, 2, 1, 2 * i + 1, place, turned);
+    }
+    return scene;
+}
+
+/// What the walls are moved by, decals are moved by more.
+TEST_F(LayersTest, HoldOfBlendedSurfacesWhereVerticesAreRoundedToSubPixels) {
+    const scene::Scene scene = blendedDecals();
+    const scene::Camera camera;
+    render::RenderOptions options = optionsFor(depth::parseTechnique("anchored"));
+    options.translucency.countsFragments = true;
+    const measure::LayeredTruth truth =
+        measure::castLayers(scene, camera, options.width, options.height, m_workers);
+    const auto isInner = [&](std::uint32_t x, std::uint32_t y) {
+        bool isAllDecal = true;
+        for (std::uint32_t i = 0; i < 9; ++i) {
+            isAllDecal = isAllDecal && truth.at(x - 1 + i % 3, y - 1 + i / 3).fragments == 1;
+        }
+        return isAllDecal;
+    };
+    for (const std::uint32_t bits : {1u, 2u, 4u}) {
+        options.snapBits = bits;
+        const render::Frame frame = draw(scene, camera, options);
+        std::size_t inner = 0;
+        std::size_t hidden = 0;
+        for (std::uint32_t y = 1; y + 1 < options.height; ++y) {
+            for (std::uint32_t x = 1; x + 1 < options.width; ++x) {
+                inner += isInner(x, y) ? 1 : 0;
+                hidden += isInner(x, y) && frame.fragmentCounts.at(x, y) != 1 ? 1 : 0;
+            }
+        }
+        EXPECT_GT(inner, 500u);
+        EXPECT_EQ(hidden, 0u) << bits;
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -312,6 +313,20 @@ TEST_F(LightViewTest, WhatStandsBeforeNoReceiverIsNoCaster) {
         const glm::dvec3 receiver(6.0, 0.0, -20.0);
         EXPECT_TRUE(isCasterAt(glm::mix(receiver, light, 2.0 / light.y)));
     }
+}
+
+/// Its middle would be nan, which is in no cell.
+TEST_F(LightViewTest, ACellWithoutInstancesHoldsNoCaster) {
+    add({0.0, 0.0, -20.0}, 1.0f);
+    const ReceiverSlice slice = slices().front();
+    const LightView view = viewsOf({1e9, 2e9, -1e9}, slice).front();
+    const render::ReceiverCells receivers(view, slice, m_camera.position);
+    const render::CasterTest test(view, receivers);
+    constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+    visibility::InstanceCells::Box box{glm::dvec3(kUnbounded), glm::dvec3(-kUnbounded)};
+    EXPECT_FALSE(test.holds(box));
+    box = {m_camera.position - 100.0, m_camera.position + 100.0};
+    EXPECT_TRUE(test.holds(box));
 }
 
 /// The half of a large sphere that the camera does not see needs no shadow.

@@ -52,11 +52,28 @@ TEST_F(FragmentRoomTest, FramesThatOverlapAreDrawnWeightedWhereListsMayNotGrow) 
             host.submit(renderer, {}, host.begin());
             const bool isKnown = frame >= static_cast<int>(inFlight);
             EXPECT_EQ(host.color<image::Rgba8>() == weighted, isKnown) << frame << " of " << inFlight;
+            const render::TranslucencyStats told = renderer.lastStats().translucency;
+            EXPECT_EQ(told.method, isKnown ? Translucency::weighted : Translucency::sorted) << frame;
+            EXPECT_EQ(told.refusal.has_value(), isKnown) << frame;
         }
         // One that is waited for can be drawn again, so it is sorted where its fragments fit.
         EXPECT_EQ(renderer.draw(behind()).translucency.method, Translucency::sorted);
         EXPECT_EQ(renderer.draw({}).translucency.method, Translucency::weighted);
     }
+}
+
+TEST_F(FragmentRoomTest, RecordedFramesTellOfFragmentsThatFoundNoRoom) {
+    const scene::Scene scene = panes(3);
+    HostSide host(device(), {192, 108});
+    SoleRenderer renderer(device(), scene, sorted());
+    host.submit(renderer, {}, host.begin());
+    const std::uint64_t bytes = renderer.lastStats().translucency.bytes;
+    renderer.finish();
+    const render::TranslucencyStats told = renderer.lastStats().translucency;
+    EXPECT_EQ(told.method, Translucency::sorted);
+    EXPECT_EQ(told.draws, 3u);
+    EXPECT_EQ(told.fragments, 3u * 192 * 108);
+    EXPECT_GT(told.bytes, bytes); // the next frame finds room
 }
 
 /// A counter that went on to 2^32 would begin anew there, and the frame would seem to have found room.

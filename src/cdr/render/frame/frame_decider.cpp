@@ -58,7 +58,10 @@ void FrameDecider::decideAgain(FrameSlot& slot) {
         cull(slot.view); // by now the list may be a later frame's
     }
     if (slot.inputs->translucent) {
-        m_equipment.passes().translucent->prepareAgain(*slot.inputs->translucent, slot.view, m_workers);
+        const TranslucentPass& pass = *m_equipment.passes().translucent;
+        pass.prepareAgain(*slot.inputs->translucent, slot.view, subPixelBits(m_device, m_equipment.options()),
+                          m_workers);
+        slot.stats.translucency = pass.decided(*slot.inputs->translucent);
     }
 }
 
@@ -116,10 +119,11 @@ void FrameDecider::decideMotion(FrameSlot& slot) {
 void FrameDecider::decideTranslucent(FrameSlot& slot, const Delivery& delivery) {
     using AfterRefusal = TranslucentPass::AfterRefusal;
     TranslucentPass::Slot& translucent = *slot.inputs->translucent;
-    m_equipment.passes().translucent->prepare(translucent, slot.view,
-                                              delivery.awaited == Awaited::yes ? AfterRefusal::sorted
-                                                                               : AfterRefusal::weighted,
-                                              subPixelBits(m_device, m_equipment.options()), m_workers);
+    const TranslucentPass& pass = *m_equipment.passes().translucent;
+    pass.prepare(translucent, slot.view,
+                 delivery.awaited == Awaited::yes ? AfterRefusal::sorted : AfterRefusal::weighted,
+                 subPixelBits(m_device, m_equipment.options()), m_workers);
+    slot.stats.translucency = pass.decided(translucent);
     if (translucent.shadows) {
         slot.stats.shadows.maps += translucent.shadows->maps();
         slot.stats.shadows.casters += translucent.shadows->casters();

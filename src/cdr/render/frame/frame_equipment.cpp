@@ -3,6 +3,7 @@
 #include <cdr/render/renderer_setup.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace cdr::render {
 
@@ -28,11 +29,11 @@ FrameEquipment::FrameEquipment(const gpu::Device& device, const DrawnScene& draw
     m_slots = makeSlots(options, *m_paths, *m_passes);
 }
 
-void FrameEquipment::resize(std::uint32_t width, std::uint32_t height) {
+FrameEquipment::Made FrameEquipment::resized(std::uint32_t width, std::uint32_t height) const {
     RenderOptions resized = m_options;
     resized.width = width;
     resized.height = height;
-    remake(m_needs, resized);
+    return make(m_needs, resized);
 }
 
 void FrameEquipment::giveLightRoom(std::size_t lights) {
@@ -40,24 +41,28 @@ void FrameEquipment::giveLightRoom(std::size_t lights) {
     m_slots->giveLightRoom(*m_passes, std::min(lights + lights / 2, most));
 }
 
-void FrameEquipment::remake(const SceneNeeds& needs, const RenderOptions& options) {
+FrameEquipment::Made FrameEquipment::make(const SceneNeeds& needs, const RenderOptions& options) const {
     const bool snapsAnew = snapsVertices(options) && options != m_options;
     const bool keepsOther =
         needs.metallicRoughness != m_needs.metallicRoughness || needs.emission != m_needs.emission;
-    std::unique_ptr<DrawPathFactory> paths;
+    Made made{.needs = needs, .options = options, .paths = nullptr, .passes = nullptr, .slots = nullptr};
     if (keepsOther || snapsAnew) {
-        paths = makePaths(needs, options);
+        made.paths = makePaths(needs, options);
     }
-    const DrawPathFactory& used = paths != nullptr ? *paths : *m_paths;
-    auto passes = std::make_unique<FramePasses>(m_device, m_drawn, options, needs, used, m_workers);
-    auto slots = makeSlots(options, used, *passes);
-    // Nothing below throws. What was there before ends with this function: slots first, since they refer to the rest.
-    m_needs = needs;
-    m_options = options;
-    m_slots.swap(slots);
-    m_passes.swap(passes);
-    if (paths != nullptr) {
-        m_paths.swap(paths);
+    const DrawPathFactory& used = made.paths != nullptr ? *made.paths : *m_paths;
+    made.passes = std::make_unique<FramePasses>(m_device, m_drawn, options, needs, used, m_workers);
+    made.slots = makeSlots(options, used, *made.passes);
+    return made;
+}
+
+void FrameEquipment::take(Made made) {
+    // What was there before ends with this function: slots first, since they refer to the rest.
+    m_needs = made.needs;
+    m_options = std::move(made.options);
+    m_slots.swap(made.slots);
+    m_passes.swap(made.passes);
+    if (made.paths != nullptr) {
+        m_paths.swap(made.paths);
     }
 }
 

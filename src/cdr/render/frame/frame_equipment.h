@@ -22,15 +22,25 @@ class FrameEquipment {
     FramePasses& passes() const { return *m_passes; }
     SlotRing& slots() const { return *m_slots; }
 
+    /// What is made beside what is there, to take its place.
+    struct Made {
+        SceneNeeds needs{};
+        RenderOptions options{};
+        std::unique_ptr<DrawPathFactory> paths; ///< null: they stay
+        std::unique_ptr<FramePasses> passes;    ///< refer to the paths
+        std::unique_ptr<SlotRing> slots;        ///< refer to paths and passes, so they end first
+    };
+    /// For a picture of another size.
+    Made resized(std::uint32_t width, std::uint32_t height) const;
+    /// Nothing may be in flight. Throws nothing.
+    void take(Made made);
     /// Makes passes and slots anew for other needs. Nothing may be in flight. Where this throws, all is as it was.
-    void follow(const SceneNeeds& needs) { remake(needs, m_options); }
-    /// The same for a picture of another size.
-    void resize(std::uint32_t width, std::uint32_t height);
+    void follow(const SceneNeeds& needs) { take(make(needs, m_options)); }
     /// Gives all slots room for more lights, as follow().
     void giveLightRoom(std::size_t lights);
 
   private:
-    void remake(const SceneNeeds& needs, const RenderOptions& options);
+    Made make(const SceneNeeds& needs, const RenderOptions& options) const;
     std::unique_ptr<DrawPathFactory> makePaths(const SceneNeeds& needs, const RenderOptions& options) const;
     std::unique_ptr<SlotRing> makeSlots(const RenderOptions& options, const DrawPathFactory& paths,
                                         const FramePasses& passes) const;

@@ -73,10 +73,10 @@ void FrameRunner::dropRecorded() {
     }
 }
 
-void FrameRunner::resize(std::uint32_t width, std::uint32_t height) {
+FrameEquipment::Made FrameRunner::resized(std::uint32_t width, std::uint32_t height) {
     finish();
     followScene(); // paths that are made anew look at the scene as it is
-    m_equipment.resize(width, height);
+    return m_equipment.resized(width, height);
 }
 
 void FrameRunner::followScene() {
@@ -157,7 +157,12 @@ bool FrameRunner::hasRoomSufficed(FrameSlot& slot) const {
 }
 
 void FrameRunner::waitFor(FrameSlot& slot) {
-    settle(slot);
+    try {
+        settle(slot);
+    } catch (...) {
+        m_decider.forgetFrames(); // nobody gets this one, so nothing is measured from it
+        throw;
+    }
     const auto done = platform::Trace::Clock::now();
     slot.stats.times.executeMs = platform::millisecondsBetween(slot.submitted, done);
     if (options().trace != nullptr) {

@@ -7,6 +7,7 @@
 #include <cdr/render/frame/scene_follower.h>
 
 #include <cstdint>
+#include <utility>
 
 namespace cdr::render {
 
@@ -28,7 +29,10 @@ class FrameRunner {
     /// base::InputError unless a frame can be recorded into what a host hands in.
     void requireRecordable(const HostFrame& frame);
     void dropRecorded();
-    void resize(std::uint32_t width, std::uint32_t height);
+    /// For pictures of another size, made once what is in flight is done. Where this throws, the size is as it was.
+    FrameEquipment::Made resized(std::uint32_t width, std::uint32_t height);
+    /// Goes on with what resized() made. Throws nothing.
+    void take(FrameEquipment::Made made) { m_equipment.take(std::move(made)); }
     /// From now on frames wait for the host's reads of the images.
     void nameSurfaces() { m_reads = HostReads::anyStage; }
 
@@ -56,7 +60,7 @@ class FrameRunner {
 
     /// Waits for the frame of a slot. Draws it again where its lists had no room and nothing came after it.
     void settle(FrameSlot& slot);
-    /// The same, and notes when it was done.
+    /// The same, and notes when it was done. Where it throws, the next frame is decided as a first one.
     void waitFor(FrameSlot& slot);
     /// Settles all frames, in the order in which they were submitted.
     void finish();

@@ -26,6 +26,9 @@ bool CasterTest::holds(const glm::dvec3& centre, double radius) const {
 }
 
 bool CasterTest::holds(const visibility::InstanceCells::Box& box) const {
+    if (!(box.low.x <= box.high.x)) { // without centres it has no middle
+        return false;
+    }
     const glm::dvec3 middle = 0.5 * ((box.low - m_view.origin) + (box.high - m_view.origin));
     const glm::dvec3 half = 0.5 * (box.high - box.low);
     return holds({.middle = middle, .halfSides = {half.x, 0.0, 0.0, 0.0, half.y, 0.0, 0.0, 0.0, half.z}},

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <utility>
 
 namespace cdr::render {
 
@@ -187,6 +188,18 @@ void FocusLayers::light(vk::CommandBuffer primary, const ShadingInputs& shading,
     m_device.endLabel(primary);
 }
 
+vk::DescriptorSet FocusLayers::setOf(const Layer& layer, const ShadingInputs& shading,
+                                     FocusInputs& inputs) const {
+    const auto found = inputs.m_ofLayer.find(&layer.gbuffer);
+    if (found != inputs.m_ofLayer.end()) {
+        return *found->second;
+    }
+    PassInputs made = m_light.makeInputs(); // whole before it is kept, since this may throw
+    made.setImage(0, layer.gbuffer);
+    made.setBuffer(1, shading.lights());
+    return *inputs.m_ofLayer.try_emplace(&layer.gbuffer, std::move(made)).first->second;
+}
+
 void FocusLayers::lightLayers(vk::CommandBuffer primary, const ShadingInputs& shading,
                               FocusInputs& inputs) const {
     m_device.beginLabel(primary, "shading of layers");
@@ -196,13 +209,7 @@ void FocusLayers::lightLayers(vk::CommandBuffer primary, const ShadingInputs& sh
     }
     gpu::pipelineBarrier(primary, barriers);
     for (const Drawn& drawn : m_drawn) {
-        const auto [found, isNew] = inputs.m_ofLayer.try_emplace(&drawn.layer->gbuffer);
-        if (isNew) {
-            found->second = m_light.makeInputs();
-            found->second.setImage(0, drawn.layer->gbuffer);
-            found->second.setBuffer(1, shading.lights());
-        }
-        const FullscreenPass::Draw draw{.set = *found->second,
+        const FullscreenPass::Draw draw{.set = setOf(*drawn.layer, shading, inputs),
                                         .push = std::as_bytes(std::span(&drawn.fade, 1))};
         m_light.record(primary, {&draw, 1}, {.into = drawn.layer->lit});
     }

@@ -66,6 +66,8 @@ class FocusLayers final : public Targets {
     /// @param drawn the cascades of m_drawn, nearest first.
     void drawLayers(CascadeCommands& commands, std::span<const std::size_t> drawn) const;
     void mergeGBuffers(vk::CommandBuffer primary) const;
+    /// What lighting a layer reads, made where the slot has none yet.
+    vk::DescriptorSet setOf(const Layer& layer, const ShadingInputs& shading, FocusInputs& inputs) const;
     void lightLayers(vk::CommandBuffer primary, const ShadingInputs& shading, FocusInputs& inputs) const;
 
     const gpu::Device& m_device;

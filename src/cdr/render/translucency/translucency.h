@@ -70,7 +70,7 @@ struct ListRefusal {
 struct TranslucencyStats {
     Translucency method = Translucency::weighted; ///< that drew the frame
     std::size_t draws = 0;              ///< instances; when weighted, those in several cascades once for each
-    std::uint64_t fragments = 0;        ///< kept in lists; 0 when weighted
+    std::uint64_t fragments = 0;        ///< for lists, those that found no room among them; 0 when weighted
     std::uint64_t bytes = 0;            ///< of device memory for the method: images or lists
     std::optional<ListRefusal> refusal; ///< why the frame was not sorted, though it was to be
 };

@@ -11,7 +11,7 @@ namespace {
 /// What a draw has bound.
 class Binder {
   public:
-    /// @param layerSlope pixels by which the device rounds two vertices apart.
+    /// @param layerSlope pixels by which two vertices are rounded apart.
     Binder(const TranslucentPipelines& pipelines, vk::CommandBuffer commands, float layerSlope)
         : m_pipelines(pipelines),
           m_commands(commands),
@@ -75,7 +75,9 @@ TranslucentDraws::TranslucentDraws(const gpu::Device& device, const DrawnScene& 
     : m_device(device),
       m_scene(scene) {}
 
-void TranslucentDraws::prepare(const FrameView& view, Translucency method, platform::WorkerPool& workers) {
+void TranslucentDraws::prepare(const FrameView& view, Translucency method, std::uint32_t subPixelBits,
+                               platform::WorkerPool& workers) {
+    m_subPixelBits = subPixelBits;
     m_ranges = translucentRanges(view, method);
     m_frustum = view.frustum;
     m_nearView = view.camera.nearView;
@@ -159,7 +161,7 @@ void TranslucentDraws::record(vk::CommandBuffer commands, std::size_t range,
         commands.pushConstants<shaders::TranslucentSlice>(pipelines.layout(), TranslucentPipelines::kStages,
                                                           sizeof(shaders::TranslucentPush), *slice);
     }
-    Binder binder(pipelines, commands, layerSlope(m_device.info().subPixelBits));
+    Binder binder(pipelines, commands, layerSlope(m_subPixelBits));
     const auto kindOf = [&](std::size_t draw) { return scene.sources()[m_lists.instance[draw]].kind; };
     const platform::IndexRange draws = m_lists.range(range);
     for (std::size_t first = draws.begin; first < draws.end;) {

@@ -31,7 +31,9 @@ class TranslucentDraws {
 
     /// Overwrites the lists and records. The last frame that drew them must have finished. base::RunError
     /// when the records need more memory than there is.
-    void prepare(const FrameView& view, Translucency method, platform::WorkerPool& workers);
+    /// @param subPixelBits to which vertices are rounded.
+    void prepare(const FrameView& view, Translucency method, std::uint32_t subPixelBits,
+                 platform::WorkerPool& workers);
 
     std::size_t ranges() const { return m_ranges.size(); }
     bool isEmpty(std::size_t range) const { return m_lists.range(range).size() == 0; }
@@ -59,6 +61,7 @@ class TranslucentDraws {
     depth::Cascades m_ranges;
     scene::Frustum m_frustum;
     double m_nearView = 0.0; ///< the camera's
+    std::uint32_t m_subPixelBits = 0;
     gpu::Buffer m_records;
     std::vector<depth::Interval> m_extents; ///< view distances of each draw's instance
 };

@@ -91,16 +91,17 @@ void TranslucentPass::prepare(Slot& slot, const FrameView& view, AfterRefusal af
     if (methodOf(slot) == Translucency::sorted && slot.list->capacity() == 0) {
         slot.refusal = slot.list->grow(1);
     }
-    slot.draws.prepare(view, methodOf(slot), workers);
+    slot.draws.prepare(view, methodOf(slot), subPixelBits, workers);
     if (slot.shadows) {
         slot.shadows->prepare(view, slot.draws.visible(), subPixelBits, workers);
         slot.shadows->bind(slot.surroundings, kShadowBinding, *m_sampler);
     }
 }
 
-void TranslucentPass::prepareAgain(Slot& slot, const FrameView& view, platform::WorkerPool& workers) const {
+void TranslucentPass::prepareAgain(Slot& slot, const FrameView& view, std::uint32_t subPixelBits,
+                                   platform::WorkerPool& workers) const {
     if (methodOf(slot) != m_options.method) {
-        slot.draws.prepare(view, methodOf(slot), workers);
+        slot.draws.prepare(view, methodOf(slot), subPixelBits, workers);
     }
 }
 
@@ -120,25 +121,30 @@ void TranslucentPass::record(vk::CommandBuffer primary, Slot& slot) const {
     }
 }
 
+TranslucencyStats TranslucentPass::decided(const Slot& slot) const {
+    const Translucency method = methodOf(slot);
+    return {.method = method,
+            .draws = slot.draws.draws(),
+            .bytes = method == Translucency::sorted ? slot.list->bytes()
+                                                    : WeightedBlend::predictBytes(m_lit.options().extent),
+            .refusal = slot.refusal};
+}
+
 bool TranslucentPass::settle(Slot& slot, TranslucencyStats& stats) {
-    const bool sorted = methodOf(slot) == Translucency::sorted;
-    const std::uint32_t fragments = sorted ? slot.list->count() : 0;
-    if (sorted && fragments > slot.list->capacity()) {
-        slot.refusal = slot.list->grow(fragments);
-        if (slot.refusal) {
-            m_noRoom = {.refusal = *slot.refusal, .revision = slot.revision};
-        }
-        return false;
+    if (methodOf(slot) == Translucency::weighted) {
+        return true;
     }
-    if (sorted) {
+    stats.fragments = slot.list->count();
+    if (stats.fragments <= slot.list->capacity()) {
         m_noRoom.reset();
+        return true;
     }
-    stats = {.method = methodOf(slot),
-             .draws = slot.draws.draws(),
-             .fragments = fragments,
-             .bytes = sorted ? slot.list->bytes() : WeightedBlend::predictBytes(m_lit.options().extent),
-             .refusal = slot.refusal};
-    return true;
+    slot.refusal = slot.list->grow(stats.fragments);
+    if (slot.refusal) {
+        m_noRoom = {.refusal = *slot.refusal, .revision = slot.revision};
+    }
+    stats.bytes = slot.list->bytes();
+    return false;
 }
 
 void TranslucentPass::recordReadback(vk::CommandBuffer primary) const {

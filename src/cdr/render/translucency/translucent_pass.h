@@ -45,14 +45,18 @@ class TranslucentPass {
         sorted,   ///< it is tried sorted nonetheless, since it can be drawn again before anybody sees it
     };
     /// Decides what a frame draws; the slot's last frame must have finished.
+    /// @param subPixelBits to which vertices are rounded.
     void prepare(Slot& slot, const FrameView& view, AfterRefusal afterRefusal, std::uint32_t subPixelBits,
                  platform::WorkerPool& workers) const;
     /// The next frame is tried sorted.
     void forget() { m_noRoom.reset(); }
     /// Before a frame is drawn again, for what settle() changed. The scene must be that of prepare().
-    void prepareAgain(Slot& slot, const FrameView& view, platform::WorkerPool& workers) const;
+    void prepareAgain(Slot& slot, const FrameView& view, std::uint32_t subPixelBits,
+                      platform::WorkerPool& workers) const;
     /// After shading; the lit image stays a colour attachment.
     void record(vk::CommandBuffer primary, Slot& slot) const;
+    /// What the frame is drawn with, known before it runs; settle() adds its fragments.
+    TranslucencyStats decided(const Slot& slot) const;
     /// After the frame ran. False when its fragments found no room; draw it again.
     bool settle(Slot& slot, TranslucencyStats& stats);
 

@@ -213,12 +213,22 @@ void ViewsRenderer::launchTogether(Cameras cameras, std::span<Delivery> deliveri
     }
 }
 
+const FrameSlot& ViewsRenderer::waitFor(FrameRunner& view) {
+    FrameSlot& slot = *view.slots().last();
+    try {
+        view.waitFor(slot);
+    } catch (...) {
+        forgetFrames(); // of all views: they go on from one frame
+        throw;
+    }
+    return slot;
+}
+
 std::vector<Frame> ViewsRenderer::render(Cameras cameras, FrameCopy copy) {
     launch(cameras, {.destination = destinationOf(copy), .awaited = Awaited::yes});
     std::vector<Frame> frames;
     for (const auto& view : m_views) {
-        FrameSlot& slot = *view->slots().last();
-        view->waitFor(slot);
+        const FrameSlot& slot = waitFor(*view);
         frames.push_back(fetch(view->passes(), slot));
     }
     return frames;
@@ -228,9 +238,7 @@ std::vector<FrameStats> ViewsRenderer::draw(Cameras cameras) {
     launch(cameras, {.awaited = Awaited::yes});
     std::vector<FrameStats> stats;
     for (const auto& view : m_views) {
-        FrameSlot& slot = *view->slots().last();
-        view->waitFor(slot);
-        stats.push_back(slot.stats);
+        stats.push_back(waitFor(*view).stats);
     }
     return stats;
 }
@@ -294,19 +302,12 @@ Surfaces ViewsRenderer::surfaces(std::size_t view) const {
 
 void ViewsRenderer::resize(std::uint32_t width, std::uint32_t height) {
     finish();
-    const std::uint32_t widthBefore = options().width;
-    const std::uint32_t heightBefore = options().height;
-    std::size_t resized = 0;
-    try {
-        for (const auto& view : m_views) {
-            view->resize(width, height);
-            ++resized;
-        }
-    } catch (...) {
-        for (std::size_t view = 0; view < resized; ++view) {
-            m_views[view]->resize(widthBefore, heightBefore);
-        }
-        throw;
+    std::vector<FrameEquipment::Made> made; // of all views first, since this may throw
+    for (const auto& view : m_views) {
+        made.push_back(view->resized(width, height));
+    }
+    for (std::size_t view = 0; view < made.size(); ++view) {
+        m_views[view]->take(std::move(made[view]));
     }
     m_split->forget();
 }

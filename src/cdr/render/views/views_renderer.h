@@ -79,8 +79,8 @@ class CDR_EXPORT ViewsRenderer {
     Surfaces surfaces(std::size_t view) const;
     /// Makes pictures of another size, as Renderer::resize().
     /// @param width of each in pixels. @param height the same.
-    /// @errors base::InputError, base::RunError and std::system_error as the constructor. Where one is thrown after some
-    ///         views have changed, those are changed back.
+    /// @errors base::InputError, base::RunError and std::system_error as the constructor; all sizes are then as they were.
+    ///         Until none is thrown, the device holds the images of both sizes.
     void resize(std::uint32_t width, std::uint32_t height);
 
     /// How many cameras look.
@@ -102,6 +102,8 @@ class CDR_EXPORT ViewsRenderer {
     void launchTogether(Cameras cameras, std::span<Delivery> deliveries);
     /// One view after the other.
     void launchInTurn(Cameras cameras, std::span<const Delivery> deliveries);
+    /// For the last frame of a view. Where it throws, the next frame of all views is rendered as a first one is.
+    const FrameSlot& waitFor(FrameRunner& view);
     /// Not where each view is timed alone, or has a host's command buffer of its own.
     bool mayBeTogether(const Launch& how) const;
 
