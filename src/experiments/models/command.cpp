@@ -190,7 +190,9 @@ void run(Command& command, ModelsArguments& arguments) {
         results.back().model = names[results.size() - 1];
     }
     command.endProgress();
-    writePictures(folder, results, command.device().info().name);
+    if (folder.isWanted()) { // else the sheet is made for nothing
+        writePictures(folder, results, command.device().info().name);
+    }
     const auto columns = modelColumns();
     command.console().table(output::tableOf(columns, results));
     command.console().line(
