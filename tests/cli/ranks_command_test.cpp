@@ -144,6 +144,9 @@ TEST_F(RanksCommand, ScalingMeasuresRanksWhereToldTo) {
     EXPECT_EQ(document.at("results").back().at("nodes"), 1000);
     EXPECT_EQ(document.at("check").at("frames"), 24);
     EXPECT_GT(document.at("costs").at("send_ms"), 0.0);
+    const auto alone = documentOf("scaling --project 4 --size 16x16 --draws 1 --repeats 1");
+    EXPECT_EQ(alone.at("costs").at("send_ms"), nullptr); // nothing to measure
+    EXPECT_EQ(alone.at("costs").at("claim_ms"), nullptr);
 
     EXPECT_EQ(
         runAsRanks(2, "scaling --draws 300", folder()).err,
