@@ -109,17 +109,21 @@ void CommandFiles::writesSequence(const std::string& option, std::size_t begin, 
     }
 }
 
-void CommandFiles::writesFolder(const std::string& option, const fs::path& folder) {
-    m_folders.push_back({option, resolved(folder / "x").parent_path()});
+void CommandFiles::writesFolder(const std::string& option, const fs::path& folder,
+                                const std::function<bool(const std::string&)>& isWritten) {
+    m_folders.push_back({option, resolved(folder / "x").parent_path(), isWritten});
     for (const Output& output : m_outputs) {
         requireApart(output);
     }
-}
-
-void CommandFiles::writesPictures(const std::string& option, const fs::path& folder,
-                                  const std::string& stem) {
-    m_pictures.push_back({option, resolved(folder / "x").parent_path(), stem});
-    writesFolder(option, folder);
+    std::error_code error; // of a folder that is not there yet, which has nothing to lose
+    for (fs::directory_iterator file(folder, error), end; file != end; file.increment(error)) {
+        const fs::path& path = file->path();
+        if (isWritten(path.filename().string()) && !isSpecial(path)) {
+            const Output output{option, path, keysOf(path)};
+            requireApart(output);
+            note(output); // for what is read later
+        }
+    }
 }
 
 bool CommandFiles::isSameName(const fs::path& path, const Output& output) {
@@ -156,14 +160,9 @@ void CommandFiles::requireApart(const Output& output) const {
     }
     const fs::path file = output.keys.front();
     for (const Folder& folder : m_folders) {
-        if (file == folder.path) {
+        const bool isInside = file.parent_path() == folder.path && folder.isWritten(file.filename().string());
+        if (folder.option != output.option && (file == folder.path || isInside)) {
             refuseBoth(output.path, folder.option, output.option);
-        }
-    }
-    for (const Pictures& pictures : m_pictures) {
-        if (file.parent_path() == pictures.folder && file.extension() == ".png" &&
-            file.filename().string().starts_with(pictures.stem)) {
-            refuseBoth(output.path, pictures.option, output.option);
         }
     }
 }

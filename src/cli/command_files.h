@@ -33,12 +33,11 @@ class CommandFiles {
     void writesSequence(const std::string& option, std::size_t begin, std::size_t end,
                         const std::function<std::filesystem::path(std::size_t number)>& nameAt);
 
-    /// Files in a folder of their own. base::InputError when another output has its name.
-    void writesFolder(const std::string& option, const std::filesystem::path& folder);
-
-    /// Pictures in a folder: .png files whose names begin with `stem`. base::InputError when another output is one.
-    void writesPictures(const std::string& option, const std::filesystem::path& folder,
-                        const std::string& stem = "");
+    /// Files in a folder. base::InputError when another output has the folder's name or is one of the files, or the command
+    /// reads one, of those noted later too.
+    /// @param isWritten whether a file may be one, by its name in the folder.
+    void writesFolder(const std::string& option, const std::filesystem::path& folder,
+                      const std::function<bool(const std::string& name)>& isWritten);
 
   private:
     struct Output {
@@ -55,11 +54,7 @@ class CommandFiles {
     struct Folder {
         std::string option;
         std::filesystem::path path; ///< its canonical name
-    };
-    struct Pictures {
-        std::string option;
-        std::filesystem::path folder; ///< its canonical name
-        std::string stem;
+        std::function<bool(const std::string& name)> isWritten;
     };
     /// Of names that may be many: only where they end alike are links followed.
     static bool isSameName(const std::filesystem::path& path, const Output& output);
@@ -74,7 +69,6 @@ class CommandFiles {
     std::unordered_map<std::string, std::size_t> m_outputOf; ///< by keys
     std::vector<Sequence> m_sequences;
     std::vector<Folder> m_folders;
-    std::vector<Pictures> m_pictures;
 };
 
 } // namespace cdr::cli

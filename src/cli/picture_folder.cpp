@@ -33,12 +33,17 @@ void requireFolder(const fs::path& path) {
 
 } // namespace
 
-PictureFolder::PictureFolder(fs::path path, CommandFiles& files, const std::string& stem)
+PictureFolder::PictureFolder(fs::path path, CommandFiles& files,
+                             const std::function<bool(const std::string&)>& isWritten)
     : m_path(std::move(path)) {
     if (isWanted()) {
         requireFolder(m_path);
-        files.writesPictures("--out", m_path, stem);
+        files.writesFolder("--out", m_path, isWritten);
     }
+}
+
+bool PictureFolder::isPicture(const std::string& name) {
+    return name.ends_with(".png");
 }
 
 std::string PictureFolder::nameInFolder(std::string name) {

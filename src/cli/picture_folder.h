@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace cdr::cli {
@@ -16,9 +17,13 @@ class PictureFolder {
   public:
     /// @param path of --out; none when empty.
     /// @param files of the command, which none of the pictures may replace.
-    /// @param stem that all pictures' names begin with.
+    /// @param isWritten whether a file may be one of the pictures, by its name; without, any .png file may.
     /// base::InputError when pictures cannot be written there.
-    PictureFolder(std::filesystem::path path, CommandFiles& files, const std::string& stem = "");
+    PictureFolder(std::filesystem::path path, CommandFiles& files,
+                  const std::function<bool(const std::string& name)>& isWritten = isPicture);
+
+    /// Whether a file's name is that of a picture, .png.
+    static bool isPicture(const std::string& name);
 
     bool isWanted() const { return !m_path.empty(); }
     const std::filesystem::path& path() const { return m_path; }

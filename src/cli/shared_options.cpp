@@ -191,10 +191,20 @@ void addRivalList(CLI::App& command, std::vector<rivals::NamedRival>& chosen, co
     for (const rivals::NamedRival& named : rivals::namedRivals()) {
         known.push_back(named.name);
     }
-    options::addParsedList(
-        command, "--rivals", chosen, rivals::parseRival,
-        fmt::format("Rivals to compare, separated by commas: {}, each also as NAME/prepass",
-                    fmt::join(known, ", ")))
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--rivals",
+            [&chosen](const std::vector<std::string>& texts) {
+                chosen.clear();
+                for (const std::string& text : texts) {
+                    chosen.push_back(rivals::parseRival(text));
+                }
+                requireDistinct(texts);
+            },
+            fmt::format("Rivals to compare, separated by commas: {}, each also as NAME/prepass",
+                        fmt::join(known, ", ")))
+        ->expected(CLI::detail::expected_max_vector_size)
+        ->delimiter(',')
         ->default_str(otherwise);
 }
 

@@ -115,7 +115,7 @@ void requireDistinct(const std::vector<depth::NamedTechnique>& techniques);
 /// `--techniques A,B,...`; none: all presets.
 void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techniques);
 
-/// `--rivals A,B,...`.
+/// `--rivals A,B,...`. base::InputError where one is there twice, as requireDistinct().
 /// @param otherwise which there are where none are listed, for the help.
 void addRivalList(CLI::App& command, std::vector<rivals::NamedRival>& chosen, const std::string& otherwise);
 

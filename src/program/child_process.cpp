@@ -85,7 +85,11 @@ ChildProcess::ChildProcess(std::vector<std::string> arguments, const Output& out
         if (error == ENOENT) {
             throw base::InputError(m_name + " is not installed");
         }
-        throw base::RunError(m_name + ": cannot be started: " + std::strerror(error));
+        const std::string what = m_name + ": cannot be started: " + std::strerror(error);
+        if (error == EACCES || error == ENOEXEC) { // a folder, or a file that is no program
+            throw base::InputError(what);
+        }
+        throw base::RunError(what);
     }
 }
 

@@ -23,7 +23,7 @@ class ChildProcess {
     };
 
     /// @param arguments the program, looked up in PATH, then its arguments.
-    /// base::InputError when there is no such program, base::RunError when it cannot be started.
+    /// base::InputError when there is no such program, or what has its name is none. base::RunError when it cannot be started.
     ChildProcess(std::vector<std::string> arguments, const Output& output);
     /// Closes the input of a child that was not waited for, and kills it.
     ~ChildProcess();

@@ -236,13 +236,15 @@ TEST_F(Commands, AdviseMeasures) {
 
 TEST_F(Commands, AdviseMeasuresTheTechniquesAskedForInPicturesAskedFor) {
     const json document = documentOf(
-        "advise --separation 1 --far 1000 --format d32f --techniques reversed,standard/count:2 --measured "
+        "advise --separation 1 --far 1000 --format d32f,d16 --techniques reversed,standard/count:2 --measured "
         "--size 160x90 --frames 1");
+    EXPECT_EQ(document["time_format"], "d32f");
     EXPECT_EQ(document["options"]["measured_width"], 160);
     EXPECT_EQ(document["options"]["measured_height"], 90);
-    ASSERT_EQ(document["results"].size(), 2u);
+    ASSERT_EQ(document["results"].size(), 4u);
     EXPECT_EQ(document["results"][0]["mapping"], "reversed");
-    EXPECT_TRUE(document["results"][1]["time_ratio"].is_number());
+    EXPECT_EQ(document["results"][1]["format"], "d16");
+    EXPECT_EQ(document["results"][1]["time_ratio"], document["results"][0]["time_ratio"]);
 }
 
 TEST_F(Commands, AdviseSaysWhenReversedIsEnough) {

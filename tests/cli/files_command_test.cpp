@@ -86,7 +86,12 @@ TEST_F(Files, AnOutputNeverReplacesWhatAModelIsMadeOf) {
         EXPECT_EQ(textIn("t_0003.png"), before) << arguments;
     }
     EXPECT_FALSE(fs::exists(at("t_0000.png")));
-    EXPECT_EQ(run("render m.gltf --size 8x8 -o t_%04d.png --frames 3").status, 0);
+    for (const char* arguments :
+         {"render m.gltf --size 8x8 -o t_%04d.png --frames 3", "models m.gltf --size 8x8 --out .",
+          "pictures --scenes m.gltf --techniques log --size 8x8 --out ."}) {
+        EXPECT_EQ(run(arguments).status, 0) << arguments;
+        EXPECT_EQ(textIn("t_0003.png"), before) << arguments;
+    }
 }
 
 /// By a link, a hard link or a way around, and where none of the files is there yet.
@@ -112,6 +117,37 @@ void writePictureModel(const fs::path& path, const std::vector<std::string>& nam
         images.push_back({{"uri", name}});
     }
     std::ofstream(path) << json{{"asset", {{"version", "2.0"}}}, {"images", images}};
+}
+
+/// By its name or by another one.
+TEST_F(Files, NoPictureInAFolderReplacesWhatAModelIsMadeOf) {
+    const std::vector<std::string> names{"m.png", "m_log.png", "plain.png", "truth.png"};
+    for (const std::string& name : names) {
+        std::ofstream(at(name)) << "x";
+    }
+    writePictureModel(at("m.gltf"), names);
+    fs::create_directory(at("d"));
+    fs::create_hard_link(at("plain.png"), at("d/m.png"));
+    fs::create_symlink("../truth.png", at("d/m_log.png"));
+    for (const char* command : {"models m.gltf", "pictures --scenes m.gltf", "detail m.gltf",
+                                "effects m.gltf", "focus m.gltf", "translucency m.gltf", "shadows m.gltf"}) {
+        for (const char* out : {" --out .", " --out d"}) {
+            expectRefusal(command + std::string(out), "--out would replace what the command reads");
+        }
+    }
+    for (const std::string& name : names) {
+        EXPECT_EQ(textIn(name), "x") << name;
+    }
+}
+
+TEST_F(Files, NoOutputIsAFileInTheFolderOfAnother) {
+    fs::create_directories(at("v/log"));
+    for (const char* json : {"v/standard_cdr.png", "v/standard_cdr.mp4", "v/log/../log_logcdr.png"}) {
+        expectRefusal(std::string("flicker --frames 1 --size 16x16 --videos v --json ") + json,
+                      "both --videos and --json would write it");
+    }
+    expectRefusal("flicker --frames 1 --size 16x16 --tga v --json v/log/0000.tga",
+                  "both --tga and --json would write it");
 }
 
 TEST_F(Files, NoPictureOfASequenceIsAnotherNameOfWhatAModelIsMadeOf) {

@@ -98,6 +98,12 @@ TEST_F(ModelsCommand, AModelThatBlendsAloneIsCovered) {
     EXPECT_LE(row["covered_flip"], 0.05) << row;
 }
 
+/// Whose sheet would be shrunk by more than they are high.
+TEST_F(ModelsCommand, TakesLowWidePictures) {
+    EXPECT_EQ(run("models " + kAssets + "well.gltf --size 640x1 --out m").status, 0);
+    EXPECT_TRUE(std::filesystem::exists(at("m/models_sheet.png")));
+}
+
 TEST_F(ModelsCommand, TakesAModelsOwnLightsAndCamera) {
     const auto reference = [&](const std::string& more) {
         const json row = documentOf("models " + kAssets + "stage.glb --camera 0 --size 240x135 " + more +

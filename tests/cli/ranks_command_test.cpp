@@ -147,6 +147,9 @@ TEST_F(RanksCommand, ScalingMeasuresRanksWhereToldTo) {
     EXPECT_GT(document.at("costs").at("send_ms"), 0.0);
     EXPECT_TRUE(document.at("check").at("predicted_interval").is_null());
     EXPECT_NE(projected.out.find("(a 95 % interval needs 6 frames)"), std::string::npos) << projected.out;
+    const auto alone = documentOf("scaling --project 4 --size 16x16 --draws 1 --repeats 1");
+    EXPECT_EQ(alone.at("costs").at("send_ms"), nullptr); // nothing to measure
+    EXPECT_EQ(alone.at("costs").at("claim_ms"), nullptr);
 
     EXPECT_EQ(
         runAsRanks(2, "scaling --draws 300", folder()).err,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace cdr::experiments {
@@ -35,8 +36,47 @@ TEST(Projection, EndsWhereEachNodeHasOneFrame) {
     const Projection few = project(evenCosts(), 20, 10, 1);
     EXPECT_DOUBLE_EQ(few.seconds, 0.041);
     EXPECT_EQ(few.bound, ProjectionBound::frames);
-    EXPECT_EQ(lastUsefulNodes(evenCosts(), 10), 10u);
-    EXPECT_DOUBLE_EQ(project(evenCosts(), 4, 9, 1).seconds, 3 * 0.041); // three rounds
+    EXPECT_EQ(lastUsefulNodes(evenCosts(), 10), 11u); // the first one has none to make then
+}
+
+/// With four nodes and nine frames, one node makes three.
+TEST(Projection, IsBoundByTheLongestOfItsTimes) {
+    const Projection uneven = project(evenCosts(), 4, 9, 1);
+    EXPECT_DOUBLE_EQ(uneven.seconds, 3 * 0.041);
+    EXPECT_EQ(uneven.bound, ProjectionBound::frames);
+    EXPECT_EQ(project(evenCosts(), 4, 8, 1).bound, ProjectionBound::making);
+}
+
+/// The least number that no larger one is quicker than.
+std::size_t lastUsefulByTrying(const FrameCosts& costs, std::size_t frames) {
+    std::size_t best = 2 * frames + 4;
+    double least = project(costs, best, frames, 1).seconds;
+    for (std::size_t nodes = best - 1; nodes >= 1; --nodes) {
+        const double seconds = project(costs, nodes, frames, 1).seconds;
+        if (seconds <= least * (1.0 + 1e-12)) {
+            best = nodes;
+            least = std::min(least, seconds);
+        }
+    }
+    return best;
+}
+
+TEST(Projection, NoNodesBeyondTheLastUsefulOnesHelp) {
+    EXPECT_EQ(lastUsefulNodes(evenCosts(), 30), 30u);
+    for (const double take : {0.0, 0.25, 1.0, 7.0, 60.0}) {
+        for (const double claim : {0.0, 1.0, 9.0}) {
+            for (const double send : {0.0, 0.001, 0.05}) {
+                FrameCosts costs = evenCosts();
+                costs.takeMs = {take};
+                costs.claimMs = claim;
+                costs.msPerByte = send;
+                for (const std::size_t frames : {1u, 2u, 9u, 10u, 30u, 41u, 100u}) {
+                    EXPECT_EQ(lastUsefulNodes(costs, frames), lastUsefulByTrying(costs, frames))
+                        << take << " " << claim << " " << send << " " << frames;
+                }
+            }
+        }
+    }
 }
 
 TEST(Projection, NeverRunsShorterThanItsBoundsAndWidensWithItsCosts) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
 namespace cdr::experiments {
 namespace {
 
@@ -13,6 +15,27 @@ TEST(Verdict, NamesOfObjectsAreOneLine) {
     EXPECT_EQ(nameOfObject(scene, 1), "a [2J b");
     EXPECT_EQ(nameOfObject(scene, 2), "object 2");
     EXPECT_EQ(nameOfObject(scene, 3), "object 3");
+}
+
+/// Of a thousand pixels.
+InspectedTechnique inspected(const char* preset, std::uint64_t wrong, double undecided) {
+    InspectedTechnique technique;
+    technique.name = preset;
+    technique.technique = depth::parseTechnique(preset);
+    technique.wrong.pixels = 1000;
+    technique.wrong.wrong = wrong;
+    technique.undecided = undecided;
+    return technique;
+}
+
+/// Not one that was lucky.
+TEST(Verdict, TheBestTechniqueHasFewestWrongAndUndecidedPixels) {
+    Inspection inspection;
+    inspection.techniques = {inspected("standard", 0, 400.0), inspected("log", 3, 0.5)};
+    inspection.objectPixels = 1000;
+    EXPECT_EQ(
+        explain(inspection, {}).front(),
+        "No technique is enough: log with d32f is the best, with 3 of 1000 object pixels wrong, 0.3 %.");
 }
 
 } // namespace

@@ -46,6 +46,13 @@ TEST_F(ChildProcessTest, StreamsItsInputToItsOutput) {
     EXPECT_EQ(platform::readFile(file("out"), 1 << 24), sent);
 }
 
+TEST_F(ChildProcessTest, WhatIsNoProgramIsBadInput) {
+    platform::writeText(file("notes"), "no program");
+    for (const std::string& name : {std::string("/"), file("notes").string()}) {
+        EXPECT_THROW(ChildProcess({name}, {}), base::InputError) << name;
+    }
+}
+
 /// No shell reads the arguments.
 TEST_F(ChildProcessTest, ArgumentsArriveAsTheyAre) {
     ChildProcess({"printf", "%s", "a b'\"$HOME;`id`"}, {.file = file("out")}).finish();

@@ -33,6 +33,10 @@ ImageRgba8 shrink(const ImageRgba8& source, std::uint32_t factor) {
     });
 }
 
+std::uint32_t shrinkFactor(const ImageRgba8& source, std::uint32_t width) {
+    return std::max(1u, std::min(source.width / width, source.height));
+}
+
 void paste(ImageRgba8& target, const ImageRgba8& source, std::uint32_t x, std::uint32_t y) {
     if (x >= target.width || y >= target.height) {
         return;

@@ -23,6 +23,9 @@ Raster<Pixel> rasterOf(std::uint32_t width, std::uint32_t height, const At& at) 
 /// side.
 ImageRgba8 shrink(const ImageRgba8& source, std::uint32_t factor);
 
+/// By how much to shrink() a picture that is to be about `width` pixels across, or more where it is too low for that: 1 or more.
+std::uint32_t shrinkFactor(const ImageRgba8& source, std::uint32_t width);
+
 /// Copies `source` into `target` with its top left corner at (x, y). Pixels outside are left out.
 void paste(ImageRgba8& target, const ImageRgba8& source, std::uint32_t x, std::uint32_t y);
 

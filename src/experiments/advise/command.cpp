@@ -164,6 +164,11 @@ struct Answer {
     std::string measuredOn;
 };
 
+/// Of the depth buffers that frames are timed with, for the rows of all formats.
+depth::DepthFormat timeFormat(const depth::AdviceQuestion& question) {
+    return question.formats.front();
+}
+
 Answer predict(const depth::AdviceQuestion& question) {
     return {.question = question, .advice = depth::advise(question), .measuredOn = {}};
 }
@@ -171,12 +176,11 @@ Answer predict(const depth::AdviceQuestion& question) {
 Answer measure(Command& command, const AdviseArguments& arguments, const depth::AdviceQuestion& question) {
     depth::advise(question); // what is wrong with it comes before any device
     const gpu::Device& device = command.device();
-    Answer answer{.question = experiments::onDevice(device, question),
-                  .advice = {},
-                  .measuredOn = fmt::format(
-                      "{}; separations: the ladder, one picture each; time: {} frames of "
-                      "64,000 cubes each, interleaved, seed {}",
-                      command.opened().text(), arguments.measuring.frames, arguments.measuring.seed)};
+    Answer answer{.question = experiments::onDevice(device, question), .advice = {}, .measuredOn = {}};
+    answer.measuredOn = fmt::format("{}; separations: the ladder, one picture each; time: {} frames of "
+                                    "64,000 cubes each in {}, interleaved, seed {}",
+                                    command.opened().text(), arguments.measuring.frames,
+                                    nameOf(timeFormat(answer.question)), arguments.measuring.seed);
     answer.advice =
         experiments::measureAdvice(device, answer.question, arguments.measuring, command.progress());
     command.endProgress();
@@ -216,6 +220,7 @@ void run(Command& command, AdviseArguments& arguments) {
         document["options"]["measured_height"] = arguments.measuring.height;
         document["options"]["frames"] = arguments.measuring.frames;
         document["options"]["seed"] = arguments.measuring.seed;
+        document["time_format"] = nameOf(timeFormat(question));
     }
     document["results"] = output::jsonOf(columns, advice.rows);
     document["simplest"] = advice.simplest ? output::jsonOf(columns, advice.rows[*advice.simplest])

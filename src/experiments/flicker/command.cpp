@@ -1,5 +1,6 @@
 #include <cli/command.h>
 #include <cli/commands.h>
+#include <cli/picture_folder.h>
 #include <experiments/flicker/flicker.h>
 #include <experiments/flicker/output.h>
 #include <experiments/flicker/pairs.h>
@@ -157,6 +158,15 @@ std::vector<experiments::FlickerResult> measure(Command& command, const FlickerA
     return results;
 }
 
+/// A folder of each technique, in one that has no files of its own.
+void noteTgaFolders(CommandFiles& files, const FlickerArguments& arguments) {
+    files.writesFolder("--tga", *arguments.tga, [](const std::string&) { return false; });
+    for (const depth::NamedTechnique& technique : arguments.options.techniques) {
+        files.writesFolder("--tga", *arguments.tga / technique.name,
+                           [](const std::string& name) { return name.ends_with(".tga"); });
+    }
+}
+
 void run(Command& command, FlickerArguments& arguments) {
     experiments::FlickerOptions& options = arguments.options;
     options.techniques = techniquesOf(arguments);
@@ -170,10 +180,12 @@ void run(Command& command, FlickerArguments& arguments) {
         command.sayKept(*options.state);
     }
     if (arguments.videos) {
-        command.files().writesFolder("--videos", *arguments.videos);
+        command.files().writesFolder("--videos", *arguments.videos, [](const std::string& name) {
+            return name.ends_with(".mp4") || PictureFolder::isPicture(name);
+        });
     }
     if (arguments.tga) {
-        command.files().writesFolder("--tga", *arguments.tga);
+        noteTgaFolders(command.files(), arguments);
     }
     const auto results = measure(command, arguments);
     if (!command.ranks().isFirst()) {

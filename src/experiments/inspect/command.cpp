@@ -227,7 +227,7 @@ void addOptions(CLI::App& command, InspectArguments& arguments) {
         .add_option(
             "--fail-above", arguments.failAbove,
             "Exit with status 3 if a larger share of the pixels that show an object, 0 to 1, is wrong or "
-            "coplanar; other pixels at edges are not judged and count as right")
+            "coplanar, or if no view shows a surface to judge by; other pixels at edges are not judged and count as right")
         ->check(options::numberFrom(0.0, 1.0));
     options::addFile(
         command, "--heat-map", arguments.heatMap,

@@ -40,8 +40,11 @@ std::string simplestLine(const Inspection& inspection) {
             simplest.cascades == 1 ? "one cascade" : fmt::format("{} cascades", simplest.cascades),
             simplest.wrong.wrong == 0 ? "no pixels" : pixels(simplest));
     }
-    const auto best = std::ranges::min_element(
-        inspection.techniques, [](const auto& a, const auto& b) { return a.wrong.wrong < b.wrong.wrong; });
+    // One whose order is undecided may have been lucky.
+    const auto doubtful = [](const InspectedTechnique& each) {
+        return static_cast<double>(each.wrong.wrong) + each.undecided;
+    };
+    const auto best = std::ranges::min_element(inspection.techniques, {}, doubtful);
     const bool isUndecided = inspection.wrongFraction(*best) <= inspection.allowedShare;
     return fmt::format("No technique is enough: {} is the best, with {} wrong, {}{}.", nameOf(*best),
                        pixels(*best), shareText(inspection.wrongFraction(*best)),

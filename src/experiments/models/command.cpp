@@ -13,6 +13,7 @@
 #include <output/columns.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -26,6 +27,17 @@ constexpr const char* kModelSheet = "models_sheet.png";
 /// Each is a row of the sheet, and its four pictures stay in memory for that.
 constexpr std::size_t kMaxModels = 256;
 constexpr std::uint64_t kMaxPictureBytes = std::uint64_t{4} << 30u;
+
+/// One of a model's pictures.
+struct ModelPicture {
+    const char* end; ///< of the file's name, after the model's
+    image::ImageRgba8 experiments::ModelResult::*image;
+};
+constexpr std::array<ModelPicture, experiments::kModelPictures> kPicturesOfModel{
+    {{"_plain.png", &experiments::ModelResult::plain},
+     {".png", &experiments::ModelResult::picture},
+     {"_reference.png", &experiments::ModelResult::reference},
+     {"_flip.png", &experiments::ModelResult::difference}}};
 
 struct ModelsArguments {
     std::vector<std::string> files;
@@ -127,13 +139,23 @@ scene::OpenedScene openModel(const std::string& file, const scene::GltfChoice& c
     return opened;
 }
 
+/// The files that are written of models.
+std::set<std::string> filesOf(const std::vector<std::string>& models) {
+    std::set<std::string> files{kModelSheet};
+    for (const std::string& model : models) {
+        for (const ModelPicture& picture : kPicturesOfModel) {
+            files.insert(PictureFolder::nameInFolder(model + picture.end));
+        }
+    }
+    return files;
+}
+
 void writePictures(const PictureFolder& folder, const std::vector<experiments::ModelResult>& results,
                    const std::string& device) {
     for (const experiments::ModelResult& result : results) {
-        folder.write(result.model + "_plain.png", result.plain);
-        folder.write(result.model + ".png", result.picture);
-        folder.write(result.model + "_reference.png", result.reference);
-        folder.write(result.model + "_flip.png", result.difference);
+        for (const ModelPicture& picture : kPicturesOfModel) {
+            folder.write(result.model + picture.end, result.*picture.image);
+        }
     }
     folder.write(kModelSheet, experiments::makeModelSheet(results, "cdr models, " + device));
 }
@@ -145,7 +167,9 @@ void run(Command& command, ModelsArguments& arguments) {
     arguments.options.closer = !arguments.camera.has_value();
     arguments.options.technique = depth::parseTechnique(arguments.technique);
     const scene::ModelLight light = scene::parseModelLight(arguments.light);
-    const PictureFolder folder(arguments.folder, command.files());
+    const PictureFolder folder(
+        arguments.folder, command.files(),
+        [files = filesOf(names)](const std::string& name) { return files.contains(name); });
     std::vector<experiments::ModelResult> results;
     for (const std::string& file : arguments.files) {
         command.reads(file);
@@ -166,7 +190,9 @@ void run(Command& command, ModelsArguments& arguments) {
         results.back().model = names[results.size() - 1];
     }
     command.endProgress();
-    writePictures(folder, results, command.device().info().name);
+    if (folder.isWanted()) { // else the sheet is made for nothing
+        writePictures(folder, results, command.device().info().name);
+    }
     const auto columns = modelColumns();
     command.console().table(output::tableOf(columns, results));
     command.console().line(

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <output/readable.h>
 
-#include <algorithm>
 #include <array>
 
 namespace cdr::experiments {
@@ -28,7 +27,7 @@ image::ImageRgba8 makeModelSheet(const std::vector<ModelResult>& results, const 
         return {};
     }
     const image::ImageRgba8& first = results.front().picture;
-    const std::uint32_t factor = std::max(1u, first.width / kModelCell);
+    const std::uint32_t factor = image::shrinkFactor(first, kModelCell);
     const std::uint32_t across = first.width / factor + kModelMargin;
     const std::uint32_t down = first.height / factor + kModelCaption + kModelMargin;
     const auto rows = static_cast<std::uint32_t>(results.size());

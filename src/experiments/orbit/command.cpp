@@ -95,7 +95,9 @@ void printTable(const Console& console, const std::vector<experiments::OrbitResu
 
 void run(Command& command, OrbitArguments& arguments) {
     const experiments::OrbitOptions& options = arguments.options;
-    const PictureFolder folder(arguments.folder, command.files(), "orbit_");
+    const PictureFolder folder(arguments.folder, command.files(), [](const std::string& name) {
+        return name.starts_with("orbit_") && PictureFolder::isPicture(name);
+    });
     requireDistinct(options.techniques);
     command.files().mayPlot(arguments.plot);
     if (!arguments.files.model.empty()) {

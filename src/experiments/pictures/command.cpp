@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <span>
 
 namespace cdr::cli {
 
@@ -64,6 +66,19 @@ void writePictures(const PictureFolder& folder, const std::vector<experiments::P
                                   device));
 }
 
+/// Which files of a folder may be one of the pictures, by their names. What scenes are called is not known yet.
+std::function<bool(const std::string& name)> writtenBy(std::span<const depth::NamedTechnique> techniques) {
+    std::vector<std::string> ends;
+    for (const depth::NamedTechnique& technique : techniques.empty() ? depth::presets() : techniques) {
+        ends.push_back(PictureFolder::nameInFolder("_" + technique.name + ".png"));
+        ends.push_back(PictureFolder::nameInFolder("_" + technique.name + "_wrong.png"));
+    }
+    return [ends](const std::string& name) {
+        return name == kSheet ||
+               std::ranges::any_of(ends, [&](const std::string& end) { return name.ends_with(end); });
+    };
+}
+
 /// base::InputError for scenes or techniques whose pictures would have one name.
 std::vector<scene::SceneSetup> openScenes(Command& command, const PicturesArguments& arguments) {
     std::map<std::string, std::string> stems;
@@ -86,7 +101,7 @@ std::vector<scene::SceneSetup> openScenes(Command& command, const PicturesArgume
 
 void run(Command& command, PicturesArguments& arguments) {
     const experiments::PicturesOptions& options = arguments.options;
-    const PictureFolder folder(arguments.folder, command.files());
+    const PictureFolder folder(arguments.folder, command.files(), writtenBy(options.techniques));
     std::vector<scene::SceneSetup> scenes = openScenes(command, arguments);
     const auto results =
         experiments::runPictures(command.device(), std::move(scenes), options, command.progress());

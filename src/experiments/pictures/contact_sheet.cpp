@@ -43,7 +43,7 @@ image::ImageRgba8 makeContactSheet(const std::vector<PictureResult>& results, co
     const std::uint32_t rows = std::max(1u, static_cast<std::uint32_t>(alike)); // the first is like itself
     const std::uint32_t columns = static_cast<std::uint32_t>(results.size()) / rows;
     const image::ImageRgba8& first = results.front().picture;
-    const std::uint32_t factor = std::max(1u, first.width / kCellWidth);
+    const std::uint32_t factor = image::shrinkFactor(first, kCellWidth);
     const std::uint32_t cellHeight = first.height / factor;
     const std::uint32_t rowHeight = 2 * (cellHeight + kMargin) + kCaption;
     image::ImageRgba8 sheet(kMargin + columns * (first.width / factor + kMargin), kTitle + rows * rowHeight,

@@ -11,6 +11,7 @@ namespace cdr::experiments {
 namespace {
 
 constexpr double kMsPerSecond = 1e3;
+constexpr double kRounding = 1e-12; ///< of a time, by which equal ones may differ
 constexpr base::EnumNames<ProjectionBound, 3> kBoundNames{"bound", {"making", "taking", "frames"}};
 
 /// One frame's costs, as single numbers.
@@ -55,13 +56,13 @@ Projection project(const FrameCosts& costs, std::size_t nodes, std::size_t frame
         return msOf(each, nodes, frames) / kMsPerSecond;
     };
     const std::array<double, 3> least = leastMs(middle, nodes, frames);
-    const bool isShort = nodes >= frames;
+    const bool isUneven = least[2] > least[0];
     const bool takes = least[1] >= std::max(least[0], least[2]);
     Projection projection{.nodes = nodes,
                           .seconds = secondsOf(middle.make, middle.take),
-                          .bound = takes     ? ProjectionBound::taking
-                                   : isShort ? ProjectionBound::frames
-                                             : ProjectionBound::making};
+                          .bound = takes      ? ProjectionBound::taking
+                                   : isUneven ? ProjectionBound::frames
+                                              : ProjectionBound::making};
     if (make && take) {
         projection.secondsInterval = {.low = secondsOf(make->low, take->low),
                                       .high = secondsOf(make->high, take->high)};
@@ -73,10 +74,21 @@ Projection project(const FrameCosts& costs, std::size_t nodes, std::size_t frame
 
 std::size_t lastUsefulNodes(const FrameCosts& costs, std::size_t frames) {
     const Costs middle = medianOf(costs);
-    const double each = middle.take + middle.transfer;
-    const double all = middle.make + middle.claim + middle.take;
-    const double nodes = each > 0.0 ? std::ceil(all / each) : static_cast<double>(frames);
-    return static_cast<std::size_t>(std::clamp(nodes, 1.0, static_cast<double>(frames)));
+    // A node for each frame and one that takes them need least. From two nodes on, more never need longer.
+    const double least = msOf(middle, frames + 1, frames);
+    const auto isEnough = [&](std::size_t nodes) {
+        return msOf(middle, nodes, frames) <= least * (1.0 + kRounding);
+    };
+    if (isEnough(1)) {
+        return 1;
+    }
+    std::size_t slower = 1;
+    std::size_t enough = frames + 1;
+    while (enough - slower > 1) {
+        const std::size_t between = slower + (enough - slower) / 2;
+        (isEnough(between) ? enough : slower) = between;
+    }
+    return enough;
 }
 
 output::Columns<Projection> projectionColumns() {

@@ -22,9 +22,9 @@ struct FrameCosts {
 
 /// What bounds a run.
 enum class ProjectionBound : std::uint8_t {
-    making, ///< more nodes help
+    making, ///< all that is made and taken is divided by the nodes
     taking, ///< the first rank takes results as fast as it can
-    frames  ///< each node has one frame at most
+    frames  ///< a node makes so many frames: one, or one more than others
 };
 
 /// A run of so many nodes, a rank each.
@@ -42,7 +42,7 @@ struct Projection {
 Projection project(const FrameCosts& costs, std::size_t nodes, std::size_t frames, std::uint64_t seed);
 
 /// The least number of nodes from which on more nodes do not help. The first rank takes results as fast as it can then, or
-/// no node has a second frame to make.
+/// no other node has a second frame to make.
 std::size_t lastUsefulNodes(const FrameCosts& costs, std::size_t frames);
 
 output::Columns<Projection> projectionColumns();

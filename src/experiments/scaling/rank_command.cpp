@@ -32,6 +32,20 @@ std::string intervalText(const std::optional<measure::Interval>& interval) {
                     : fmt::format("a 95 % interval needs {} frames", measure::kMinIntervalSamples);
 }
 
+double sendMs(const experiments::FrameCosts& costs) {
+    return costs.msPerByte * costs.bytes;
+}
+
+std::string costsText(const experiments::FrameCosts& costs, std::size_t ranks) {
+    const std::string made =
+        fmt::format("A frame takes {:.4g} ms to make, and the first rank {:.4g} ms to take its {} bytes.",
+                    measure::median(costs.makeMs), measure::median(costs.takeMs), costs.bytes);
+    return made + (ranks > 1
+                       ? fmt::format(" They take {:.3g} ms to send. Claiming a frame takes {:.3g} ms.",
+                                     sendMs(costs), costs.claimMs)
+                       : " In one process no frame is claimed or sent, so the prediction leaves both out.");
+}
+
 } // namespace
 
 void addRankSweepOptions(CLI::App& command, RankSweepArguments& arguments) {
@@ -39,10 +53,13 @@ void addRankSweepOptions(CLI::App& command, RankSweepArguments& arguments) {
                      "Measure MPI ranks that divide the cascades of a frame, instead of threads");
     addList(command, "--heights", arguments.heights,
             "Heights of the 16:9 pictures to measure in pixels, separated by commas");
-    command.add_option(
-        "--project", arguments.nodes,
-        "Predict the time of a run on up to this many nodes, from measured frames of --size and of one --draws");
-    addValue(command, "--frames", arguments.frames, "Frames of the predicted run");
+    const CLI::Range projected(std::size_t{1}, kMaxProjected);
+    command
+        .add_option(
+            "--project", arguments.nodes,
+            "Predict the time of a run on up to this many nodes, from measured frames of --size and of one --draws")
+        ->check(projected);
+    addValue(command, "--frames", arguments.frames, "Frames of the predicted run")->check(projected);
 }
 
 void runRankSweep(Command& command, experiments::RankSweepOptions options,
@@ -78,11 +95,6 @@ void runRankSweep(Command& command, experiments::RankSweepOptions options,
 
 void runProjection(Command& command, const experiments::FrameCostOptions& options,
                    const RankSweepArguments& arguments) {
-    for (const std::size_t number : {arguments.nodes, arguments.frames}) {
-        if (number < 1 || number > kMaxProjected) {
-            throw base::inputError("--project and --frames must be 1 to {}, not {}", kMaxProjected, number);
-        }
-    }
     const auto [costs, run] = experiments::measureFrameCosts(command.device(), options, command.ranks());
     command.endProgress();
     if (!command.ranks().isFirst()) {
@@ -98,11 +110,7 @@ void runProjection(Command& command, const experiments::FrameCostOptions& option
     const auto columns = experiments::projectionColumns();
     const Console& console = command.console();
     console.table(output::tableOf(columns, projections));
-    console.line(fmt::format(
-        "\nA frame takes {:.4g} ms to make. Its {} bytes take {:.3g} ms to send, and {:.4g} ms for the first rank to "
-        "take. Claiming a frame takes {:.3g} ms. More than {} nodes do not help.",
-        measure::median(costs.makeMs), costs.bytes, costs.msPerByte * costs.bytes,
-        measure::median(costs.takeMs), costs.claimMs, useful));
+    console.line(fmt::format("\n{} More than {} nodes do not help.", costsText(costs, ranks), useful));
     console.line(fmt::format("Check: {} frames by {} rank{} took {:.3g} s. The prediction is {:.3g} s ({}).",
                              run.frames, ranks, ranks == 1 ? "" : "s", run.seconds, here.seconds,
                              intervalText(here.secondsInterval)));
@@ -120,8 +128,8 @@ void runProjection(Command& command, const experiments::FrameCostOptions& option
     document["costs"] = {{"make_ms", measure::median(costs.makeMs)},
                          {"take_ms", measure::median(costs.takeMs)},
                          {"bytes", costs.bytes},
-                         {"claim_ms", costs.claimMs},
-                         {"send_ms", costs.msPerByte * costs.bytes}};
+                         {"claim_ms", ranks > 1 ? output::Json(costs.claimMs) : output::Json(nullptr)},
+                         {"send_ms", ranks > 1 ? output::Json(sendMs(costs)) : output::Json(nullptr)}};
     document["useful_nodes"] = useful;
     document["check"] = {{"frames", run.frames},
                          {"seconds", run.seconds},

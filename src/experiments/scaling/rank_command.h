@@ -27,7 +27,6 @@ void runRankSweep(Command& command, experiments::RankSweepOptions options,
                   const RankSweepArguments& arguments);
 
 /// Runs on all ranks, measures a frame, and projects a run of many frames to many nodes.
-/// base::InputError for numbers out of range.
 void runProjection(Command& command, const experiments::FrameCostOptions& options,
                    const RankSweepArguments& arguments);
 

@@ -85,8 +85,8 @@ ScalingResult runScaling(const gpu::Device& device, const ScalingOptions& option
                          const NamedProgress& progress);
 void requireUsable(const ScalingOptions& options);
 
-/// Record time per draw, and its speed-up, over threads, as a gnuplot script; the first targets and fewest
-/// cascades.
+/// Record time per draw, and its speed-up, over threads, as a gnuplot script; of the first targets, submission and
+/// number of cascades.
 /// @param measuredOn goes under the title.
 std::string scalingPlot(const ScalingResult& result, const std::string& measuredOn);
 

@@ -37,6 +37,9 @@ void checkArguments(TimingArguments& arguments, CommandFiles& files, const ranks
     if (arguments.memory && (!arguments.modes.empty() || arguments.frames)) {
         throw base::InputError("--modes and --frames cannot be combined with --memory");
     }
+    if (arguments.memory && arguments.options.threads != experiments::TimingOptions{}.threads) {
+        throw base::InputError("--threads cannot be combined with --memory");
+    }
     if (!arguments.modes.empty()) {
         arguments.options.modes = experiments::timingModesNamed(arguments.modes);
     }
@@ -95,7 +98,7 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
             "/NAME after a mode draws it with the batching, submission, surface or targets of that name, as render "
             "takes them; also /in-plane and /occlusion-culling")
         ->delimiter(',')
-        ->default_str("all");
+        ->default_str("all, or standard alone with --against or --stages");
     addRivalList(command, arguments.rivalsBeside, "none");
     CLI::Option* against =
         command.add_option("--against", arguments.against,
@@ -119,7 +122,7 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
     for (const char* option : {"--scene", "--in-flight", "--rivals", "--csv", "--trace"}) {
         sayNotWith(command, option, "--against, --stages or --memory");
     }
-    for (const char* option : {"--frames", "--modes"}) {
+    for (const char* option : {"--frames", "--modes", "--threads"}) {
         sayNotWith(command, option, "--memory");
     }
     sayNotWith(command, "--plot", "--against or --memory");
