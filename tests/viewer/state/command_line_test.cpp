@@ -160,7 +160,10 @@ TEST(RenderCommand, SaysTheLensThatTheScenesOwnHasNotAtThatFrame) {
                              camera.nearView = frame == 0 ? kOwn.nearView : 2.0 * kOwn.nearView;
                              return camera;
                          }};
-    RenderResult result{.scene = scene, .camera = kOwn, .frame = 7};
+    RenderResult result;
+    result.scene = scene;
+    result.camera = kOwn;
+    result.frame = 7;
     result.sides.emplace_back();
     PictureModel picture;
     picture.shown = std::make_shared<const RenderResult>(result);
