@@ -34,8 +34,8 @@ struct AdviceQuestion {
 
 /// Between which values a ratio lies.
 struct RatioInterval {
-    double low = 1.0;
-    double high = 1.0;
+    double low = 1.0;  ///< at least
+    double high = 1.0; ///< at most
 };
 
 /// What was measured of a technique on a device, at the distance of the question.
