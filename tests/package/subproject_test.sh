@@ -20,12 +20,16 @@ for by in add_subdirectory FetchContent; do
         -DCDR_WARNINGS_AS_ERRORS=ON -DCDR_UNITY_BUILD=ON
 done
 # An engine has some of the libraries already. All of them at once find whichever cdr makes again; CDR_ALL_CASES takes each alone too.
+# Its own libraries are shared, which makes none of cdr's so.
 libraries=(fmt glm nlohmann_json meshoptimizer draco)
 has=("$(IFS=';' && echo "${libraries[*]}")")
 if [[ -n ${CDR_ALL_CASES-} ]]; then has+=("${libraries[@]}"); fi
 for some in "${has[@]}"; do
     quiet cmake -G Ninja -S "$source_dir/tests/package/subproject" -B "$work/has_${some//;/_}" "-DENGINE_HAS=$some" \
-        -DCDR_BY=add_subdirectory "-DCDR_SOURCE=$source_dir"
+        -DCDR_BY=add_subdirectory "-DCDR_SOURCE=$source_dir" -DBUILD_SHARED_LIBS=ON
+    steps=$(ninja -C "$work/has_${some//;/_}" -t commands)
+    [[ $steps == *" -o engine "* ]] || fail "nothing builds the engine"
+    ! grep --only-matching ' -o cdr/[^ ]*[.]so[^ ]* ' <<<"$steps" >&2 || fail "an engine that links cdr::depth also builds shared libraries"
 done
 # What the engine does not link is not built, and its own program lands where it says.
 quiet cmake --build "$work/add_subdirectory"

@@ -27,14 +27,14 @@ if(CDR_BUILD_RENDER)
     list(APPEND CDR_PARTS SCENE RENDER)
 endif()
 
+if(NOT CDR_INSTALL)
+    return()
+endif()
 if(BUILD_SHARED_LIBS)
     foreach(PART IN LISTS CDR_PARTS)
         string(TOLOWER ${PART} part)
         set_target_properties(cdr_shared_${part} PROPERTIES EXCLUDE_FROM_ALL OFF)
     endforeach()
-endif()
-if(NOT CDR_INSTALL)
-    return()
 endif()
 
 # cdr_install(KIND CHOSEN): what both kinds of package hold, and the libraries of one.
