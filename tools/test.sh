@@ -28,6 +28,8 @@ while (($#)); do
     esac
 done
 
+# As these presets say: an option here would outdo them.
+if [[ $preset == gcc || $preset == clang ]]; then warnings_as_errors=ON; fi
 # GCC's flow warnings misfire on instrumented code, which its manual says of every sanitizer.
 if [[ $preset == [at]san ]]; then warnings_as_errors=OFF; fi
 
