@@ -22,7 +22,14 @@ refuse() {
     rm -rf "$work/refused"
 }
 
+# expect_licences PREFIX NAME...: these files are installed with cdr, and no other.
+expect_licences() {
+    [[ $(cd "$1/share/doc/cdr" && find . -type f -printf '%P\n' | LC_ALL=C sort | paste --serial --delimiters=' ') == "${*:2}" ]] ||
+        { echo "installed without its licence, or with another: $1" >&2 && exit 1; }
+}
+
 install_cdr plain ""
+expect_licences "$work/plain/prefix" LICENSE
 expect_output "$("$work/plain/example/depth_only")"
 if ldd "$work/plain/example/depth_only" | grep -E 'fmt|vulkan|crypto|json'; then
     echo "the example links more than the compiler's libraries" >&2
@@ -77,6 +84,7 @@ expect_headers() {
         { echo "tests/package/headers.txt names what is installed; change it with what you install" >&2 && exit 1; }
 }
 expect_headers "$work/render"
+expect_licences "$work/render" LICENSE third_party/LICENCES.md
 
 # Each installed header compiles alone, from what is installed. One that another header includes first is compiled with that
 # one: nothing that could help it comes before, since export.h holds macros alone.

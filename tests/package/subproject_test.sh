@@ -64,8 +64,10 @@ found=$(programs no_report -DCDR_BUILD_REPORT=OFF)
 expect "CDR_BUILD_REPORT=OFF" cdr test_report
 ! grep -rq 'page/build.mjs' "$work/no_report/build.ninja" || fail "CDR_BUILD_REPORT=OFF: bundles the page"
 quiet cmake --build "$work/no_report" --target cdr_page_header
-found=$(programs no_tests -DCDR_BUILD_TESTS=OFF -DCMAKE_DISABLE_FIND_PACKAGE_GTest=TRUE -DCMAKE_DISABLE_FIND_PACKAGE_benchmark=TRUE)
-expect "CDR_BUILD_TESTS=OFF" cdr '!test_.*' '!.*_benchmark.*'
+found=$(programs no_tests -DCDR_BUILD_TESTS=OFF -DCDR_INSTALL=OFF -DCMAKE_DISABLE_FIND_PACKAGE_GTest=TRUE \
+    -DCMAKE_DISABLE_FIND_PACKAGE_benchmark=TRUE)
+expect "CDR_BUILD_TESTS=OFF" cdr '!test_.*'
+! grep -r --include=cmake_install.cmake 'file(INSTALL' "$work/no_tests" >&2 || fail "CDR_INSTALL=OFF: there are install rules"
 found=$(programs no_tools -DCDR_BUILD_TOOLS=OFF -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=TRUE -DCMAKE_DISABLE_FIND_PACKAGE_OpenSSL=TRUE \
     -DCMAKE_DISABLE_FIND_PACKAGE_GTest=TRUE -DCMAKE_DISABLE_FIND_PACKAGE_benchmark=TRUE)
 expect "CDR_BUILD_TOOLS=OFF" '!.+'

@@ -37,6 +37,22 @@ if(BUILD_SHARED_LIBS)
     endforeach()
 endif()
 
+# cdr_install_licences([COMPONENT ...]): each component has them, since MIT asks that every copy does. An engine's folder for
+# documents is not cdr's.
+set(CDR_DOC_DIR "${CMAKE_INSTALL_DATAROOTDIR}/doc/cdr")
+if(PROJECT_IS_TOP_LEVEL)
+    set(CDR_DOC_DIR "${CMAKE_INSTALL_DOCDIR}")
+endif()
+function(cdr_install_licences)
+    install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CDR_DOC_DIR}" ${ARGN})
+    if(CDR_BUILD_RENDER) # without, nothing of others is compiled in
+        install(FILES "${PROJECT_SOURCE_DIR}/third_party/LICENCES.md" DESTINATION "${CDR_DOC_DIR}/third_party" ${ARGN})
+    endif()
+endfunction()
+if(CDR_BUILD_RENDER AND CDR_BUILD_TOOLS) # with the programs
+    cdr_install_licences()
+endif()
+
 # cdr_install(KIND CHOSEN): what both kinds of package hold, and the libraries of one.
 function(cdr_install kind chosen)
     set(where COMPONENT cdr_${kind})
@@ -58,6 +74,7 @@ function(cdr_install kind chosen)
         endforeach()
         install(EXPORT cdr-${kind}-${part} NAMESPACE cdr:: DESTINATION "${CDR_CONFIG_DIR}" ${where})
     endforeach()
+    cdr_install_licences(${where})
     install(DIRECTORY "${PROJECT_SOURCE_DIR}/shaders/public/" DESTINATION "${CDR_SHADER_DIR}" ${where}
         FILES_MATCHING PATTERN "*.glsl" PATTERN "*.hlsl")
     install(FILES "${PROJECT_BINARY_DIR}/cdr-config.cmake" "${PROJECT_BINARY_DIR}/cdr-config-version.cmake"
