@@ -48,6 +48,15 @@ read -ra flags < <(PKG_CONFIG_PATH=$pc_dir pkg-config --define-prefix --cflags -
 quiet c++ -std=c++20 "-I$poison" "$source_dir/src/examples/depth_only/"{main,draw_anchored}.cpp "${flags[@]}" -o "$work/by_pkg_config"
 expect_output "$("$work/by_pkg_config")"
 
+# Folders may be absolute, for example those of a distribution.
+quiet cmake -G Ninja -S "$source_dir" -B "$work/absolute" -DCDR_BUILD_RENDER=OFF "${hidden[@]}" \
+    -DCMAKE_INSTALL_LIBDIR=/opt/lib64 -DCMAKE_INSTALL_INCLUDEDIR=/opt/include
+if [[ $(pkg-config --cflags --libs "$work/absolute/static/cdr.pc") != "-I/opt/include -L/opt/lib64 "* ]]; then
+    cat "$work/absolute/static/cdr.pc" >&2
+    echo "cdr.pc does not name the folders where libraries and headers are" >&2
+    exit 1
+fi
+
 if (($# < 2)); then
     echo "render: not installed, this build's libraries need more of the linker"
     exit 0

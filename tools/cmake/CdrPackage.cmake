@@ -17,6 +17,9 @@ configure_package_config_file("${PROJECT_SOURCE_DIR}/tools/cmake/cdr-config.cmak
     "${PROJECT_BINARY_DIR}/cdr-config.cmake" INSTALL_DESTINATION "${CDR_CONFIG_DIR}" PATH_VARS CDR_SHADER_DIR)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/cdr-config-version.cmake" COMPATIBILITY SameMajorVersion)
 file(RELATIVE_PATH CDR_PC_TO_PREFIX "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
+foreach(folder LIBDIR INCLUDEDIR) # absolute ones stay as they are
+    cmake_path(ABSOLUTE_PATH CMAKE_INSTALL_${folder} BASE_DIRECTORY "\${prefix}" OUTPUT_VARIABLE CDR_PC_${folder})
+endforeach()
 
 # The rooms of each part of the package, for the reference too.
 set(CDR_DEPTH_ROOMS base depth)
