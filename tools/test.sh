@@ -53,5 +53,5 @@ passed=true
 "${launcher[@]}" ctest --preset "$preset" --parallel "$(($(nproc) + 4))" || passed=false
 echo "Seconds: $((built - start)) to build, $((SECONDS - built)) to test"
 
-if ! $formatted; then echo "tools/test.sh: the formatting differs, see above; tools/format.sh mends it" >&2; fi
+if ! $formatted; then echo "tools/test.sh: tools/format.sh --check failed, see above; tools/format.sh mends what differs" >&2; fi
 $passed && $formatted
