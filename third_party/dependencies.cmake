@@ -28,9 +28,9 @@ pkg_check_modules(turbojpeg REQUIRED IMPORTED_TARGET libturbojpeg)
 if(CDR_BUILD_TESTS AND CDR_BUILD_TOOLS)
     find_package(GTest REQUIRED)
     include(GoogleTest)
-endif()
-if(CDR_BUILD_BENCHMARKS AND CDR_BUILD_TOOLS)
-    find_package(benchmark REQUIRED)
+    if(CDR_BUILD_BENCHMARKS)
+        find_package(benchmark REQUIRED)
+    endif()
 endif()
 
 # Vulkan Memory Allocator: from the system, or where the distribution lacks it from third_party/vma.sh.

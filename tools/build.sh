@@ -17,6 +17,10 @@ if (($#)) && [[ $1 != -* ]]; then
     preset=$1
     shift
 fi
+if [[ $preset == asan && $PWD == *[[:space:]:]* ]]; then
+    echo "tools/build.sh: asan's tests preload a library, which LD_PRELOAD cannot name in a folder with a blank or colon: $PWD" >&2
+    exit 2
+fi
 if $in_batches && [[ ! -e build/$preset/CMakeCache.txt ]]; then configure_arguments+=(-DCDR_UNITY_BUILD=ON); fi
 while (($#)) && [[ $1 != -- ]]; do
     configure_arguments+=("$1")

@@ -4,7 +4,8 @@
 # the day before the newest.
 # Usage: tools/changed.sh
 set -euo pipefail
-cd "$(git rev-parse --show-toplevel)"
+top=$(git rev-parse --show-toplevel)
+cd "$top"
 fewest_commits=20
 seconds=86400
 

@@ -123,11 +123,11 @@ left_out() { # WHAT NAME...
 
 check_changed() {
     local changed sources rooms targets=() room
-    mapfile -t changed < <(tools/changed.sh)
+    changed=$(tools/changed.sh) # first, so that its failure is one
     # A room is named by its folder. Tests that start programs or a window, or make a page, take too long for this.
-    mapfile -t rooms < <(printf '%s\n' "${changed[@]}" | sed -nE 's,^(src/cdr|src|tests)/([a-z]+)/.*,\2,p' | awk '!seen[$0]++')
+    mapfile -t rooms < <(sed -nE 's,^(src/cdr|src|tests)/([a-z]+)/.*,\2,p' <<<"$changed" | awk '!seen[$0]++')
     # A header is checked by the source beside it.
-    mapfile -t sources < <(printf '%s\n' "${changed[@]}" | sed -nE 's,^(src/.*)[.](cpp|h)$,\1.cpp,p' | awk '!seen[$0]++' |
+    mapfile -t sources < <(sed -nE 's,^(src/.*)[.](cpp|h)$,\1.cpp,p' <<<"$changed" | awk '!seen[$0]++' |
         while read -r file; do [[ ! -e $file ]] || echo "$file"; done)
     check_some 40 clang-tidy tools/tidy.sh "${sources[@]}"
     if command -v iwyu_tool >/dev/null; then

@@ -14,7 +14,7 @@ usage() {
 all=()
 for source in tests/fuzz/*_fuzzer.cpp; do all+=("$(basename "$source" _fuzzer.cpp)"); done
 seconds=${1-60}
-[[ $seconds =~ ^[0-9]+$ ]] || usage
+[[ $seconds =~ ^[1-9][0-9]*$ ]] || usage # libFuzzer takes 0 for no limit
 parsers=("${@:2}")
 ((${#parsers[@]})) || parsers=("${all[@]}")
 for name in "${parsers[@]}"; do

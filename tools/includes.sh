@@ -14,7 +14,8 @@ tools/build.sh tidy >/dev/null
 
 files=("$@")
 if ((${#files[@]} == 0)); then
-    mapfile -t files < <(git ls-files --cached --others --exclude-standard -- 'src/*.cpp')
+    found=$(git ls-files --cached --others --exclude-standard -- 'src/*.cpp') # first, so that its failure is one
+    mapfile -t files <<<"$found"
 fi
 echo "include-what-you-use: ${#files[@]} files"
 findings=$(iwyu_tool -p build/tidy -j "$(nproc)" "${files[@]}" -- \

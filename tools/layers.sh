@@ -31,12 +31,11 @@ fetch() {
         dpkg-deb --showformat '${Package} ${Version}\n' --show "$package" >>"$new/packages"
     done
     mkdir -p .cache && rm -rf "$unpacked" && mv "$new" "$unpacked"
-    cd "$OLDPWD"
 }
 
 [[ ${1-} != --shaders ]] || { export VK_KHRONOS_VALIDATION_SYNCVAL_SHADER_ACCESSES_HEURISTIC=1 && shift; }
 (($#)) || { sed -n 's/^# \(Usage: .*\)/\1/p' "${BASH_SOURCE[0]}" >&2 && exit 2; }
-[[ -e $unpacked/packages ]] || fetch
+[[ -e $unpacked/packages ]] || (fetch) # a shell of its own: what is removed at its exit would stay after exec
 libraries=$(dirname "$(find "$unpacked" -name libVkLayer_khronos_validation.so)")
 export VK_LAYER_PATH=$unpacked/usr/share/vulkan/explicit_layer.d
 export VK_KHRONOS_VALIDATION_SYNCVAL_LOAD_OP_AFTER_STORE_OP_VALIDATION=1

@@ -22,12 +22,14 @@ function distributionPackages() {
         .map((line) => line.split("=")));
     const found = [];
     for (const name of run("tools/setup.sh", "--list").split("\n")) {
-        let version = "";
+        let state = "";
         try {
-            version = execFileSync("dpkg-query", ["--showformat", "${Version}", "--show", name], { encoding: "utf8", stdio: "pipe" });
+            const format = "${db:Status-Status} ${Version}\n"; // what was removed keeps its version
+            state = execFileSync("dpkg-query", ["--showformat", format, "--show", name], { encoding: "utf8", stdio: "pipe" });
         } catch {
             // never installed
         }
+        const version = state.match(/^installed (\S+)$/m)?.[1];
         if (!version) {
             continue; // optional, or brought by another package
         }

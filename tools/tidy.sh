@@ -9,7 +9,8 @@ tools/build.sh tidy
 
 files=("$@")
 if ((${#files[@]} == 0)); then
-    mapfile -t files < <(git ls-files --cached --others --exclude-standard -- 'src/*.cpp')
+    found=$(git ls-files --cached --others --exclude-standard -- 'src/*.cpp') # first, so that its failure is one
+    mapfile -t files <<<"$found"
 fi
 # Whether all that an example includes of its own is there: shaders that its own build compiles are not.
 has_own_headers() {

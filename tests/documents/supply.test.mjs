@@ -41,6 +41,21 @@ test("the bill of materials is SPDX and holds every package with its version, li
     assert.equal(bill.relationships.length, bill.packages.length);
 });
 
+test("the bill of materials leaves out a package that was removed and not purged", () => {
+    const folder = mkdtempSync(join(tmpdir(), "cdr-sbom-"));
+    try {
+        writeFileSync(join(folder, "dpkg-query"), `#!/bin/sh
+case "$2" in *Status-Status*) printf 'config-files ' ;; esac
+echo 1.0
+`, { mode: 0o755 });
+        const options = { cwd: root, encoding: "utf8", env: { ...process.env, PATH: `${folder}:${process.env.PATH}` } };
+        const bill = JSON.parse(execFileSync(join(root, "tools/sbom.mjs"), options));
+        assert.ok(!bill.packages.some(({ name }) => wanted.includes(name)));
+    } finally {
+        rmSync(folder, { recursive: true });
+    }
+});
+
 test("setup.sh says what it would do, and refuses other words", () => {
     assert.match(run("tools/setup.sh", "--dry-run"), /nothing was changed\n$/);
     assert.throws(() => execFileSync(join(root, "tools/setup.sh"), ["--dryrun"], { stdio: "pipe" }), /usage: tools\/setup.sh/);

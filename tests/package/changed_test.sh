@@ -94,4 +94,16 @@ for what in "clang-tidy: src/cdr" "AddressSanitizer: test_" "fuzzing of: camera_
     [[ $output == *"no time was left for"*"$what"* ]] || fail "what was left out" "$what" "$output"
 done
 [[ $(wc --lines <"$log") == 1 ]] || fail "what is run without time" "the build for valgrind" "$(cat "$log")"
+# Where git fails, nothing was checked, and that is said by the status.
+cp "$source/tools/tidy.sh" "$source/tools/includes.sh" "$work"
+printf '#!/bin/sh\nexit 128\n' >"$work/bin/git"
+chmod +x "$work/bin/git"
+fails() { # COMMAND...
+    ! PATH=$work/bin:$PATH "$@" >"$work/output" 2>&1 || fail "$* without git" "a failure" "$(cat "$work/output")"
+}
+fails tools/check.sh --changed
+for script in tidy includes; do
+    cp "$work/$script.sh" tools
+    fails "tools/$script.sh"
+done
 echo "changes of a day are listed and checked, newest first"

@@ -22,7 +22,14 @@ refuse() {
     rm -rf "$work/refused"
 }
 
+# expect_licences PREFIX NAME...: these files are installed with cdr, and no other.
+expect_licences() {
+    [[ $(cd "$1/share/doc/cdr" && find . -type f -printf '%P\n' | LC_ALL=C sort | paste --serial --delimiters=' ') == "${*:2}" ]] ||
+        { echo "installed without its licence, or with another: $1" >&2 && exit 1; }
+}
+
 install_cdr plain ""
+expect_licences "$work/plain/prefix" LICENSE
 expect_output "$("$work/plain/example/depth_only")"
 if ldd "$work/plain/example/depth_only" | grep -E 'fmt|vulkan|crypto|json'; then
     echo "the example links more than the compiler's libraries" >&2
@@ -40,6 +47,15 @@ pc_dir=$(dirname "$(find "$work/plain/prefix" -name cdr.pc)")
 read -ra flags < <(PKG_CONFIG_PATH=$pc_dir pkg-config --define-prefix --cflags --libs cdr)
 quiet c++ -std=c++20 "-I$poison" "$source_dir/src/examples/depth_only/"{main,draw_anchored}.cpp "${flags[@]}" -o "$work/by_pkg_config"
 expect_output "$("$work/by_pkg_config")"
+
+# Folders may be absolute, for example those of a distribution.
+quiet cmake -G Ninja -S "$source_dir" -B "$work/absolute" -DCDR_BUILD_RENDER=OFF "${hidden[@]}" \
+    -DCMAKE_INSTALL_LIBDIR=/opt/lib64 -DCMAKE_INSTALL_INCLUDEDIR=/opt/include
+if [[ $(pkg-config --cflags --libs "$work/absolute/static/cdr.pc") != "-I/opt/include -L/opt/lib64 "* ]]; then
+    cat "$work/absolute/static/cdr.pc" >&2
+    echo "cdr.pc does not name the folders where libraries and headers are" >&2
+    exit 1
+fi
 
 if (($# < 2)); then
     echo "render: not installed, this build's libraries need more of the linker"
@@ -77,6 +93,7 @@ expect_headers() {
         { echo "tests/package/headers.txt names what is installed; change it with what you install" >&2 && exit 1; }
 }
 expect_headers "$work/render"
+expect_licences "$work/render" LICENSE third_party/LICENCES.md
 
 # Each installed header compiles alone, from what is installed. One that another header includes first is compiled with that
 # one: nothing that could help it comes before, since export.h holds macros alone.

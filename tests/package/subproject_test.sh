@@ -20,12 +20,16 @@ for by in add_subdirectory FetchContent; do
         -DCDR_WARNINGS_AS_ERRORS=ON -DCDR_UNITY_BUILD=ON
 done
 # An engine has some of the libraries already. All of them at once find whichever cdr makes again; CDR_ALL_CASES takes each alone too.
+# Its own libraries are shared, which makes none of cdr's so.
 libraries=(fmt glm nlohmann_json meshoptimizer draco)
 has=("$(IFS=';' && echo "${libraries[*]}")")
 if [[ -n ${CDR_ALL_CASES-} ]]; then has+=("${libraries[@]}"); fi
 for some in "${has[@]}"; do
     quiet cmake -G Ninja -S "$source_dir/tests/package/subproject" -B "$work/has_${some//;/_}" "-DENGINE_HAS=$some" \
-        -DCDR_BY=add_subdirectory "-DCDR_SOURCE=$source_dir"
+        -DCDR_BY=add_subdirectory "-DCDR_SOURCE=$source_dir" -DBUILD_SHARED_LIBS=ON
+    steps=$(ninja -C "$work/has_${some//;/_}" -t commands)
+    [[ $steps == *" -o engine "* ]] || fail "nothing builds the engine"
+    ! grep --only-matching ' -o cdr/[^ ]*[.]so[^ ]* ' <<<"$steps" >&2 || fail "an engine that links cdr::depth also builds shared libraries"
 done
 # What the engine does not link is not built, and its own program lands where it says.
 quiet cmake --build "$work/add_subdirectory"
@@ -60,9 +64,13 @@ found=$(programs no_report -DCDR_BUILD_REPORT=OFF)
 expect "CDR_BUILD_REPORT=OFF" cdr test_report
 ! grep -rq 'page/build.mjs' "$work/no_report/build.ninja" || fail "CDR_BUILD_REPORT=OFF: bundles the page"
 quiet cmake --build "$work/no_report" --target cdr_page_header
+found=$(programs no_tests -DCDR_BUILD_TESTS=OFF -DCDR_INSTALL=OFF -DCMAKE_DISABLE_FIND_PACKAGE_GTest=TRUE \
+    -DCMAKE_DISABLE_FIND_PACKAGE_benchmark=TRUE)
+expect "CDR_BUILD_TESTS=OFF" cdr '!test_.*'
+! grep -r --include=cmake_install.cmake 'file(INSTALL' "$work/no_tests" >&2 || fail "CDR_INSTALL=OFF: there are install rules"
 found=$(programs no_tools -DCDR_BUILD_TOOLS=OFF -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=TRUE -DCMAKE_DISABLE_FIND_PACKAGE_OpenSSL=TRUE \
     -DCMAKE_DISABLE_FIND_PACKAGE_GTest=TRUE -DCMAKE_DISABLE_FIND_PACKAGE_benchmark=TRUE)
 expect "CDR_BUILD_TOOLS=OFF" '!.+'
 found=$(programs no_render -DCDR_BUILD_RENDER=OFF)
 expect "CDR_BUILD_RENDER=OFF" '!.+'
-echo "options: configured without the viewer, the page, the programs and the renderer"
+echo "options: configured without the viewer, the page, the tests, the programs and the renderer"

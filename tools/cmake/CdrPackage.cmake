@@ -17,6 +17,9 @@ configure_package_config_file("${PROJECT_SOURCE_DIR}/tools/cmake/cdr-config.cmak
     "${PROJECT_BINARY_DIR}/cdr-config.cmake" INSTALL_DESTINATION "${CDR_CONFIG_DIR}" PATH_VARS CDR_SHADER_DIR)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/cdr-config-version.cmake" COMPATIBILITY SameMajorVersion)
 file(RELATIVE_PATH CDR_PC_TO_PREFIX "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
+foreach(folder LIBDIR INCLUDEDIR) # absolute ones stay as they are
+    cmake_path(ABSOLUTE_PATH CMAKE_INSTALL_${folder} BASE_DIRECTORY "\${prefix}" OUTPUT_VARIABLE CDR_PC_${folder})
+endforeach()
 
 # The rooms of each part of the package, for the reference too.
 set(CDR_DEPTH_ROOMS base depth)
@@ -27,14 +30,30 @@ if(CDR_BUILD_RENDER)
     list(APPEND CDR_PARTS SCENE RENDER)
 endif()
 
+if(NOT CDR_INSTALL)
+    return()
+endif()
 if(BUILD_SHARED_LIBS)
     foreach(PART IN LISTS CDR_PARTS)
         string(TOLOWER ${PART} part)
         set_target_properties(cdr_shared_${part} PROPERTIES EXCLUDE_FROM_ALL OFF)
     endforeach()
 endif()
-if(NOT CDR_INSTALL)
-    return()
+
+# cdr_install_licences([COMPONENT ...]): each component has them, since MIT asks that every copy does. An engine's folder for
+# documents is not cdr's.
+set(CDR_DOC_DIR "${CMAKE_INSTALL_DATAROOTDIR}/doc/cdr")
+if(PROJECT_IS_TOP_LEVEL)
+    set(CDR_DOC_DIR "${CMAKE_INSTALL_DOCDIR}")
+endif()
+function(cdr_install_licences)
+    install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CDR_DOC_DIR}" ${ARGN})
+    if(CDR_BUILD_RENDER) # without, nothing of others is compiled in
+        install(FILES "${PROJECT_SOURCE_DIR}/third_party/LICENCES.md" DESTINATION "${CDR_DOC_DIR}/third_party" ${ARGN})
+    endif()
+endfunction()
+if(CDR_BUILD_RENDER AND CDR_BUILD_TOOLS) # with the programs
+    cdr_install_licences()
 endif()
 
 # cdr_install(KIND CHOSEN): what both kinds of package hold, and the libraries of one.
@@ -58,6 +77,7 @@ function(cdr_install kind chosen)
         endforeach()
         install(EXPORT cdr-${kind}-${part} NAMESPACE cdr:: DESTINATION "${CDR_CONFIG_DIR}" ${where})
     endforeach()
+    cdr_install_licences(${where})
     install(DIRECTORY "${PROJECT_SOURCE_DIR}/shaders/public/" DESTINATION "${CDR_SHADER_DIR}" ${where}
         FILES_MATCHING PATTERN "*.glsl" PATTERN "*.hlsl")
     install(FILES "${PROJECT_BINARY_DIR}/cdr-config.cmake" "${PROJECT_BINARY_DIR}/cdr-config-version.cmake"
