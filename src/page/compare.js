@@ -1,26 +1,27 @@
 // The experiment on people: shows the trials of logic/sitting.js and keeps their answers.
 
 import { pairRows } from "./logic/flicker.js";
-import { answered, freshSeed, nextTrial, restore, startSitting, store } from "./logic/sitting.js";
+import { answered, freshSeed, nextTrial, reopen, startSitting, store } from "./logic/sitting.js";
 import { compared, fromCsv, maxBytes, toCsv, withoutRepeats } from "./logic/trials.js";
 import { makeAgreement, makePairs, makeTally } from "./view/tally.js";
 import { Trial } from "./view/trial.js";
 
 const kKey = "cdr-compare";
+const kOthersKey = "cdr-compare-others";
 const byId = (id) => document.getElementById(id);
 
 /** Local storage, where the browser lends it to a page opened from a file. */
 const kept = {
-    read() {
+    read(key) {
         try {
-            return localStorage.getItem(kKey);
+            return localStorage.getItem(key);
         } catch {
             return null;
         }
     },
-    write(text) {
+    write(key, text) {
         try {
-            localStorage.setItem(kKey, text);
+            localStorage.setItem(key, text);
         } catch {
             // Then the answers live as long as the page.
         }
@@ -28,18 +29,18 @@ const kept = {
 };
 
 const askedSeed = new URLSearchParams(location.search).get("seed");
-let sitting = restore(kept.read(), askedSeed);
+let { sitting, others } = reopen(kept.read(kKey), kept.read(kOthersKey), askedSeed);
 const flicker = window.cdrReport?.sections.flicker ?? { results: [] }; // a copy of this page may lie elsewhere
 /** Pictures of the scene that the videos show, if this report has them. */
 const stills = {
     pictures: (window.cdrReport?.sections.pictures?.results ?? []).filter((picture) => picture.scene === "afc"),
     folder: window.cdrReport?.report.results.find((row) => row.section === "pictures")?.folder,
 };
-let others = [];
+let loaded = []; // from files, which keep them
 const trial = new Trial({
     onAnswer(answer) {
         sitting = answered(sitting, answer);
-        kept.write(store(sitting));
+        kept.write(kKey, store(sitting));
         showNext(true);
     },
 });
@@ -76,7 +77,7 @@ function showNext(focus) {
 }
 
 function allAnswers() {
-    return withoutRepeats([...sitting.answers, ...others]);
+    return withoutRepeats([...sitting.answers, ...others, ...loaded]);
 }
 
 function showTally() {
@@ -102,7 +103,7 @@ async function loadFiles(files) {
             if (file.size > maxBytes) {
                 throw new Error(`over the limit of ${maxBytes} bytes`);
             }
-            others = withoutRepeats([...others, ...fromCsv(await file.text())]);
+            loaded = withoutRepeats([...loaded, ...fromCsv(await file.text())]);
         } catch (error) {
             refused.push(`${file.name}: ${error.message}`);
         }
@@ -115,13 +116,14 @@ async function loadFiles(files) {
 byId("start").addEventListener("submit", (event) => {
     event.preventDefault();
     sitting = startSitting(byId("participant").value, sitting.seed);
-    kept.write(store(sitting));
+    kept.write(kOthersKey, toCsv(others)); // first, since these may be of the sitting that is written over
+    kept.write(kKey, store(sitting));
     showNext(true);
 });
 byId("save").addEventListener("click", () => download(`answers-${sitting.seed}.csv`, toCsv(sitting.answers)));
 byId("save-all").addEventListener("click", () => download("answers-all.csv", toCsv(allAnswers())));
 byId("again").addEventListener("click", () => {
-    others = allAnswers();
+    others = withoutRepeats([...others, ...sitting.answers]);
     showWelcome(freshSeed(crypto.getRandomValues(new Uint8Array(8))));
     byId("participant").value = "";
     byId("participant").focus();

@@ -1,7 +1,9 @@
 #include <rivals/key_scale.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace cdr::rivals {
 
@@ -14,6 +16,12 @@ std::uint64_t bitsOf(double value) {
     return std::bit_cast<std::uint64_t>(value);
 }
 
+/// Keys up to far fill their bits, unless a float32 ends before: then far is below 2.7e-20, and they fill fewer.
+float stepsPerUnit(double farView) {
+    constexpr int kLargestExponent = std::numeric_limits<float>::max_exponent - 1;
+    return std::exp2(static_cast<float>(std::min(kFixedBits - 1 - std::ilogb(farView), kLargestExponent)));
+}
+
 /// A float32 whose bits were ordered as unsigned numbers.
 float unordered(std::uint32_t ordered) {
     const bool isPositive = (ordered & 0x80000000u) != 0;
@@ -24,7 +32,7 @@ float unordered(std::uint32_t ordered) {
 
 KeyScale::KeyScale(const Rival& rival, const scene::Camera& camera)
     : m_rival(rival),
-      m_stepsPerUnit(static_cast<float>(std::exp2(kFixedBits - 1 - std::ilogb(camera.farView)))),
+      m_stepsPerUnit(stepsPerUnit(camera.farView)),
       m_originTop(static_cast<std::uint32_t>(bitsOf(camera.nearView) >> 32u)) {
     const std::uint64_t span = bitsOf(camera.farView) - (std::uint64_t{m_originTop} << 32u);
     const auto bits = static_cast<std::uint32_t>(std::bit_width(span));

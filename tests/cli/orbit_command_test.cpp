@@ -11,6 +11,7 @@ TEST_F(OrbitCommand, MissingMapsAreOneLineAndLeaveNothing) {
     expectRefusal("orbit --data nowhere --out pictures", "tools/setup.sh");
     EXPECT_FALSE(std::filesystem::exists(at("pictures")));
     expectRefusal("render orbit -o a.png", "nowhere/earth-blue-marble.jpg", "CDR_ORBIT_DATA=nowhere");
+    expectRefusal("render orbit -o a.png", "tools/setup.sh", "CDR_ORBIT_DATA=" + std::string(300, 'x'));
 }
 
 TEST_F(OrbitCommand, MeasuresTheZoom) {

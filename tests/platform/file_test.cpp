@@ -240,6 +240,14 @@ TEST_F(FileTest, TemporaryNamesAreRandomAndTaken) {
     EXPECT_EQ(filesInFolder(), 0u);
 }
 
+/// The name while it is written is longer than the extension alone.
+TEST_F(FileTest, WritesUnderTheLongestExtension) {
+    const fs::path file = path(("x." + std::string(240, 'y')).c_str());
+    cdr::platform::writeText(file, "whole");
+    EXPECT_EQ(fs::file_size(file), 5u);
+    EXPECT_EQ(filesInFolder(), 1u);
+}
+
 TEST_F(FileTest, RefusesNamesThatAreTooLong) {
     EXPECT_THROW(cdr::platform::requireWritable(path(std::string(300, 'x').c_str())), InputError);
 }

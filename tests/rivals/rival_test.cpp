@@ -86,4 +86,16 @@ TEST(Rivals, FixedKeysReachTheFarPlane) {
     EXPECT_DOUBLE_EQ(scale.distanceView(static_cast<std::uint64_t>(steps)), camera.farView);
 }
 
+/// Of the smallest scenes too, for which a float32 does not hold the steps that fill all bits.
+TEST(Rivals, FixedKeysOfTheNearestFarPlaneComeBack) {
+    scene::Camera camera;
+    camera.nearView = 1e-30;
+    camera.farView = 2e-30;
+    const KeyScale scale(parseRival("atomic-fixed").rival, camera);
+    const float stepsPerUnit = scale.pushFor(1).scale;
+    ASSERT_TRUE(std::isfinite(stepsPerUnit));
+    const auto key = static_cast<std::uint64_t>(camera.farView * static_cast<double>(stepsPerUnit));
+    EXPECT_NEAR(scale.distanceView(key), camera.farView, camera.nearView * 1e-7);
+}
+
 } // namespace

@@ -67,6 +67,13 @@ struct Temporary {
     int error = 0;
 };
 
+/// With its dot, for writers that choose a format by it. Without one where random names leave no room for it.
+std::string shortExtension(const fs::path& path) {
+    constexpr std::size_t kMostBytes = 200; // of 255
+    std::string extension = path.extension().string();
+    return extension.size() > kMostBytes ? std::string() : extension;
+}
+
 /// Creates an empty file in `folder` that nobody else has; its mode is what the process' umask leaves.
 Temporary createTemporary(const fs::path& folder, const std::string& extension,
                           std::optional<UnfinishedFile>& unfinished) {
@@ -228,7 +235,7 @@ PendingFile::PendingFile(fs::path path) : m_path(std::move(path)), m_target(with
         throw base::InputError(oneLine(m_path) +
                                ": cannot be written, the folder for temporary files is missing");
     }
-    Temporary temporary = createTemporary(temporaryFolder, m_path.extension().string(), m_unfinished);
+    Temporary temporary = createTemporary(temporaryFolder, shortExtension(m_path), m_unfinished);
     if (isOfTheSystem(temporary.error)) {
         throwCannotBeWritten(m_path, temporary.error);
     }

@@ -1,6 +1,6 @@
 // A sitting: one person's run through the experiment, as plain data that survives a reload.
 
-import { fromCsv, makeAnswer, makeTrials, toCsv } from "./trials.js";
+import { fromCsv, makeAnswer, makeTrials, toCsv, withoutRepeats } from "./trials.js";
 
 /** @returns {{participant: string, seed: string, answers: object[]}} */
 export function startSitting(participant, seed) {
@@ -47,6 +47,27 @@ export function restore(text, seed = null) {
     } catch {
         return null;
     }
+}
+
+/** Answers of earlier sittings as they were kept with toCsv(); none when this page wrote nothing. */
+export function restoreOthers(text) {
+    try {
+        return fromCsv(text);
+    } catch {
+        return [];
+    }
+}
+
+/**
+ * What was kept, for a page that asks for a seed.
+ * @returns {{sitting: ?object, others: object[]}} the sitting to go on with, or null; and answers of earlier ones, in which a
+ * kept sitting of another seed counts.
+ */
+export function reopen(kept, keptOthers, seed = null) {
+    const last = restore(kept);
+    const sitting = restore(kept, seed);
+    const earlier = last && !sitting ? last.answers : [];
+    return { sitting, others: withoutRepeats([...restoreOthers(keptOthers), ...earlier]) };
 }
 
 /** A seed of eight letters and digits from 40 random bits. */

@@ -17,13 +17,18 @@ export function binomialP(a, b) {
     if (n === 0) {
         return NaN;
     }
-    let term = 0.5 ** n; // of the next outcome, C(n, i) / 2^n
+    let halvings = n; // that are still to be done: 2^-n at once is 0 beyond 1074 answers
+    let term = 1; // of the next outcome, C(n, i) / 2^n but for these halvings
     let tail = 0;
     for (let i = 0; i <= Math.min(a, b); ++i) {
         tail += term;
         term *= (n - i) / (i + 1);
+        for (; term > 1 && halvings > 0; --halvings) {
+            term /= 2;
+            tail /= 2;
+        }
     }
-    return Math.min(1, 2 * tail);
+    return Math.min(1, 2 * tail * 0.5 ** halvings);
 }
 
 /** The middle one of values in order, of two the mean. NaN without any. */

@@ -4,6 +4,7 @@
 #include <scenes/orbit/data.h>
 
 #include <cstdlib>
+#include <system_error>
 
 namespace cdr::scenes {
 
@@ -12,7 +13,8 @@ namespace {
 constexpr std::uintmax_t kMaxBytes = 64ull << 20;
 
 image::ImageRgba8 loadPicture(const std::filesystem::path& path) {
-    if (!std::filesystem::is_regular_file(path)) {
+    std::error_code error; // of a folder that cannot be read, or a name that is too long
+    if (!std::filesystem::is_regular_file(path, error)) {
         throw base::InputError("orbit: " + path.string() +
                                " is missing; tools/setup.sh fetches it, or set CDR_ORBIT_DATA to its folder");
     }

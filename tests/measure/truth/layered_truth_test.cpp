@@ -113,6 +113,19 @@ TEST(LayeredTruth, UnlitSurfacesAddWhatTheyEmit) {
     expectColor(stack.middle(), {0.5 * 0.75 + 0.5 * 0.25, 0.5 * 0.5 + 0.5 * 1.5, 0.5 * 0.25});
 }
 
+/// As the renderer has it, which keeps colours as half floats: the sum, of each surface, before it is blended.
+TEST(LayeredTruth, WhatEmitsIsCutOff) {
+    Stack stack;
+    stack.add(2.0, {9.0f, 1.0f, 0.0f, 0.5f}, true);
+    stack.add(4.0, {0.0f, 1.0f, 20.0f, 1.0f}, false);
+    for (scene::Material& material : stack.scene.materials) {
+        material.detail.emission = glm::vec3(8.0f, 100.0f, 0.0f);
+    }
+    expectColor(stack.middle(), {0.5 * 16.0 + 0.5 * 8.0, 0.5 * 16.0 + 0.5 * 16.0, 0.5 * 16.0});
+    stack.scene.materials[1].detail.emission = glm::vec3(0.0f); // what does not emit is not cut off
+    expectColor(stack.middle(), {0.5 * 16.0, 0.5 * 16.0 + 0.5, 0.5 * 20.0});
+}
+
 TEST(LayeredTruth, PixelsNextToASilhouetteAreNotInner) {
     Stack stack;
     stack.add(4.0, {0.0f, 1.0f, 0.0f, 0.5f}, true);

@@ -94,6 +94,27 @@ TEST_F(FinishTest, SkiesLightAsInFloat64) {
     expectAlike(25);
 }
 
+/// The tone mapper bleaches emission by how bright it is, so one that is not cut off at 16 is another colour.
+TEST_F(FinishTest, StrongEmissionIsCutOffAsInFloat64) {
+    scene::Scene scene = brightScene();
+    scene.lights.clear();
+    scene.sky = scene::Sky{};
+    scene.materials[0].detail.emission = glm::vec3(100.0f, 0.0f, 0.0f);
+    platform::WorkerPool workers(2);
+    const render::RenderOptions options =
+        withSorting(quarterOf(smallOptions(depth::parseTechnique("reversed"))));
+    for (const bool unlit : {false, true}) {
+        for (const scene::AlphaMode alphaMode : {scene::AlphaMode::opaque, scene::AlphaMode::blend}) {
+            scene.materials[0].unlit = unlit;
+            scene.materials[0].alphaMode = alphaMode;
+            scene.materials[0].baseColorFactor.a = 0.75f;
+            const auto truth = measure::castLayers(scene, kCamera, options.width, options.height, workers);
+            EXPECT_LE(largestStepTo(truth, {.neutral = true}, draw(scene, kCamera, options).color), 3)
+                << "unlit: " << unlit << ", alpha mode: " << static_cast<int>(alphaMode);
+        }
+    }
+}
+
 } // namespace
 
 } // namespace cdr::render_test

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { answered, freshSeed, nextTrial, restore, startSitting, store } from "../../../src/page/logic/sitting.js";
+import { answered, freshSeed, nextTrial, reopen, restore, restoreOthers, startSitting, store } from "../../../src/page/logic/sitting.js";
+import { toCsv } from "../../../src/page/logic/trials.js";
 
 const answerAll = (sitting) => {
     while (nextTrial(sitting)) {
@@ -42,6 +43,20 @@ test("what another page or another seed left is not taken", () => {
     assert.equal(restore(kept, "b"), null);
     for (const text of [null, "", "{}", "[1]", "null", '{"participant":1,"seed":2,"csv":3}', kept.replace('"seed":"a"', '"seed":"c"')]) {
         assert.equal(restore(text), null);
+    }
+});
+
+test("answers of an earlier sitting outlive one of another seed", () => {
+    const first = answerAll(startSitting("Ada", "a"));
+    const second = answered(startSitting("Bea", "b"), { side: "left", seconds: 1, plays: 1 });
+    assert.deepEqual(reopen(store(first), null), { sitting: first, others: [] });
+    assert.deepEqual(reopen(store(first), null, "b"), { sitting: null, others: first.answers });
+    const kept = toCsv(first.answers);
+    assert.deepEqual(reopen(store(second), kept, "b"), { sitting: second, others: first.answers });
+    assert.deepEqual(reopen(store(second), kept, "c"), { sitting: null, others: [...first.answers, ...second.answers] });
+    assert.deepEqual(reopen(store(first), kept, "c"), { sitting: null, others: first.answers }); // once
+    for (const text of [null, "", "no answers"]) {
+        assert.deepEqual(restoreOthers(text), []);
     }
 });
 

@@ -31,6 +31,13 @@ test("the exact p counts both tails", () => {
     assert.equal(binomialP(1, 0), 1);
 });
 
+test("the exact p of many answers does not underflow", () => {
+    assert.equal(binomialP(600, 600), 1);
+    assert.equal(binomialP(1_000_000, 1_000_000), 1);
+    near(binomialP(5000, 5200) / chiSquaredP(199 ** 2 / 10_200), 1, 1e-3); // with Yates' correction
+    assert.ok(binomialP(0, 1000) > 0 && binomialP(0, 2000) === 0);
+});
+
 test("without answers there is no p", () => {
     assert.ok(Number.isNaN(binomialP(0, 0)));
     assert.ok(Number.isNaN(chiSquared(0, 0)));

@@ -3,6 +3,7 @@ import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { techniqueTitles } from "../../../src/page/logic/thesis.js";
+import { answered, nextTrial, startSitting, store } from "../../../src/page/logic/sitting.js";
 import { makeTrials, toCsv, makeAnswer, fromCsv } from "../../../src/page/logic/trials.js";
 import { assertNoFindings, assertNoSidewaysScroll, close, folder, open, screenshot, shareBrowser } from "./browser.mjs";
 
@@ -108,6 +109,29 @@ test("answers survive a reload, and another lot starts anew", async () => {
     await page.goto(page.url().replace("seed=reload", "seed=other"));
     assert.ok(await page.locator("#welcome").isVisible());
     assert.equal(await page.locator("#seed").textContent(), "other");
+    await close(page);
+});
+
+test("answers that nobody saved survive that somebody else starts", async () => {
+    const page = await openCompare();
+    let ada = startSitting("Ada", "ada");
+    while (nextTrial(ada)) {
+        ada = answered(ada, { side: "left", seconds: 1, plays: 1 });
+    }
+    await page.evaluate((text) => localStorage.setItem("cdr-compare", text), store(ada));
+    await page.reload();
+    const expectAda = async () => {
+        await page.reload();
+        await page.locator("#results summary").click();
+        assert.match(await page.locator("#counted").textContent(), /^6 answers of 1 person/);
+        assert.deepEqual(fromCsv(await savedBy(page, "#save-all")), ada.answers);
+    };
+    await page.click("#again");
+    await start(page, "Bea");
+    await expectAda();
+    await page.goto(`${page.url()}?seed=ada2`); // another lot starts anew
+    await start(page, "Cy");
+    await expectAda();
     await close(page);
 });
 

@@ -62,6 +62,7 @@ struct LayerDifference {
     }
 };
 
+/// @param picture neither exposed nor tone mapped: under a sky or in air one with render::ToneMap::none.
 /// @param fragmentCounts as rendered. base::InputError when sizes differ.
 LayerDifference compareLayers(const image::ImageRgba8& picture, const image::ImageU32& fragmentCounts,
                               const LayeredTruth& truth);

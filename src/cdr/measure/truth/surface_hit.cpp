@@ -29,6 +29,12 @@ glm::dvec3 bumpedAt(const SurfacePoint& point, const glm::dvec3& normal, const g
                           texel.z * normal);
 }
 
+/// Whether shading adds emission, and cuts off the sum. Of what is blended it does so with any detail.
+bool addsEmission(const scene::Material& material) {
+    return material.alphaMode == scene::AlphaMode::blend ? scene::hasDetail(material)
+                                                         : scene::hasEmission(material);
+}
+
 glm::dvec3 emissionAt(const SurfacePoint& point) {
     const scene::MaterialDetail& detail = point.material.detail;
     const glm::dvec3 emission(detail.emission);
@@ -103,7 +109,7 @@ void appendHits(const scene::Scene& scene, const TruthTextures& textures, const 
                          .normal = side * glm::normalize(toWorldNormal * normal),
                          .baseColor = baseColor,
                          .metallicRoughness = material.metallicRoughness};
-        if (scene::hasDetail(material)) {
+        if (addsEmission(material)) {
             found.emission = emissionAt(point);
         }
         if (scene::hasDetail(material) && !material.unlit) {

@@ -28,7 +28,9 @@ struct SurfaceHit {
     glm::dvec4 baseColor{1.0}; ///< linear, straight alpha, texture and vertex colour included
     std::optional<scene::MetallicRoughness> metallicRoughness; ///< textures included
     double openness = 1.0;                                     ///< share of ambient light that arrives
-    glm::dvec3 emission{0.0};                                  ///< linear
+    /// Linear, what the surface sends by itself. With one, though it be black, all that the surface sends is cut off at
+    /// kBrightest. Empty where the material has none: what a matt surface sends is then not cut off.
+    std::optional<glm::dvec3> emission{};
 };
 
 /// Appends every visible hit of a pixel's ray on one instance within `range`, in no order. Backs of single-sided

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace cdr::measure {
 
@@ -144,18 +145,24 @@ glm::dvec3 lightOnGlossy(const scene::Scene& scene, const scene::Camera& camera,
     return glm::min(surface.openness * around + lamps, kBrightest);
 }
 
+/// What a surface sends: light that it does not emit, and its emission. The sum is cut off before fog, air and blending.
+glm::dvec3 withEmission(const glm::dvec3& light, const std::optional<glm::dvec3>& emission) {
+    return emission ? glm::min(light + *emission, kBrightest) : light;
+}
+
 } // namespace
 
 glm::dvec3 lightFrom(const scene::Scene& scene, const scene::Camera& camera, const LitSurface& surface) {
-    return surface.emission + (surface.metallicRoughness ? lightOnGlossy(scene, camera, surface)
-                                                         : lightOnMatt(scene, camera, surface));
+    return withEmission(surface.metallicRoughness ? lightOnGlossy(scene, camera, surface)
+                                                  : lightOnMatt(scene, camera, surface),
+                        surface.emission);
 }
 
 glm::dvec3 lightFrom(const scene::Scene& scene, const scene::Camera& camera, const SurfaceHit& hit,
                      const glm::dvec3& fromCamera, const glm::dvec4& reached) {
     const glm::dvec3 baseColor(hit.baseColor);
     if (hit.isUnlit) {
-        return baseColor + hit.emission;
+        return withEmission(baseColor, hit.emission);
     }
     return lightFrom(scene, camera,
                      {.baseColor = baseColor,

@@ -15,11 +15,11 @@ namespace cdr::measure {
 struct LitSurface {
     glm::dvec3 baseColor;                                      ///< linear
     std::optional<scene::MetallicRoughness> metallicRoughness; ///< empty for matt
-    glm::dvec3 fromCamera;    ///< the point less the camera's position, world axes
-    glm::dvec3 normal;        ///< unit, world axes
-    double openness = 1.0;    ///< share of ambient light that arrives
-    glm::dvec3 emission{0.0}; ///< linear, what the surface sends by itself
-    glm::dvec4 reached{1.0};  ///< the shares of scene::shadowLights() that no shadow takes
+    glm::dvec3 fromCamera;                ///< the point less the camera's position, world axes
+    glm::dvec3 normal;                    ///< unit, world axes
+    double openness = 1.0;                ///< share of ambient light that arrives
+    std::optional<glm::dvec3> emission{}; ///< SurfaceHit::emission
+    glm::dvec4 reached{1.0};              ///< the shares of scene::shadowLights() that no shadow takes
 };
 
 /// Light that a surface sends to the camera, linear, in float64. Ambient and point light are by the formulas of the shading

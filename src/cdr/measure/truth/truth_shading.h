@@ -10,7 +10,8 @@ namespace cdr::measure {
 
 /// The picture a renderer without depth errors shows: the true surface of every pixel, lit in float64 as the
 /// shading pass lights it. 8-bit sRGB, within a step or two of a rendered picture wherever that shows the
-/// same object. It shares no code with the renderer.
+/// same object. It shares no code with the renderer. It is neither exposed nor tone mapped, so under a sky or in air it is like a
+/// picture that is told not to be (render::ToneMap::none) alone.
 ///
 /// For scenes of boxes with one instance per object, such as the 2AFC scenes. A truth pixel holds no normal, and
 /// a box's normal follows from the position. base::InputError for other scenes.
