@@ -88,7 +88,8 @@ std::vector<long> chosenOf(long calls, std::size_t error, std::size_t salt) {
         return all;
     }
     const long middle = calls * (2 * static_cast<long>(error) + 1) / (2 * static_cast<long>(kErrors.size()));
-    return {(middle + static_cast<long>(salt)) % calls};
+    // Not the last ones: with several threads a run makes a few calls more or less than another.
+    return {(middle + static_cast<long>(salt)) % (calls - calls / 20)};
 }
 
 /// Whether a line names what the device or the checkout lacks.
@@ -110,6 +111,8 @@ std::map<std::string, std::string> picturesIn(const TemporaryFolder& folder) {
 void FaultSweep::expectEnded(const Failing& failing, const Failing& sound) {
     const ProgramResult& result = failing.run.result;
     expectWhole(*failing.folder);
+    // With all cases, another run may make fewer calls than are to succeed.
+    EXPECT_TRUE(failing.run.failed != "none" || (takesAllCases() && result.status == 0));
     if (result.status == 0) {
         EXPECT_EQ(result.err, sound.run.result.err);
         EXPECT_TRUE(picturesIn(*failing.folder) == picturesIn(*sound.folder)) << "other pictures";
@@ -118,7 +121,6 @@ void FaultSweep::expectEnded(const Failing& failing, const Failing& sound) {
     EXPECT_EQ(result.status, 1);
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
     EXPECT_EQ(result.err.find("validation"), std::string::npos) << result.err;
-    EXPECT_NE(failing.run.failed, "none");
 }
 
 /// Any one call fails once. Then the program prints one line and ends with status 1, or all is as without the failure. Files
@@ -137,12 +139,13 @@ TEST_P(FaultSweep, EveryCallMayFail) {
         Failing whole;
         whole.run = runUnder({.call = "each", .after = test::kForever, .result = error}, *whole.folder);
         const Run& sound = whole.run;
-        if (sound.result.status == 2 && isLack(sound.result.err)) {
+        if (sound.result.status != 0 && isLack(sound.result.err)) {
             GTEST_SKIP() << sound.result.err;
         }
         ASSERT_EQ(sound.result.status, 0) << sound.result.err;
         if (sound.calls == 0) {
-            EXPECT_EQ(error, VK_ERROR_DEVICE_LOST); // of a command that makes no device
+            EXPECT_EQ(error, VK_ERROR_DEVICE_LOST);
+            EXPECT_EQ(std::string(GetParam().name), "Devices") << "which makes no device";
             continue;
         }
         const std::vector<long> chosen = chosenOf(sound.calls, kind, salt);
@@ -161,6 +164,7 @@ TEST_P(FaultSweep, EveryCallMayFail) {
             cases += failing.size();
         }
     }
+    EXPECT_GT(cases, 0u);
     RecordProperty("cases", static_cast<int>(cases));
     std::printf("%zu cases\n", cases);
 }

@@ -255,14 +255,20 @@ TEST(Signals, ARunThatIsInterruptedEndsAsOneThatIsNot) {
     const int runs = takesAllCases() ? 200 : 3;
     const char* const signals[]{"INT", "TERM", "KILL"};
     int interrupted = 0;
+    int withState = 0; // killed after a state was written
     for (int i = 0; i < runs; ++i) {
         const TemporaryFolder folder;
         const std::string signal = signals[i % 3];
         ProgramResult result;
-        for (int attempt = 0; attempt < 3; ++attempt) {
+        bool hasState = false;
+        // Longer and longer, until a slow machine has written a state too.
+        for (int attempt = 0; attempt < 3 || (!hasState && attempt < 30); ++attempt) {
             result = runProgram(command, folder.path(),
-                                "timeout --signal=" + signal + " " + std::to_string(seconds(random)));
+                                "timeout --signal=" + signal + " " +
+                                    std::to_string(seconds(random) * (1 + attempt / 3)));
+            hasState = std::filesystem::exists(folder.path() / "s.json");
             interrupted += result.status != 0 ? 1 : 0;
+            withState += result.status != 0 && hasState ? 1 : 0;
             expectWholeFiles(folder, signal == "KILL");
         }
         result = runProgram(command, folder.path());
@@ -270,7 +276,8 @@ TEST(Signals, ARunThatIsInterruptedEndsAsOneThatIsNot) {
         EXPECT_EQ(nlohmann::json::parse(readText(folder.path() / "f.json")).at("results"), wanted) << signal;
     }
     EXPECT_GT(interrupted, 0);
-    std::printf("%d interruptions\n", interrupted);
+    EXPECT_GT(withState, 0);
+    std::printf("%d interruptions, %d with a state\n", interrupted, withState);
 }
 
 /// The same moments while pictures are written: each that is there is whole.
@@ -279,13 +286,23 @@ TEST(Signals, PicturesOfARunThatIsInterruptedAreWhole) {
     std::uniform_real_distribution<> seconds(0.05, 0.6);
     const int runs = takesAllCases() ? 200 : 3;
     const char* const signals[]{"INT", "TERM", "KILL"};
-    for (int i = 0; i < runs; ++i) {
+    int interrupted = 0;
+    int pictures = 0;
+    // Longer and longer, until a slow machine has written a picture too.
+    for (int i = 0; i < runs || (pictures == 0 && i < 10 * runs); ++i) {
         const TemporaryFolder folder;
         const std::string signal = signals[i % 3];
-        runProgram("render cubes --size 320x180 --frames 100 --quiet -o a%d.png", folder.path(),
-                   "timeout --signal=" + signal + " " + std::to_string(seconds(random)));
+        const ProgramResult result =
+            runProgram("render cubes --size 320x180 --frames 100 --quiet -o a%d.png", folder.path(),
+                       "timeout --signal=" + signal + " " + std::to_string(seconds(random) * (1 + i / runs)));
+        interrupted += result.status != 0 ? 1 : 0;
+        for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+            pictures += entry.path().filename().string().front() == 'a' ? 1 : 0;
+        }
         expectWholeFiles(folder, signal == "KILL");
     }
+    EXPECT_GT(interrupted, 0);
+    EXPECT_GT(pictures, 0);
 }
 
 } // namespace

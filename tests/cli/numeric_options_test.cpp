@@ -94,8 +94,6 @@ const std::vector<Numbers> kNumbersOfCommands{
       "--frames @",
       "--threads @",
       "--seed @",
-      "--camera @",
-      "--gltf-scene @",
       "--snap-bits @",
       "--translucency sorted --translucency-memory @",
       "--texture-memory @",
@@ -126,10 +124,12 @@ const std::vector<Numbers> kNumbersOfCommands{
       "--direction 0,@,-1",
       "--direction @,@,@",
       "--up @,1,0",
-      "--eye @,@,@ --target @,@,0",
-      "--size @x8",
-      "--size 8x@"},
+      "--eye @,@,@ --target @,@,0"},
      "Render"},
+    {"render cubes -o a.png", {"--size @x8", "--size 8x@"}, "RenderedSize"},
+    {"render " CDR_SOURCE_DIR "/tests/assets/stage.glb --size 16x16 -o a.png",
+     {"--camera @", "--gltf-scene @"},
+     "Stage"},
     {"render " CDR_SOURCE_DIR "/tests/assets/machine.glb --size 16x16 -o a%d.png",
      {"--time @", "--fps @", "--animation @", "--time @ --fps 24 --frames 2", "--time 1 --fps @ --frame 3"},
      "Machine"},
@@ -147,17 +147,31 @@ const std::vector<Numbers> kNumbersOfCommands{
      "Orbit"},
     {"advise --separation 1",
      {"--near @", "--far @", "--fov @", "--height @", "--at @", "--span @", "--sub-pixel-bits @", "--slope @",
-      "--seed @", "--threads @", "--frames @", "--sub-pixel-bits 8 --slope @",
-      "--near @ --far 1e30 --at 1e30"},
+      "--sub-pixel-bits 8 --slope @", "--near @ --far 1e30 --at 1e30"},
      "Advise"},
+    {"advise --separation 1 --far 1000 --format d32f --techniques reversed --measured --size 16x16 --frames 1",
+     {"--seed @", "--threads @"},
+     "AdviseMeasured"},
+    {"advise --separation 1 --far 1000 --format d32f --techniques reversed --measured --size 16x16",
+     {"--frames @"},
+     "AdviseOfFrames"},
     {"advise", {"--separation @", "--separation @ --near 1e-10 --far 1e25"}, "Separation"},
     {"precision", {"--near @ --far 1e-1", "--far @"}, "Precision"},
     {"probe --size 16x16 --techniques standard --formats d32f",
      {"--distances @", "--seed @", "--threads @", "--snap-bits @"},
      "Probe"},
     {"rivals cubes --frames 1 --distances 1 --size 16x16 --techniques anchored --rivals atomic-log",
-     {"--distances @", "--frames @", "--seed @", "--threads @", "--size @x8"},
+     {"--seed @", "--threads @"},
      "Rivals"},
+    {"rivals cubes --frames 1 --size 16x16 --techniques anchored --rivals atomic-log",
+     {"--distances @"},
+     "RivalsOfDistances"},
+    {"rivals cubes --distances 1 --size 16x16 --techniques anchored --rivals atomic-log",
+     {"--frames @"},
+     "RivalsOfFrames"},
+    {"rivals cubes --frames 1 --distances 1 --techniques anchored --rivals atomic-log",
+     {"--size @x8"},
+     "RivalsOfSize"},
     {"pictures --scenes cubes --techniques log --size 16x16",
      {"--seed @", "--threads @", "--snap-bits @"},
      "Pictures"},
@@ -174,8 +188,9 @@ const std::vector<Numbers> kNumbersOfCommands{
      {"--shadow-texels @", "--near @", "--far @", "--fov @", "--seed @", "--snap-bits @", "--threads @"},
      "Shadows"},
     {"models " CDR_SOURCE_DIR "/tests/assets/machine.glb --size 16x16",
-     {"--time @", "--camera @", "--threads @", "--size @x8"},
+     {"--time @", "--camera @", "--threads @"},
      "Models"},
+    {"models " CDR_SOURCE_DIR "/tests/assets/machine.glb", {"--size @x8"}, "ModelsOfSize"},
     {"coplanar --frames 1 --search-views 1 --size 16x16 --techniques standard",
      {"--seed @", "--threads @", "--snap-bits @"},
      "Coplanar"},
@@ -352,28 +367,36 @@ std::vector<std::pair<std::string, std::string>> typedOptions(const std::string&
     return found;
 }
 
-/// Options that take a number by itself stand above.
+/// Options that take a number by itself stand above, and none is in its command already, which would refuse it for that.
 TEST_F(NumericOptionsList, HoldsEveryOption) {
-    std::set<std::string> commands;
     std::set<std::string> listed;
     for (const Numbers& numbers : kNumbersOfCommands) {
         const std::string command =
             std::string(numbers.command).substr(0, std::string(numbers.command).find(' '));
-        commands.insert(command);
         for (const char* option : numbers.options) {
             std::istringstream words(option);
             for (std::string word; words >> word;) {
                 listed.insert(command + " " + word);
+                const bool isRepeated =
+                    word.starts_with("--") &&
+                    (std::string(numbers.command) + " ").find(" " + word + " ") != std::string::npos;
+                EXPECT_FALSE(isRepeated) << numbers.command << " " << option;
             }
         }
     }
-    for (const std::string& command : commands) {
+    std::size_t count = 0;
+    for (const std::string& command : commandNames()) {
+        if (command == "view") {
+            continue; // it starts the viewer, whose tests these are
+        }
         for (const auto& [name, type] : typedOptions(command, folder())) {
             if (type == "UINT" || type == "INT" || type == "FLOAT") {
+                ++count;
                 EXPECT_TRUE(listed.contains(command + " " + name)) << command << " " << name;
             }
         }
     }
+    EXPECT_GT(count, 60u);
 }
 
 /// Of every command. Other bases are refused, and leading zeros say nothing.

@@ -30,7 +30,8 @@ ProgramResult runProgram(const std::string& arguments, const std::filesystem::pa
 /// Runs the program, which has to succeed, with `--json`. @return the document; null where it fails.
 nlohmann::json documentOf(const std::string& arguments, const std::filesystem::path& folder);
 
-/// Runs the program, which has to end with exit status 2 and print nothing but one line that says `what`.
+/// Runs the program, which has to end with exit status 2 and print nothing but one line that says `what`. An option that does
+/// not exist is another refusal, unless `what` is about that.
 void expectRefusal(const std::string& arguments, const std::filesystem::path& folder,
                    const std::string& what = "", const std::string& environment = "");
 
@@ -49,6 +50,10 @@ double snapReach();
 /// Whether the device can cull and bin.
 bool canDrawGpuDriven();
 
+/// Whether the program was built without the report's page, and says so.
+bool lacksPage(const ProgramResult& result);
+
+constexpr const char* kNoPage = "built without the report's page: tools/setup.sh fetches its npm packages";
 constexpr const char* kNoD24 = "left out: d24, which the device lacks";
 constexpr const char* kNoGpuDriven = "left out: gpu-driven submission, which the device lacks";
 

@@ -65,6 +65,7 @@ TEST_F(RankMachine, RanksThatAreNotBoundShareItsProcessors) {
     const CpuList all = platform::allowedCpus();
     const TimedRun free = timeAs(test::launched(CDR_MPIEXEC, 3));
     EXPECT_EQ(free.choice, "shared");
+    ASSERT_FALSE(free.cpus.empty());
     for (const auto& [rank, cpus] : free.cpus) {
         EXPECT_EQ(cpus, all) << rank;
     }
@@ -75,6 +76,7 @@ TEST_F(RankMachine, RanksThatAreNotBoundShareItsProcessors) {
     const TimedRun bound = timeAs(test::launched(CDR_MPIEXEC, 2), "--bind");
     EXPECT_EQ(bound.choice, "shared");
     EXPECT_TRUE(bound.line.ends_with(", and each keeps to its part")) << bound.line;
+    ASSERT_FALSE(bound.cpus.empty());
     for (const auto& [rank, cpus] : bound.cpus) {
         const std::size_t half = all.size() / 2;
         const CpuList expected = all.size() == 1 ? all
@@ -112,6 +114,7 @@ TEST_F(RankMachine, WhatMpiBoundIsFollowed) {
             apart.line.ends_with("; lavapipe draws with 1 thread in each; MPI bound each to its own of 2 "
                                  "processors"))
             << apart.line;
+        ASSERT_FALSE(apart.cpus.empty());
         for (const auto& [rank, cpus] : apart.cpus) {
             EXPECT_EQ(cpus, CpuList{rank == 0 ? all.front() : all.back()});
         }
@@ -122,6 +125,7 @@ TEST_F(RankMachine, WhatMpiBoundIsFollowed) {
         overlapping.line.ends_with("; MPI bound them to overlapping parts of 2 processors, and each keeps "
                                    "to its part"))
         << overlapping.line;
+    ASSERT_FALSE(overlapping.cpus.empty());
     for (const auto& [rank, cpus] : overlapping.cpus) {
         EXPECT_EQ(cpus, CpuList{rank == 0 ? all.front() : all.back()});
     }

@@ -250,8 +250,8 @@ TEST_F(RankReportState, MakesOnlyTheSectionsThatAreMissing) {
         GTEST_SKIP() << "built without MPI (libopenmpi-dev, openmpi-bin)";
     }
     const ProgramResult first = report(3);
-    if (first.status == 2) {
-        GTEST_SKIP() << "built without the report's page: tools/setup.sh fetches its npm packages";
+    if (lacksPage(first)) {
+        GTEST_SKIP() << kNoPage;
     }
     const auto files = reportFiles();
     const auto seconds = secondsOfSections();
@@ -303,11 +303,11 @@ TEST_F(RankReportState, MakesOnlyTheSectionsThatAreMissing) {
 }
 
 TEST_F(RankReportState, RefusesAStateInItsFolderOrOfAnother) {
-    if (report(0, "--threads 0").status == 2 &&
-        report(0, "--state r/s").err.find("npm") != std::string::npos) {
-        GTEST_SKIP() << "built without the report's page: tools/setup.sh fetches its npm packages";
+    const ProgramResult inside = runProgram("report --smallest -o r --state r/s", at("."));
+    if (lacksPage(inside)) {
+        GTEST_SKIP() << kNoPage;
     }
-    EXPECT_EQ(runProgram("report --smallest -o r --state r/s", at(".")).err,
+    EXPECT_EQ(inside.err,
               "cdr: r/s: lies in the folder of the report, which may only hold files of the report\n");
     platform::writeText(at("s"), "{}\n");
     const ProgramResult result = report(0);

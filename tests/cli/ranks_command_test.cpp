@@ -235,8 +235,8 @@ TEST_F(RanksCommand, ReportHoldsWhatOneProcessFinds) {
     const std::string report = "report --smallest -o r --sections advise,pictures,probe,inspect,timing,"
                                "certificates-mixed";
     const ProgramResult one = runProgram(report, alone.path());
-    if (one.status == 2) {
-        GTEST_SKIP() << "built without the report's page: tools/setup.sh fetches its npm packages";
+    if (lacksPage(one)) {
+        GTEST_SKIP() << kNoPage;
     }
     const ProgramResult three = runAsRanks(3, report, folder());
     EXPECT_EQ(three.status, one.status) << three.err;

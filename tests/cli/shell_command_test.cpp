@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -53,7 +54,7 @@ TEST_F(ShellCommands, BashCompletesCommandsAndTheirOptions) {
     EXPECT_EQ(completed("cdr render cu", 2), "\n"); // files
     EXPECT_EQ(completed("cdr render cubes --qui", 3), "--quiet\n") << "what every command takes";
     EXPECT_EQ(completed("cdr render cubes --hel", 3), "--help\n") << "once";
-    if (run("view --version", "PATH=/nowhere").status == 0) {
+    if (run("view --version", "PATH=/nowhere").err.find("cannot be started") == std::string::npos) {
         EXPECT_EQ(completed("cdr view --vsy", 2), "--vsync\n") << "the viewer's";
     }
 }
@@ -83,16 +84,42 @@ TEST_F(ShellCommands, ZshTakesItsScriptSourcedToo) {
     EXPECT_EQ(result.err, "");
 }
 
+/// Of small letters and hyphens.
+std::set<std::string> wordsIn(const std::string& text) {
+    std::set<std::string> words;
+    std::string word;
+    for (const char letter : text + " ") {
+        if ((letter >= 'a' && letter <= 'z') || letter == '-') {
+            word += letter;
+        } else {
+            words.insert(word);
+            word.clear();
+        }
+    }
+    return words;
+}
+
 TEST_F(ShellCommands, EveryShellAndTheManualNameEveryCommand) {
-    for (const char* what : {"completions bash", "completions zsh", "completions fish", "manual"}) {
-        const ProgramResult result = run(what);
+    std::vector<std::string> names;
+    const std::string manual = run("manual").out;
+    std::istringstream lines(manual);
+    const std::string before = ".SS cdr ";
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with(before)) {
+            names.push_back(line.substr(before.size()));
+        }
+    }
+    ASSERT_GE(names.size(), 18u);
+    EXPECT_EQ(commandNames(), names) << "which fish names";
+    for (const char* shell : {"bash", "zsh"}) {
+        const ProgramResult result = run(std::string("completions ") + shell);
         EXPECT_EQ(result.status, 0) << result.err;
-        for (const std::string& name : commandNames()) {
-            EXPECT_NE(result.out.find(name), std::string::npos) << what << ": " << name;
+        const std::set<std::string> words = wordsIn(result.out);
+        for (const std::string& name : names) {
+            EXPECT_TRUE(words.contains(name)) << shell << ": " << name;
         }
     }
     EXPECT_EQ(run("completions tcsh").status, 2);
-    const std::string manual = run("manual").out;
     EXPECT_NE(manual.find(".B \\-o,\\-\\-output FILE\n"), std::string::npos);
 }
 
@@ -116,9 +143,10 @@ TEST_F(ShellCommands, NothingIsColoured) {
 
 TEST_F(ShellCommands, ViewHandsItsArgumentsToTheViewer) {
     const ProgramResult result = run("view --version", "PATH=/nowhere");
-    if (result.status == 2) {
+    if (result.status == 2 && result.err.find("cannot be started") != std::string::npos) {
         GTEST_SKIP() << "cdr-viewer is not built: " << result.err;
     }
+    EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(result.out.substr(0, 11), "cdr-viewer ");
 }
 

@@ -54,10 +54,12 @@ TEST_F(InspectTest, RoundedVerticesCountInHowFarFacesAreToBeMoved) {
     options.judged = depth::namedTechnique("anchored");
     const Inspection inPlane = inspect(device(), squares(0.0), options);
     ASSERT_GT(inPlane.coplanarPixels, 1000u);
+    std::size_t judged = 0;
     for (const InspectedTechnique& technique : inPlane.techniques) {
         if (technique.technique.format != depth::DepthFormat::d32f) {
             continue;
         }
+        ++judged;
         const double apart = technique.apart.at({0, 1});
         const Inspection moved = inspect(device(), squares(1.001 * apart), options);
         EXPECT_EQ(moved.coplanarPixels, 0u);
@@ -70,6 +72,7 @@ TEST_F(InspectTest, RoundedVerticesCountInHowFarFacesAreToBeMoved) {
             }
         }
     }
+    EXPECT_EQ(judged, options.techniques.size());
     // Faces that move in their own planes need no more than depth does.
     options.snapping = render::Snapping::inPlane;
     const Inspection kept = inspect(device(), squares(0.0), options);

@@ -27,14 +27,21 @@ class ViewerFault : public ViewerTest {
   protected:
     RunResult suffer(const Fault& fault, const std::string& script = kScript) {
         std::ofstream(folder() / "script") << script;
-        return runShell(kViewer, folder(), environment() + " " + fault.environment());
+        return runShell(kViewer, folder(), environment() + " CDR_FAULT_LOG=fault.log " + fault.environment());
+    }
+    /// The first call that failed in the last viewer; "none" where none did.
+    std::string failedCall() const {
+        std::string calls;
+        std::string failed;
+        std::ifstream(folder() / "fault.log") >> calls >> failed;
+        return failed;
     }
     /// The files in the folder, without those of the test itself. An unfinished file would be one of them.
     std::vector<std::string> files() const {
         std::vector<std::string> names;
         for (const auto& entry : fs::directory_iterator(folder())) {
             const std::string name = entry.path().filename().string();
-            if (name != "script" && name != "run.out" && name != "run.err") {
+            if (name != "script" && name != "fault.log" && name != "run.out" && name != "run.err") {
                 names.push_back(name);
             }
         }
@@ -119,6 +126,7 @@ TEST_P(ViewerMended, GoesOn) {
     const RunResult run = suffer(GetParam());
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
+    EXPECT_EQ(failedCall(), GetParam().call);
     const auto states = run.states(1);
     EXPECT_EQ(valueOf(states[0], "technique"), "anchored,");
     const image::ImageRgba8 after = picture("after.png");

@@ -1,8 +1,11 @@
 #include "viewer_run.h"
 
+#include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace cdr::viewer_test {
 
@@ -48,13 +51,22 @@ TEST_F(MovingPartsOfTheViewer, AreBentByTheDeviceAsByTheCpu) {
     if (rendered.status != 0 && rendered.err.find("lacks") != std::string::npos) {
         GTEST_SKIP() << rendered.err;
     }
+    std::vector<glm::dvec3> eyes;
     for (const std::string who : {"cpu", "device"}) {
-        play("--size 560x300 --technique anchored --deform " + who + " " + bending,
-             "wait-frame\npicture " + who + ".png\nhold W\nwait-ui 8\nlet W\nwait-frame 2\npicture near-" +
-                 who + ".png\nquit\n");
+        const RunResult run = play("--size 560x300 --technique anchored --deform " + who + " " + bending,
+                                   "wait-frame\npicture " + who +
+                                       ".png\nhold W\nwait-ui 8\nlet W\nwait-frame 2\nstate\npicture near-" +
+                                       who + ".png\nquit\n");
+        std::istringstream eye(valueOf(run.states(1).at(0), "eye"));
+        char comma = 0;
+        glm::dvec3& place = eyes.emplace_back(0.0);
+        eye >> place.x >> comma >> place.y >> comma >> place.z;
+        ASSERT_TRUE(eye);
     }
     EXPECT_EQ(picture("cpu.png"), picture("device.png"));
     EXPECT_GT(colors(picture("near-device.png")), 1u);
+    // How far away the surfaces are sets the pace; pictures may come a little earlier or later.
+    EXPECT_LT(glm::distance(eyes[0], eyes[1]), 1e-2);
 }
 
 /// The frame of a camera path, which `cdr render` takes too.

@@ -140,6 +140,8 @@ TEST_F(ViewerTest, PicksAndMeasures) {
              "move 40 81\npress\nrelease\nwait-frame\nwait-ui 2\nstate\nwindow w.png\nquit\n");
     const auto states = run.states(2);
     EXPECT_NE(valueOf(states[0], "picked"), "") << states[0];
+    EXPECT_EQ(valueOf(states[0], "measured"), "") << "one end alone";
+    EXPECT_NE(valueOf(states[1], "measured"), "") << states[1];
     EXPECT_EQ(valueOf(states[0], "under"), valueOf(states[0], "picked"));
     EXPECT_NE(valueOf(states[1], "under"), valueOf(states[0], "under")) << "the pointer went elsewhere";
     EXPECT_EQ(valueOf(states[0], "picked"), valueOf(states[1], "picked"));

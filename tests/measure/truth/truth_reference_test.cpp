@@ -1,3 +1,4 @@
+#include "../../support/worst.h"
 #include "../test_scenes.h"
 #include "reference_caster.h"
 
@@ -25,7 +26,7 @@ struct Disagreement {
         covered += other.covered;
         ids += other.ids;
         mistakes += other.mistakes;
-        distance = std::max(distance, other.distance);
+        distance = worseOf(distance, other.distance);
     }
 };
 
@@ -47,7 +48,7 @@ void compare(std::uint32_t id, double distance, const std::vector<ReferenceHit>&
     } else if (expectedId != 0) {
         const long double expected = hits[rank].distanceView;
         result.distance =
-            std::max(result.distance, static_cast<double>(std::abs(distance - expected) / expected));
+            worseOf(result.distance, static_cast<double>(std::abs(distance - expected) / expected));
     }
 }
 

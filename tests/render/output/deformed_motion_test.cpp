@@ -103,7 +103,8 @@ Off compare(const render::Frame& frame, std::uint32_t subPixelBits, const SeenSc
             continue;
         }
         ++off.compared;
-        off.wrong += glm::length(glm::dvec2(frame.motion.pixels[i]) - exact.pixels[i]) > most ? 1 : 0;
+        // Also what is no number.
+        off.wrong += glm::length(glm::dvec2(frame.motion.pixels[i]) - exact.pixels[i]) <= most ? 0 : 1;
         off.longest = std::max(off.longest, glm::length(exact.pixels[i]));
     }
     return off;
