@@ -52,6 +52,9 @@ TEST_F(Commands, DevicesListsAUsableOne) {
         // The least that Vulkan promises.
         EXPECT_GE(device.at("max_index").get<std::uint64_t>(), (1u << 24u) - 1u) << name;
         EXPECT_GE(device.at("max_buffer_bytes").get<std::uint64_t>(), 1u << 27u) << name;
+        if (name == deviceInfo().name) {
+            EXPECT_EQ(device.at("depth_formats"), json(depth::namesOf(deviceInfo().depthFormats)));
+        }
         if (name.starts_with("llvmpipe") || name.starts_with("SwiftShader")) {
             EXPECT_EQ(kind, "cpu") << name;
         }
