@@ -263,6 +263,7 @@ TEST_F(Commands, AdviseSaysWhenReversedIsEnough) {
 }
 
 TEST_F(Commands, RenderWritesEveryOutputInEveryFormat) {
+    std::set<std::string> pictures;
     for (const char* aov : {"color", "linear", "id", "distance", "normal", "cascade", "wrong"}) {
         for (const char* extension : {"png", "tga", "exr"}) {
             const std::string file = std::string(aov) + "." + extension;
@@ -272,7 +273,9 @@ TEST_F(Commands, RenderWritesEveryOutputInEveryFormat) {
             EXPECT_EQ(result.out, "");
             EXPECT_GT(fs::file_size(at(file)), 100u) << file;
         }
+        pictures.insert(textIn(std::string(aov) + ".png"));
     }
+    EXPECT_EQ(pictures.size(), 7u) << "each output is another picture";
 }
 
 TEST_F(Commands, NamesOfPicturesEndInEitherCase) {

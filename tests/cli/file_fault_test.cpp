@@ -255,6 +255,7 @@ TEST(Signals, ARunThatIsInterruptedEndsAsOneThatIsNot) {
     const int runs = takesAllCases() ? 200 : 3;
     const char* const signals[]{"INT", "TERM", "KILL"};
     int interrupted = 0;
+    int goneOn = 0;
     for (int i = 0; i < runs; ++i) {
         const TemporaryFolder folder;
         const std::string signal = signals[i % 3];
@@ -263,6 +264,8 @@ TEST(Signals, ARunThatIsInterruptedEndsAsOneThatIsNot) {
             result = runProgram(command, folder.path(),
                                 "timeout --signal=" + signal + " " + std::to_string(seconds(random)));
             interrupted += result.status != 0 ? 1 : 0;
+            const bool isKept = std::filesystem::exists(folder.path() / "s.json");
+            goneOn += result.status != 0 && isKept ? 1 : 0;
             expectWholeFiles(folder, signal == "KILL");
         }
         result = runProgram(command, folder.path());
@@ -270,7 +273,8 @@ TEST(Signals, ARunThatIsInterruptedEndsAsOneThatIsNot) {
         EXPECT_EQ(nlohmann::json::parse(readText(folder.path() / "f.json")).at("results"), wanted) << signal;
     }
     EXPECT_GT(interrupted, 0);
-    std::printf("%d interruptions\n", interrupted);
+    EXPECT_GT(goneOn, 0);
+    std::printf("%d interruptions, %d of them with frames kept\n", interrupted, goneOn);
 }
 
 /// The same moments while pictures are written: each that is there is whole.
@@ -279,13 +283,22 @@ TEST(Signals, PicturesOfARunThatIsInterruptedAreWhole) {
     std::uniform_real_distribution<> seconds(0.05, 0.6);
     const int runs = takesAllCases() ? 200 : 3;
     const char* const signals[]{"INT", "TERM", "KILL"};
+    int interrupted = 0;
+    std::size_t pictures = 0;
     for (int i = 0; i < runs; ++i) {
         const TemporaryFolder folder;
         const std::string signal = signals[i % 3];
-        runProgram("render cubes --size 320x180 --frames 100 --quiet -o a%d.png", folder.path(),
-                   "timeout --signal=" + signal + " " + std::to_string(seconds(random)));
+        const ProgramResult result =
+            runProgram("render cubes --size 320x180 --frames 100 --quiet -o a%d.png", folder.path(),
+                       "timeout --signal=" + signal + " " + std::to_string(seconds(random)));
         expectWholeFiles(folder, signal == "KILL");
+        interrupted += result.status != 0 ? 1 : 0;
+        for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+            pictures += entry.path().filename().string().front() == '.' ? 0 : 1;
+        }
     }
+    EXPECT_GT(interrupted, 0);
+    EXPECT_GT(pictures, 0u);
 }
 
 } // namespace

@@ -39,6 +39,8 @@ TEST_F(FlickerCommand, WrongPixelsComeInTheThesisOrder) {
     }
     EXPECT_EQ(order, (std::vector<std::string>{"standard", "cdr", "log", "logcdr", "reversed", "anchored"}));
     EXPECT_TRUE(std::is_sorted(fractions.rbegin(), fractions.rend())) << result.out;
+    EXPECT_GT(fractions.front(), 0.2);
+    EXPECT_LT(fractions.back(), fractions.front());
     // A tenth of the pixels lies on edges, and snapping moves those.
     EXPECT_LT(document.at("results")[5].at("mean_flip"),
               0.1 * document.at("results")[0].at("mean_flip").get<double>() + 0.1 * snapReach());

@@ -104,8 +104,8 @@ std::set<std::size_t> unitsIn(const Lines& lines) {
     return units;
 }
 
-const Kept kProbe{"probe --distances 10,1e3,1e6,1e7 --techniques reversed,anchored --formats d32f --size 96x54",
-                  4, 1, 0};
+const Kept kProbe{
+    "probe --distances 10,1e3,1e6,1e7 --techniques reversed,anchored --formats d32f --size 96x54", 4, 1, 0};
 /// A scene without levels, since these are made at each start.
 const Kept kDetail{
     "detail rotation --depth anchored --frames 4 --split fitted:0.1,max=3 --size 96x54 --out out", 5, 3, 2};

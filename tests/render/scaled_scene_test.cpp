@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <string>
 
 namespace cdr::render_test {
 
@@ -83,11 +84,21 @@ class ScaledSceneTest : public RenderTest {
         }
         return true;
     }
+
+    /// Skips a test that drew nothing, which lavapipe, that draws all cases, may not.
+    void expectDrawn(std::size_t drawn, std::size_t all) {
+        if (device().info().name.find("llvmpipe") != std::string::npos) {
+            EXPECT_EQ(drawn, all);
+        } else if (drawn == 0) {
+            GTEST_SKIP() << "the device draws no scene that is so small or large";
+        }
+    }
 };
 
 /// Products of three entries of a basis are no float32 numbers at either end.
 TEST_F(ScaledSceneTest, SidesAndNormalsAreThoseOfTheSceneItself) {
     render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    std::size_t drawn = 0;
     for (const render::SurfacePath surface :
          {render::SurfacePath::gbuffer, render::SurfacePath::visibility}) {
         options.surface = surface;
@@ -98,11 +109,13 @@ TEST_F(ScaledSceneTest, SidesAndNormalsAreThoseOfTheSceneItself) {
             if (!drawsAt(power, options)) {
                 continue;
             }
+            ++drawn;
             const ScaledScene scaled = scaledBy(std::ldexp(1.0, power), look);
             EXPECT_LE(differingPixels(draw(scaled.scene, scaled.camera, options), expected), 5u)
                 << "2^" << power << " " << nameOf(surface);
         }
     }
+    expectDrawn(drawn, 6);
 }
 
 TEST_F(ScaledSceneTest, ColoursOfBlendedSurfacesAreThoseOfTheSceneItself) {
@@ -125,9 +138,7 @@ TEST_F(ScaledSceneTest, ColoursOfBlendedSurfacesAreThoseOfTheSceneItself) {
         }
         EXPECT_LE(differ, 5u) << "2^" << power;
     }
-    if (drawn == 0) {
-        GTEST_SKIP() << "the device draws no scene that is so small or large";
-    }
+    expectDrawn(drawn, 2);
 }
 
 } // namespace

@@ -72,6 +72,21 @@ json& extensionOf(Document& document, std::size_t view) {
     return document.root["bufferViews"][view]["extensions"][kExtension];
 }
 
+/// Each triangle's corners, from the least one on.
+std::vector<std::vector<std::vector<float>>> trianglesOf(const Mesh& mesh) {
+    std::vector<std::vector<std::vector<float>>> triangles;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        auto& corners = triangles.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const glm::vec3& position = mesh.vertices.at(mesh.indices[i + k]).position;
+            corners.push_back({position.x, position.y, position.z});
+        }
+        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    }
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+}
+
 TEST_F(GltfMeshopt, GivesTheBytesThatWereCompressed) {
     const Scene wanted = load(square()).scene;
     for (const bool asTriangles : {false, true}) {
@@ -79,7 +94,7 @@ TEST_F(GltfMeshopt, GivesTheBytesThatWereCompressed) {
         EXPECT_TRUE(import.ignored.empty());
         const Mesh& mesh = import.scene.meshes.at(0);
         // The encoder may turn a triangle so that another corner comes first.
-        EXPECT_EQ(mesh.indices.size(), 6u);
+        EXPECT_EQ(trianglesOf(mesh), trianglesOf(wanted.meshes[0]));
         if (!asTriangles) {
             EXPECT_EQ(mesh.indices, wanted.meshes[0].indices);
         }
