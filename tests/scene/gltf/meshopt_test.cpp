@@ -76,12 +76,12 @@ json& extensionOf(Document& document, std::size_t view) {
 std::vector<std::vector<std::vector<float>>> trianglesOf(const Mesh& mesh) {
     std::vector<std::vector<std::vector<float>>> triangles;
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        auto& corners = triangles.emplace_back();
+        auto& triangle = triangles.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) {
             const glm::vec3& position = mesh.vertices.at(mesh.indices[i + k]).position;
-            corners.push_back({position.x, position.y, position.z});
+            triangle.push_back({position.x, position.y, position.z});
         }
-        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+        std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
     }
     std::sort(triangles.begin(), triangles.end());
     return triangles;
