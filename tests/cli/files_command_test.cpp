@@ -20,7 +20,6 @@ using nlohmann::json;
 using Files = FolderTest;
 using Notes = FolderTest;
 using Driver = FolderTest;
-using Probe = FolderTest;
 
 /// A glTF file of which something is not drawn.
 void writeNotedModel(const fs::path& path) {
@@ -299,18 +298,6 @@ TEST_F(Driver, AMissingOneIsNamedWithItsPackage) {
         EXPECT_EQ(result.status, 1) << arguments;
         EXPECT_NE(result.err.find("mesa-vulkan-drivers"), std::string::npos) << result.err;
         EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    }
-}
-
-TEST_F(Probe, NamesTheFormatsThatTheDeviceLacks) {
-    ASSERT_EQ(run("devices --json d.json").status, 0);
-    const ProgramResult result = run("probe --distances 100 --size 32x18 --json p.json");
-    ASSERT_EQ(result.status, 0) << result.err;
-    const json formats = jsonIn("d.json").at("results").at(0).at("depth_formats");
-    const json missing = jsonIn("p.json").at("missing_formats");
-    EXPECT_EQ(formats.size() + missing.size(), 3u);
-    for (const json& format : missing) {
-        EXPECT_EQ(std::find(formats.begin(), formats.end(), format), formats.end()) << format;
     }
 }
 

@@ -49,6 +49,15 @@ class RankFiles : public RankTest {
     }
 };
 
+TEST_F(RankFiles, AModelIsAlikeOnAllRanks) {
+    platform::writeText(at("2/well.gltf"), textIn("2/well.gltf") + " ");
+    expectRefused("rank 2 on .+: well.gltf: is another file than the first rank's");
+    fs::remove(at("1/well.gltf"));
+    expectRefused("rank 1 on .+: well.gltf: .+");
+    fs::remove(at("0/well.gltf"));
+    expectRefused("well.gltf: .+");
+}
+
 /// Of the same length each time, and of a file that another file refers to.
 TEST_F(RankFiles, BuffersAndPicturesOfAModelAreAlikeOnAllRanks) {
     EXPECT_EQ(render().status, 0);

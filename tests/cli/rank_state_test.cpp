@@ -104,19 +104,24 @@ std::set<std::size_t> unitsIn(const Lines& lines) {
     return units;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Commands, RankState,
-    testing::Values(
-        Kept{"probe --distances 10,1e3,1e6,1e7 --techniques reversed,anchored --formats d32f "
-             "--size 96x54",
-             4, 1, 0},
-        Kept{"coplanar --frames 5 --search-views 1 --size 64x36 --techniques standard --out out", 6, 3, 1},
-        Kept{"orbit --frames 4 --size 96x54 --techniques reversed,anchored --out out", 4, 2, 1,
-             "--threads 2"},
-        // A scene without levels, since these are made at each start.
-        Kept{"detail rotation --depth anchored --frames 4 --split fitted:0.1,max=3 --size 96x54 --out out", 5,
-             3, 2},
-        Kept{"translucency --size 96x54 --cascades 1,3 --repeats 1 --out out", 5, 1, 0}));
+const Kept kProbe{
+    "probe --distances 10,1e3,1e6,1e7 --techniques reversed,anchored --formats d32f --size 96x54", 4, 1, 0};
+/// A scene without levels, since these are made at each start.
+const Kept kDetail{
+    "detail rotation --depth anchored --frames 4 --split fitted:0.1,max=3 --size 96x54 --out out", 5, 3, 2};
+const std::vector<Kept> kAllKept{
+    kProbe,
+    {"coplanar --frames 5 --search-views 1 --size 64x36 --techniques standard --out out", 6, 3, 1},
+    {"orbit --frames 4 --size 96x54 --techniques reversed,anchored --out out", 4, 2, 1, "--threads 2"},
+    kDetail,
+    {"translucency --size 96x54 --cascades 1,3 --repeats 1 --out out", 5, 1, 0}};
+
+/// What may stand in a state, which does not depend on the command: two of them, or all with CDR_ALL_CASES.
+class RankStateFile : public RankState {};
+
+INSTANTIATE_TEST_SUITE_P(Commands, RankState, testing::ValuesIn(kAllKept));
+INSTANTIATE_TEST_SUITE_P(Commands, RankStateFile,
+                         testing::ValuesIn(takesAllCases() ? kAllKept : std::vector<Kept>{kProbe, kDetail}));
 
 /// As a run leaves it that was killed after some results, while it wrote the next one.
 TEST_P(RankState, MakesOnlyWhatIsMissingWithAnyNumberOfRanks) {
@@ -145,7 +150,7 @@ TEST_P(RankState, MakesOnlyWhatIsMissingWithAnyNumberOfRanks) {
     }
 }
 
-TEST_P(RankState, TakesWhatTheStateHolds) {
+TEST_P(RankStateFile, TakesWhatTheStateHolds) {
     ASSERT_EQ(run(0).status, 0);
     const auto expected = results();
     const std::string json = wholeJson();
@@ -167,7 +172,7 @@ TEST_P(RankState, TakesWhatTheStateHolds) {
     EXPECT_EQ(stateLines(), lines);
 }
 
-TEST_P(RankState, RefusesWhatIsNoStateOfItsOwn) {
+TEST_P(RankStateFile, RefusesWhatIsNoStateOfItsOwn) {
     const std::string elsewhere = "; remove it or name another file";
     ASSERT_EQ(run(0).status, 0);
     const Lines lines = stateLines();

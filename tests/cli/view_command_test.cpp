@@ -172,7 +172,7 @@ std::vector<viewer::ReproducedView> viewsBesideMachine() {
     return views;
 }
 
-/// Each frame is seen by its own camera, at its own moment, under every technique.
+/// Each frame is seen by its own camera, at its own moment, in one cascade and in several.
 TEST_F(ViewCommand, AnAnimationPlaysAlongARecordedPath) {
     std::vector<viewer::ReproducedView> views = viewsBesideMachine();
     scene::CameraRecording recording{.scene = kMachine, .cameras = {}};
@@ -180,7 +180,7 @@ TEST_F(ViewCommand, AnAnimationPlaysAlongARecordedPath) {
         scene::record(recording, *view.settings.choice.seconds, view.camera);
     }
     scene::writeRecording(at("p.json"), recording);
-    for (const auto& [name, technique] : depth::presets()) {
+    for (const std::string name : {"anchored", "cdr"}) {
         const json frames =
             documentOf(std::string("render ") + kMachine +
                        " --animation work --path p.json --time 0.125 --fps 4 --size 96x54 --technique " +
@@ -188,7 +188,7 @@ TEST_F(ViewCommand, AnAnimationPlaysAlongARecordedPath) {
         ASSERT_EQ(frames.size(), views.size()) << name;
         std::set<json> hashes;
         for (std::size_t i = 0; i < views.size(); ++i) {
-            views[i].settings.technique = technique;
+            views[i].settings.technique = depth::parseTechnique(name);
             EXPECT_EQ(frames[i]["hash"], pictureOf(views[i])["hash"]) << name << ", frame " << i;
             EXPECT_EQ(frames[i]["seconds"], views[i].settings.choice.seconds) << name;
             hashes.insert(frames[i]["hash"]);

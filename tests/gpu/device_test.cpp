@@ -33,7 +33,8 @@ TEST(Devices, CanBeChosenByNumberAndName) {
     const Device byNumber(instance, "0");
     const Device byName(instance, byNumber.info().name.substr(0, 5));
     EXPECT_EQ(byNumber.info().index, 0u);
-    EXPECT_FALSE(byName.info().name.empty());
+    // The first part of a name may be another device's too.
+    EXPECT_EQ(byName.info().name.substr(0, 5), byNumber.info().name.substr(0, 5));
 }
 
 TEST(Devices, RefusalNamesEachDeviceAndWhy) {

@@ -54,6 +54,7 @@ TEST_F(LitSurfacesTest, LookAsIfTheyWereShadedLater) {
         SCOPED_TRACE(name);
         const scene::SceneSetup setup = scenes::openScene(name, 2013).setup;
         if (!readsFacetsOf(setup.scene)) {
+            leaveOut("texels for as many facets");
             continue;
         }
         for (const auto& [preset, technique] : depth::presets()) {

@@ -66,6 +66,7 @@ TEST_F(SurfacePathTest, VisibilityShowsWhatTheGBufferShows) {
     for (const char* name : {"cubes", "afc", "rotation", "mixed"}) {
         const scene::SceneSetup setup = scenes::openScene(name, 2013).setup;
         if (!readsFacetsOf(setup.scene)) {
+            leaveOut("texels for as many facets");
             continue;
         }
         const render::GpuScene gpuScene(device(), setup.scene);

@@ -130,25 +130,6 @@ TEST_F(TechniqueTest, CascadesLeaveNoCracks) {
     }
 }
 
-TEST_F(TechniqueTest, ThreadsAndBatchingChangeNoBit) {
-    const scene::SceneSetup setup = scenes::makeRotation(1, 20'000);
-    const render::GpuScene gpuScene(device(), setup.scene);
-    for (const auto& [name, technique] : depth::presets()) {
-        std::string first;
-        for (const std::size_t threads : {1u, 3u, 8u}) {
-            auto options = smallOptions(technique);
-            options.threads = threads;
-            for (const render::Batching batching :
-                 {render::Batching::instanced, render::Batching::perObject}) {
-                options.batching = batching;
-                const std::string hash = hashOf(draw(setup.scene, gpuScene, setup.path.at(33), options));
-                first = first.empty() ? hash : first;
-                EXPECT_EQ(hash, first) << nameOf(technique) << " " << threads;
-            }
-        }
-    }
-}
-
 } // namespace
 
 } // namespace cdr::render_test

@@ -389,8 +389,13 @@ TEST(Certifier, FindsTheSameWithAnyNumberOfWorkers) {
     EXPECT_EQ(one.certified, four.certified);
     EXPECT_EQ(one.cast, four.cast);
     ASSERT_EQ(one.repairs.size(), four.repairs.size());
+    EXPECT_FALSE(one.repairs.empty());
     for (std::size_t i = 0; i < one.repairs.size(); ++i) {
         EXPECT_EQ(one.repairs[i].x, four.repairs[i].x);
+        EXPECT_EQ(one.repairs[i].y, four.repairs[i].y);
+        EXPECT_EQ(one.repairs[i].id, four.repairs[i].id);
+        EXPECT_EQ(one.repairs[i].distanceView, four.repairs[i].distanceView);
+        EXPECT_EQ(one.repairs[i].normal, four.repairs[i].normal);
         EXPECT_EQ(one.repairs[i].color, four.repairs[i].color);
     }
 }

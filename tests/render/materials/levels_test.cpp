@@ -98,12 +98,14 @@ TEST_F(LevelsTest, WithoutLevelsSmallTexelsAlias) {
     texture.minFilter = scene::Filter::nearest;
     const std::set<int> single = redsOf(squareWith(texture), true);
     EXPECT_TRUE(std::all_of(single.begin(), single.end(), [](int red) { return red == 0 || red == 255; }));
+    EXPECT_EQ(single.size(), 2u) << "black alone is no picture";
 }
 
 TEST_F(LevelsTest, LargeTexelsHaveAFilterOfTheirOwn) {
     scene::Texture texture{.pixels = chequered(), .magFilter = scene::Filter::nearest};
     const std::set<int> single = redsOf(squareWith(texture), false);
     EXPECT_TRUE(std::all_of(single.begin(), single.end(), [](int red) { return red == 0 || red == 255; }));
+    EXPECT_EQ(single.size(), 2u);
     texture = {
         .pixels = chequered(), .minFilter = scene::Filter::nearest, .levels = scene::TextureLevels::none};
     EXPECT_GT(redsOf(squareWith(texture), false).size(), 2u);

@@ -121,7 +121,7 @@ TEST_F(PackingTest, MaterialsWithAlphaAreReadByThemselves) {
     EXPECT_FALSE(render::isPackable(unlit, scene.textures));
 }
 
-/// One sampler reads what is packed, at one place.
+/// One sampler reads what is packed, at one place, and all five are there.
 TEST_F(PackingTest, TexturesThatAreReadOtherwiseAreReadByThemselves) {
     using Change = void (*)(scene::Texture&);
     const std::vector<Change> changes{
@@ -149,6 +149,8 @@ TEST_F(PackingTest, TexturesThatAreReadOtherwiseAreReadByThemselves) {
         EXPECT_FALSE(render::isPackable(material, scene.textures));
         (material.detail.*use)->second = false;
         (material.detail.*use)->transform[2].x = 0.5f;
+        EXPECT_FALSE(render::isPackable(material, scene.textures));
+        (material.detail.*use).reset();
         EXPECT_FALSE(render::isPackable(material, scene.textures));
     }
 }

@@ -136,35 +136,6 @@ TEST_F(PlacesTest, FivePackedTexturesLookAsFive) {
     }
 }
 
-/// What blends needs alpha, and a texture elsewhere is read by itself.
-TEST(TexturePackingTest, TakesOpaqueMaterialsAlikeAlone) {
-    std::vector<scene::Texture> textures(5);
-    for (scene::Texture& texture : textures) {
-        texture.pixels = image::ImageRgba8(4, 4);
-        texture.content = scene::TextureContent::data;
-    }
-    scene::Material packable{.baseColorTexture = 0};
-    for (std::uint32_t i = 0; i < kUses.size(); ++i) {
-        packable.detail.*kUses[i] = scene::TextureUse{.texture = i + 1};
-    }
-    EXPECT_TRUE(render::isPackable(packable, textures));
-    scene::Material blended = packable;
-    blended.alphaMode = scene::AlphaMode::blend;
-    EXPECT_FALSE(render::isPackable(blended, textures));
-    scene::Material moved = packable;
-    moved.detail.emissive->transform = kWay;
-    EXPECT_FALSE(render::isPackable(moved, textures));
-    scene::Material bare = packable;
-    bare.detail.occlusion.reset();
-    EXPECT_FALSE(render::isPackable(bare, textures));
-    std::vector<scene::Texture> larger = textures;
-    larger[2].pixels = image::ImageRgba8(8, 8);
-    EXPECT_FALSE(render::isPackable(packable, larger));
-    std::vector<scene::Texture> weighed = textures;
-    weighed[0].alphaWeighs = true;
-    EXPECT_FALSE(render::isPackable(packable, weighed));
-}
-
 /// What a transform leads to looks as what vertices say, with every texture, opaque and blended.
 TEST_F(PlacesTest, TransformsLeadToAnyPlace) {
     for (const UseOf use : kUses) {

@@ -111,22 +111,6 @@ TEST_F(TargetsTest, TheNumberOfCascadesMayChangeBetweenFrames) {
     }
 }
 
-TEST_F(TargetsTest, ValidationIsSilentOverPresetsTargetsAndThreads) {
-    const scene::SceneSetup setup = scenes::makeRotation(11, 2000);
-    const render::GpuScene gpuScene(device(), setup.scene);
-    for (const depth::Technique& technique : techniques()) {
-        for (const TargetsKind kind : render::kTargetsKinds) {
-            for (const std::size_t threads : {1u, 4u}) {
-                render::Renderer renderer(device(), setup.scene, gpuScene,
-                                          tinyOptions(technique, kind, threads));
-                renderer.draw(setup.path.at(0));
-                EXPECT_GT(renderer.render(setup.path.at(180)).stats.draws, 0u);
-                EXPECT_EQ(messageCount(), 0u) << nameOf(technique) << " " << nameOf(kind) << " " << threads;
-            }
-        }
-    }
-}
-
 /// Pixels such that a picture fits, but not `layers` layers of 20 bytes a pixel.
 std::uint32_t sideTooLargeFor(const gpu::Device& device, std::uint32_t layers) {
     const auto free = static_cast<double>(gpu::freeDeviceBytes(device));

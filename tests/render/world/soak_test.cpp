@@ -169,6 +169,7 @@ TEST(WorldSoakTest, EditsLeaveNoMemoryBehind) {
     for (std::uint64_t Memory::*bytes : {&Memory::host, &Memory::device}) {
         const double before = least(kWarmUpFrames / kFramesOfCycle, bytes);
         const double after = least(cycles - cycles / 10, bytes);
+        EXPECT_GT(before, 0.0) << "nothing is counted";
         EXPECT_LE(after, 1.01 * before) << (bytes == &Memory::host ? "host" : "device");
         std::cout << (bytes == &Memory::host ? "host" : "device") << " bytes grew from " << before << " to "
                   << after << " over " << cycles * kFramesOfCycle << " frames\n";

@@ -136,7 +136,6 @@ TEST_F(Gltf, FilesThatCannotBeReadAreRefused) {
     }
     write("short.bin", Bytes(10));
     expectSays(tryUri("short.bin"), "its data has 10");
-    expectSays(tryUri(std::string(5000, 'x')), "");
     EXPECT_NE(tryUri(std::string(5000, 'x')), "loaded");
     expectSays(refusal(folder() / "missing.glb"), "no such file");
     expectSays(refusal(folder()), "not a regular file");

@@ -76,20 +76,16 @@ json& extensionOf(Document& document, std::size_t view) {
     return document.root["bufferViews"][view]["extensions"][kExtension];
 }
 
-/// Of each triangle, which may begin at any of its corners: where they are, in the order of the triangles.
-std::vector<std::array<float, 9>> placedTriangles(const Mesh& mesh) {
-    std::vector<std::array<float, 9>> triangles;
+/// Each triangle's corners, from the least one on.
+std::vector<std::vector<std::vector<float>>> trianglesOf(const Mesh& mesh) {
+    std::vector<std::vector<std::vector<float>>> triangles;
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        std::array<std::array<float, 3>, 3> corners{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const glm::vec3 place = mesh.vertices.at(mesh.indices[i + k]).position;
-            corners[k] = {place.x, place.y, place.z};
-        }
-        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
         auto& triangle = triangles.emplace_back();
-        for (std::size_t k = 0; k < 9; ++k) {
-            triangle[k] = corners[k / 3][k % 3];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const glm::vec3& position = mesh.vertices.at(mesh.indices[i + k]).position;
+            triangle.push_back({position.x, position.y, position.z});
         }
+        std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
     }
     std::sort(triangles.begin(), triangles.end());
     return triangles;
@@ -101,9 +97,8 @@ TEST_F(GltfMeshopt, GivesTheBytesThatWereCompressed) {
         const GltfImport import = load(packed(asTriangles));
         EXPECT_TRUE(import.ignored.empty());
         const Mesh& mesh = import.scene.meshes.at(0);
-        EXPECT_EQ(mesh.indices.size(), 6u);
-        EXPECT_EQ(placedTriangles(mesh), placedTriangles(wanted.meshes.at(0)));
         // The encoder may turn a triangle so that another corner comes first.
+        EXPECT_EQ(trianglesOf(mesh), trianglesOf(wanted.meshes[0]));
         if (!asTriangles) {
             EXPECT_EQ(mesh.indices, wanted.meshes[0].indices);
         }

@@ -253,6 +253,7 @@ TEST_F(GltfStreaming, AFileThatIsReplacedIsReadAsItWas) {
                                write("a.glb", Bytes(10));
                            }),
               "loaded");
+    EXPECT_EQ(fs::file_size(path), 10u) << "it was replaced";
 }
 
 /// The size of a picture is known before the picture is decoded, and bounds what it takes.

@@ -164,6 +164,15 @@ TEST(Clusters, AreTheSameForAnyNumberOfThreads) {
     ASSERT_EQ(alone.groups.size(), four.groups.size());
     for (std::size_t i = 0; i < alone.groups.size(); ++i) {
         EXPECT_EQ(alone.groups[i].error, four.groups[i].error);
+        EXPECT_EQ(alone.groups[i].bounds.centre, four.groups[i].bounds.centre);
+        EXPECT_EQ(alone.groups[i].bounds.radius, four.groups[i].bounds.radius);
+    }
+    ASSERT_EQ(alone.clusters.size(), four.clusters.size());
+    for (std::size_t i = 0; i < alone.clusters.size(); ++i) {
+        EXPECT_EQ(alone.clusters[i].bounds.centre, four.clusters[i].bounds.centre);
+        EXPECT_EQ(alone.clusters[i].bounds.radius, four.clusters[i].bounds.radius);
+        EXPECT_EQ(alone.clusters[i].coneAxis, four.clusters[i].coneAxis);
+        EXPECT_EQ(alone.clusters[i].coneCutoff, four.clusters[i].coneCutoff);
     }
 }
 

@@ -8,6 +8,8 @@
 #include <deque>
 #include <new>
 #include <random>
+#include <set>
+#include <string_view>
 
 namespace {
 std::atomic<std::size_t> allocations{0};
@@ -107,6 +109,11 @@ TEST(FrameStatistics, AWindowOfNoneIsOne) {
 }
 
 TEST(FrameStage, NamesAreDistinct) {
+    std::set<std::string_view> names;
+    for (const FrameStage stage : kFrameStages) {
+        names.insert(nameOf(stage));
+    }
+    EXPECT_EQ(names.size(), kFrameStages.size());
     EXPECT_EQ(nameOf(FrameStage::cull), "cull");
     EXPECT_EQ(nameOf(FrameStage::present), "present");
 }
