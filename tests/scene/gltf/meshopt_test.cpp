@@ -3,7 +3,6 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 namespace cdr::scene::test {
