@@ -260,6 +260,7 @@ std::span<const visibility::MeshChunk> GpuScene::chunksOf(const MeshRange& mesh)
 }
 
 void GpuScene::State::update() {
+    m_retired.close(); // what an update that failed has replaced: nothing was submitted from what it left
     m_retired.free();
     if (isCurrent()) {
         return;
