@@ -1,4 +1,6 @@
 #include <cdr/base/error.h>
+#include <cdr/gpu/commands.h>
+#include <cdr/render/frame/for_all.h>
 #include <cdr/render/frame/frame_runner.h>
 #include <cdr/render/output/host_commands.h>
 
@@ -171,9 +173,7 @@ void FrameRunner::waitFor(FrameSlot& slot) {
 }
 
 void FrameRunner::finish() {
-    for (FrameSlot* slot : slots().inOrder()) {
-        settle(*slot);
-    }
+    forAll(slots().inOrder(), [this](FrameSlot& slot) { settle(slot); });
 }
 
 } // namespace cdr::render
