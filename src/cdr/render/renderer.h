@@ -96,13 +96,19 @@ class CDR_EXPORT Renderer {
     void finish();
     /// Where the last frame is. From this function's first call on, frames wait for the host's reads of these images, in any
     /// pipeline stage. Call it before the frame that is to wait is submitted or recorded, and not at the same time.
-    /// @lifetime The images are valid until the next frame, resize(), or the renderer's end. The latter two do not wait for the
-    ///         host's reads, so these have to be done by then.
+    ///
+    /// Where a world came to need other passes, as for a sky or the first material that blends, the next frame or skip() makes the
+    /// images anew. It first waits for all that the device's queue was given; reads on other queues have to be done before.
+    /// Until a frame is drawn after that, this names images that were never drawn, and lastStats() is empty: also where that
+    /// frame is refused.
+    /// @lifetime The images are valid until the next frame, skip(), resize(), or the renderer's end. The latter two do not wait for
+    ///         the host's reads, so these have to be done by then.
     Surfaces surfaces() const;
 
-    /// Statistics of the last frame, whichever call made it; empty before the first, and after resize(). It does not wait. So
-    /// until finish() FrameTimes::deviceMs is empty, and numbers that the device counts are 0: with gpu-driven submission the
-    /// draws, with sorted translucency its fragments. FrameTimes::executeMs is 0 of frames that were submitted or recorded.
+    /// Statistics of the last frame, whichever call made it; empty before the first, and after resize() or once images were made
+    /// anew for other passes (surfaces()). It does not wait. So until finish() FrameTimes::deviceMs is empty, and numbers that the
+    /// device counts are 0: with gpu-driven submission the draws, with sorted translucency its fragments. FrameTimes::executeMs is
+    /// 0 of frames that were submitted or recorded.
     /// @errors None.
     FrameStats lastStats() const;
 

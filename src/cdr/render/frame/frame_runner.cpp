@@ -87,6 +87,9 @@ void FrameRunner::followScene() {
     const SceneNeeds needs = needsOf(drawn(), options());
     if (needs != m_equipment.needs()) {
         finish();
+        if (m_reads == HostReads::anyStage) {
+            gpu::waitForQueue(m_device); // a host may still read the images that end here
+        }
         m_equipment.follow(needs);
     }
     if (m_scene.isChanged()) {
