@@ -71,9 +71,9 @@ class CDR_EXPORT Renderer {
     /// Once that is seen, the whole frame is drawn again, unless a later frame was submitted.
     /// @errors base::InputError, base::RunError and std::system_error as render(), of an earlier frame too.
     void submit(const scene::Camera& camera, const FrameSync& sync = {});
-    /// Records one frame into a host's command buffer and images. The host submits it to the device's queue,
-    /// before this or any other renderer of the device begins its next frame, or calls dropRecorded(). Waits for the frame
-    /// that was recorded `framesInFlight` calls before.
+    /// Records one frame into a host's command buffer and images. The host submits it to the device's queue, or calls
+    /// dropRecorded(), before anything else is called that follows the scene: a frame, skip(), resize() or constructor of this or
+    /// any other renderer of the device, or GpuScene::update(). Waits for the frame that was recorded `framesInFlight` calls before.
     ///
     /// A frame whose lists had too little room, as for submit(), lacks what found none. Each instance has room for a draw,
     /// and those that several cascades share may need more. The `framesInFlight`th frame after it has the room, since each
