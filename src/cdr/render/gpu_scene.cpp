@@ -96,7 +96,7 @@ class GpuScene::State {
     VertexUpdates m_vertexUpdates;
     bool m_arePosesStale =
         false; ///< whether meshes that the device deforms were uploaded as the CPU has them
-    bool m_keepsLastVertices = false;
+    std::shared_ptr<const char> m_lastVerticesUse = std::make_shared<char>(); ///< each renderer has one more
     std::uint64_t m_verticesRevision = 0;
     SceneTextures m_textures;
     std::vector<MaterialWords> m_materials;
@@ -202,8 +202,8 @@ const gpu::SetLayout& GpuScene::textureLayout() const {
 const gpu::SetLayout& GpuScene::detailLayout() const {
     return m_state->m_textures.detailLayout();
 }
-void GpuScene::keepLastVertices() {
-    m_state->m_keepsLastVertices = true;
+std::shared_ptr<const void> GpuScene::keepLastVertices() {
+    return m_state->m_lastVerticesUse;
 }
 std::uint64_t GpuScene::verticesRevision() const {
     return m_state->m_verticesRevision;
@@ -349,9 +349,13 @@ void GpuScene::State::followVertices() {
     }
     const std::span<const std::uint32_t> meshes = changed ? *changed : std::span<const std::uint32_t>(all);
     ++m_verticesRevision;
+    const bool areLastKept = m_lastVerticesUse.use_count() > 1;
+    if (!areLastKept) {
+        m_lastVertices.drop(m_retired);
+    }
     m_vertexUpdates.follow(
         *m_world, meshes,
-        {.meshes = m_meshes, .retired = m_retired, .last = m_keepsLastVertices ? &m_lastVertices : nullptr});
+        {.meshes = m_meshes, .retired = m_retired, .last = areLastKept ? &m_lastVertices : nullptr});
     m_followed.vertices =
         changes.end(); // now: where the update fails after this, the next one moves nothing again
 }
