@@ -74,6 +74,7 @@ class GpuScene::State {
     void updateVertices();
     void readKinds(const std::optional<std::span<const std::uint32_t>>& meshes);
     bool areTablesReplaced() const;
+    bool lacksPose(std::span<const std::uint32_t> meshes) const;
     void forgetKinds();
     void readMaterials();
     void replaceTables();
@@ -286,7 +287,9 @@ void GpuScene::State::replaceTables() {
     const bool areMeshesOthers = m_followed.meshes != changes.meshes.end();
     const vk::Buffer detailsBefore = m_meshes.details().handle();
     if (areMeshesOthers) {
-        m_meshes.follow(*m_scene, meshes, m_retired);
+        // Kept, since the next update does not do it again where this one fails from here on.
+        const bool areAllUploaded = m_meshes.follow(*m_scene, meshes, m_retired);
+        m_arePosesStale = m_arePosesStale || areAllUploaded || (meshes && lacksPose(*meshes));
         m_vertexUpdates.forget(meshes, m_retired);
     }
     if (!meshes && !changes.vertices.since(m_followed.vertices)) { // all is there, and nothing deformed
@@ -301,12 +304,19 @@ void GpuScene::State::replaceTables() {
     const auto materials = changes.materials.since(m_followed.materials);
     m_textures.followMaterials(*m_scene, textures ? materials : std::nullopt, m_retired);
     m_meshes.followDetails(*m_scene, m_retired);
-    // Kept, since the next update does not upload them again where this one fails from here on.
-    m_arePosesStale = m_arePosesStale || areMeshesOthers || m_meshes.details().handle() != detailsBefore;
+    m_arePosesStale = m_arePosesStale || m_meshes.details().handle() != detailsBefore; // kept, as above
     if (m_arePosesStale) {
         followPoses();
         m_arePosesStale = false;
     }
+}
+
+/// Whether one of the meshes has a pose that followVertices() leaves out: an update that failed has followed it before.
+bool GpuScene::State::lacksPose(std::span<const std::uint32_t> meshes) const {
+    const auto posed = m_world->changes().vertices.since(m_followed.vertices);
+    return std::ranges::any_of(meshes, [&](std::uint32_t mesh) {
+        return m_world->pose(mesh) != nullptr && posed && std::ranges::count(*posed, mesh) == 0;
+    });
 }
 
 /// Whether another world's meshes or materials took the place of those that were followed.
