@@ -74,6 +74,7 @@ class GpuScene::State {
     void updateVertices();
     void readKinds(const std::optional<std::span<const std::uint32_t>>& meshes);
     bool areTablesReplaced() const;
+    bool lacksPose(std::span<const std::uint32_t> meshes) const;
     void forgetKinds();
     void readMaterials();
     void replaceTables();
@@ -96,7 +97,7 @@ class GpuScene::State {
     VertexUpdates m_vertexUpdates;
     bool m_arePosesStale =
         false; ///< whether meshes that the device deforms were uploaded as the CPU has them
-    bool m_keepsLastVertices = false;
+    std::shared_ptr<const char> m_lastVerticesUse = std::make_shared<char>(); ///< each renderer has one more
     std::uint64_t m_verticesRevision = 0;
     SceneTextures m_textures;
     std::vector<MaterialWords> m_materials;
@@ -202,8 +203,8 @@ const gpu::SetLayout& GpuScene::textureLayout() const {
 const gpu::SetLayout& GpuScene::detailLayout() const {
     return m_state->m_textures.detailLayout();
 }
-void GpuScene::keepLastVertices() {
-    m_state->m_keepsLastVertices = true;
+std::shared_ptr<const void> GpuScene::keepLastVertices() {
+    return m_state->m_lastVerticesUse;
 }
 std::uint64_t GpuScene::verticesRevision() const {
     return m_state->m_verticesRevision;
@@ -260,6 +261,7 @@ std::span<const visibility::MeshChunk> GpuScene::chunksOf(const MeshRange& mesh)
 }
 
 void GpuScene::State::update() {
+    m_retired.close(); // what an update that failed has replaced: nothing was submitted from what it left
     m_retired.free();
     if (isCurrent()) {
         return;
@@ -285,7 +287,9 @@ void GpuScene::State::replaceTables() {
     const bool areMeshesOthers = m_followed.meshes != changes.meshes.end();
     const vk::Buffer detailsBefore = m_meshes.details().handle();
     if (areMeshesOthers) {
-        m_meshes.follow(*m_scene, meshes, m_retired);
+        // Kept, since the next update does not do it again where this one fails from here on.
+        const bool areAllUploaded = m_meshes.follow(*m_scene, meshes, m_retired);
+        m_arePosesStale = m_arePosesStale || areAllUploaded || (meshes && lacksPose(*meshes));
         m_vertexUpdates.forget(meshes, m_retired);
     }
     if (!meshes && !changes.vertices.since(m_followed.vertices)) { // all is there, and nothing deformed
@@ -300,12 +304,19 @@ void GpuScene::State::replaceTables() {
     const auto materials = changes.materials.since(m_followed.materials);
     m_textures.followMaterials(*m_scene, textures ? materials : std::nullopt, m_retired);
     m_meshes.followDetails(*m_scene, m_retired);
-    // Kept, since the next update does not upload them again where this one fails from here on.
-    m_arePosesStale = m_arePosesStale || areMeshesOthers || m_meshes.details().handle() != detailsBefore;
+    m_arePosesStale = m_arePosesStale || m_meshes.details().handle() != detailsBefore; // kept, as above
     if (m_arePosesStale) {
         followPoses();
         m_arePosesStale = false;
     }
+}
+
+/// Whether one of the meshes has a pose that followVertices() leaves out: an update that failed has followed it before.
+bool GpuScene::State::lacksPose(std::span<const std::uint32_t> meshes) const {
+    const auto posed = m_world->changes().vertices.since(m_followed.vertices);
+    return std::ranges::any_of(meshes, [&](std::uint32_t mesh) {
+        return m_world->pose(mesh) != nullptr && posed && std::ranges::count(*posed, mesh) == 0;
+    });
 }
 
 /// Whether another world's meshes or materials took the place of those that were followed.
@@ -348,9 +359,13 @@ void GpuScene::State::followVertices() {
     }
     const std::span<const std::uint32_t> meshes = changed ? *changed : std::span<const std::uint32_t>(all);
     ++m_verticesRevision;
+    const bool areLastKept = m_lastVerticesUse.use_count() > 1;
+    if (!areLastKept) {
+        m_lastVertices.drop(m_retired);
+    }
     m_vertexUpdates.follow(
         *m_world, meshes,
-        {.meshes = m_meshes, .retired = m_retired, .last = m_keepsLastVertices ? &m_lastVertices : nullptr});
+        {.meshes = m_meshes, .retired = m_retired, .last = areLastKept ? &m_lastVertices : nullptr});
     m_followed.vertices =
         changes.end(); // now: where the update fails after this, the next one moves nothing again
 }

@@ -97,8 +97,8 @@ class CDR_EXPORT GpuScene {
     const gpu::SetLayout& textureLayout() const;
     /// Of the set that DrawKind::detailSet is.
     const gpu::SetLayout& detailLayout() const;
-    /// From now on update() keeps the vertices that meshes had before.
-    void keepLastVertices();
+    /// update() keeps the vertices that meshes had before, as long as somebody has what this returns.
+    [[nodiscard]] std::shared_ptr<const void> keepLastVertices();
     /// Another number, larger by one, after each update() that gave meshes other vertices.
     std::uint64_t verticesRevision() const;
     /// The vertices before the last of these updates, of meshes that it gave others. Those after it, if the update also uploaded

@@ -71,9 +71,9 @@ class CDR_EXPORT Renderer {
     /// Once that is seen, the whole frame is drawn again, unless a later frame was submitted.
     /// @errors base::InputError, base::RunError and std::system_error as render(), of an earlier frame too.
     void submit(const scene::Camera& camera, const FrameSync& sync = {});
-    /// Records one frame into a host's command buffer and images. The host submits it to the device's queue,
-    /// before this or any other renderer of the device begins its next frame, or calls dropRecorded(). Waits for the frame
-    /// that was recorded `framesInFlight` calls before.
+    /// Records one frame into a host's command buffer and images. The host submits it to the device's queue, or calls
+    /// dropRecorded(), before anything else is called that follows the scene: a frame, skip(), resize() or constructor of this or
+    /// any other renderer of the device, or GpuScene::update(). Waits for the frame that was recorded `framesInFlight` calls before.
     ///
     /// A frame whose lists had too little room, as for submit(), lacks what found none. Each instance has room for a draw,
     /// and those that several cascades share may need more. The `framesInFlight`th frame after it has the room, since each
@@ -96,13 +96,19 @@ class CDR_EXPORT Renderer {
     void finish();
     /// Where the last frame is. From this function's first call on, frames wait for the host's reads of these images, in any
     /// pipeline stage. Call it before the frame that is to wait is submitted or recorded, and not at the same time.
-    /// @lifetime The images are valid until the next frame, resize(), or the renderer's end. The latter two do not wait for the
-    ///         host's reads, so these have to be done by then.
+    ///
+    /// Where a world came to need other passes, as for a sky or the first material that blends, the next frame or skip() makes the
+    /// images anew. It first waits for all that the device's queue was given; reads on other queues have to be done before.
+    /// Until a frame is drawn after that, this names images that were never drawn, and lastStats() is empty: also where that
+    /// frame is refused.
+    /// @lifetime The images are valid until the next frame, skip(), resize(), or the renderer's end. The latter two do not wait for
+    ///         the host's reads, so these have to be done by then.
     Surfaces surfaces() const;
 
-    /// Statistics of the last frame, whichever call made it; empty before the first, and after resize(). It does not wait. So
-    /// until finish() FrameTimes::deviceMs is empty, and numbers that the device counts are 0: with gpu-driven submission the
-    /// draws, with sorted translucency its fragments. FrameTimes::executeMs is 0 of frames that were submitted or recorded.
+    /// Statistics of the last frame, whichever call made it; empty before the first, and after resize() or once images were made
+    /// anew for other passes (surfaces()). It does not wait. So until finish() FrameTimes::deviceMs is empty, and numbers that the
+    /// device counts are 0: with gpu-driven submission the draws, with sorted translucency its fragments. FrameTimes::executeMs is
+    /// 0 of frames that were submitted or recorded.
     /// @errors None.
     FrameStats lastStats() const;
 

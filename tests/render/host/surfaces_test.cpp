@@ -1,14 +1,34 @@
+#include "../failing_calls.h"
 #include "../fixture.h"
 #include "read_image.h"
 
 #include <cdr/render/renderer_setup.h>
 #include <scenes/cubes.h>
 
+#include <optional>
+
 namespace cdr::render_test {
 
 namespace {
 
 class SurfacesTest : public RenderTest {};
+
+/// A box that four cascades and more share asks for more draw records than there are instances.
+struct Crowded {
+    Crowded() {
+        addBox(scene, {0.0, 0.0, -10.0});
+        addBox(scene, {0.0, 0.0, 500.0}, glm::mat3(100.0f));
+        options.submission = render::Submission::gpuDriven;
+        options.framesInFlight = 2;
+        lacks.back = {0.0, 0.0, -1.0};
+        lacks.right = {-1.0, 0.0, 0.0};
+    }
+    scene::Scene scene = boxScene();
+    render::RenderOptions options =
+        smallOptions(depth::parseTechnique("anchored/at:440,450,460,470,480,490,500"));
+    scene::Camera fits{.fovY = 0.2};
+    scene::Camera lacks{.fovY = 0.4}; ///< sees that box
+};
 
 TEST_F(SurfacesTest, AVisibilityBufferIsNotHandedOutAsAGBuffer) {
     const scene::SceneSetup setup = scenes::makeAfc(1);
@@ -52,31 +72,42 @@ TEST_F(SurfacesTest, ARendererTakesNoMoreThanPredicted) {
     EXPECT_LE(before - gpu::freeDeviceBytes(device()), predictPictureBytes(device(), options, {}) + kBlocks);
 }
 
-/// A box that four cascades share asks for more draw records than there are instances, so frames that see it are drawn
-/// again. One that was submitted and left must not be over the images of the frame after it.
+/// Frames that lack room are drawn again. One that was submitted and left must not be over the images of the frame after it.
 TEST_F(SurfacesTest, AFrameThatLackedRoomDoesNotComeOverALaterOne) {
     if (!canDrawGpuDriven()) {
         return;
     }
-    scene::Scene scene = boxScene();
-    addBox(scene, {0.0, 0.0, -10.0});
-    addBox(scene, {0.0, 0.0, 500.0}, glm::mat3(100.0f));
-    render::RenderOptions options =
-        smallOptions(depth::parseTechnique("anchored/at:440,450,460,470,480,490,500"));
-    options.submission = render::Submission::gpuDriven;
-    options.framesInFlight = 2;
-    const scene::Camera fits{.fovY = 0.2};
-    scene::Camera lacks{.fovY = 0.4};
-    lacks.back = {0.0, 0.0, -1.0};
-    lacks.right = {-1.0, 0.0, 0.0};
-    SoleRenderer renderer(device(), scene, options);
-    renderer.submit(fits);
-    renderer.submit(lacks);
-    renderer.submit(fits);
+    const Crowded crowded;
+    SoleRenderer renderer(device(), crowded.scene, crowded.options);
+    renderer.submit(crowded.fits);
+    renderer.submit(crowded.lacks);
+    renderer.submit(crowded.fits);
     renderer.finish();
     const auto pixels = readGBuffer(device(), renderer.surfaces().gbuffer);
     EXPECT_EQ(pixels.at(240, 135).id(), 1u);
-    EXPECT_EQ(renderer.render(lacks).id(240, 135), 2u);
+    EXPECT_EQ(renderer.render(crowded.lacks).id(240, 135), 2u);
+}
+
+/// Room for the first frame's lists is not there. The frame after it is waited for nonetheless.
+TEST_F(SurfacesTest, AFrameThatFailsLateDoesNotKeepLaterOnesInFlight) {
+    if (!canDrawGpuDriven()) {
+        return;
+    }
+    const Crowded crowded;
+    std::optional<SoleRenderer> renderer;
+    for (const bool isFinished : {true, false}) {
+        renderer.emplace(device(), crowded.scene, crowded.options);
+        renderer->submit(crowded.lacks);
+        renderer->submit(crowded.lacks);
+        const FailingCall failing("vkCreateBuffer");
+        if (isFinished) {
+            EXPECT_THROW(renderer->finish(), std::exception);
+            EXPECT_GT(renderer->lastStats().draws, 0u); // the device counted them
+        } else {
+            renderer.reset(); // validation would say what is destroyed while it is in use
+        }
+        EXPECT_TRUE(FailingCall::hasFailed());
+    }
 }
 
 /// Emulated snapping is by the picture's size.

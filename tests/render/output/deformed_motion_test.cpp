@@ -2,8 +2,11 @@
 #include "held.h"
 #include "truth_motion.h"
 
+#include <cdr/render/upload/last_vertices.h>
+
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace cdr::render_test {
@@ -288,6 +291,55 @@ TEST_F(DeformedMotionTest, MeshesMayComeAtTheSameTime) {
         moved.push_back(renderer.render(camera).motion.at(120, 135) != glm::vec2(0.0f));
     }
     EXPECT_EQ(moved, (std::vector<bool>{false, false, true, true}));
+}
+
+/// Of one joint, about which the sheet grows.
+scene::MeshPose grownPose(double scale) {
+    auto deformer = std::make_shared<scene::Deformer>();
+    deformer->vertices = sheetAt(0.0).vertices;
+    for (std::uint32_t i = 0; i < deformer->vertices.size(); ++i) {
+        deformer->firstInfluence.push_back(i);
+        deformer->influences.push_back({0, 1.0f});
+    }
+    deformer->firstInfluence.push_back(static_cast<std::uint32_t>(deformer->vertices.size()));
+    finish(*deformer);
+    glm::dmat4 joint(scale);
+    joint[3][3] = 1.0;
+    scene::MeshPose pose{.deformer = deformer, .weights = {}, .joints = {joint}, .place = {}};
+    pose.place = placeOf(*deformer, pose.joints);
+    return pose;
+}
+
+TEST_F(DeformedMotionTest, MeshesMayComeWhileTheDeviceDeformsOthers) {
+    if (!device().info().deformMissing.empty()) {
+        GTEST_SKIP() << "the device lacks " << device().info().deformMissing.front();
+    }
+    Sheets sheets(20.0);
+    SoleRenderer renderer(device(), sheets.world, motionOptions("anchored"));
+    const scene::Camera camera = sheets.cameraAt(0.0);
+    std::vector<bool> moved;
+    for (int frame = 0; frame < 4; ++frame) {
+        if (frame > 0) {
+            sheets.world.addMesh(scene::makeBox(glm::vec3(1.0f)));
+            sheets.world.setPose(sheets.sheet, grownPose(1.0 + 0.05 * frame));
+        }
+        moved.push_back(renderer.render(camera).motion.at(120, 135) != glm::vec2(0.0f));
+    }
+    EXPECT_EQ(moved, (std::vector<bool>{false, false, true, true}));
+}
+
+TEST_F(DeformedMotionTest, LastVerticesAreKeptAsLongAsARendererShowsMotion) {
+    Sheets sheets(20.0);
+    render::GpuScene onDevice(device(), sheets.world);
+    {
+        render::Renderer renderer(device(), onDevice, motionOptions("anchored"));
+        sheets.show(0.5);
+        renderer.draw(sheets.cameraAt(0.0));
+        EXPECT_GT(onDevice.lastVertices().buffer().size(), 0u);
+    }
+    sheets.show(1.0);
+    onDevice.update();
+    EXPECT_EQ(onDevice.lastVertices().buffer().size(), 0u);
 }
 
 } // namespace

@@ -247,6 +247,27 @@ TEST_F(DeviceVerticesTest, OfAMeshInThePlaceOfAnotherAreShadedByItsOwnTriangles)
     EXPECT_EQ(hashOf(live.render({})), hashOf(SoleRenderer(device(), anew, options).render({})));
 }
 
+/// A texture ends the update once the device has deformed the new mesh. The next update uploads that mesh again.
+TEST_F(DeviceVerticesTest, OfANewMeshAreThoseOfItsPoseWhereTheUpdateIsRepeated) {
+    const scene::Mesh box = scene::makeBox(glm::vec3(1.0f));
+    const scene::MeshPose pose = jointPose(box, glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)));
+    const render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
+    scene::World world(boxScene());
+    SoleRenderer live(device(), world, options);
+    world.addMesh(box);
+    live.draw({}); // now there is room for two meshes more
+    const scene::MeshHandle mesh = world.addMesh(box);
+    world.addInstance({.mesh = mesh, .material = world.material(0), .transform = {{0.0, 0.0, -5.0}}});
+    world.setPose(mesh, pose);
+    const image::ImageRgba8 wide(device().info().maxImageSide + 1, 1, {255, 255, 255, 255});
+    const scene::TextureHandle texture = world.addTexture({.name = {}, .pixels = wide});
+    const scene::MaterialHandle material = world.addMaterial({.baseColorTexture = texture.index});
+    EXPECT_THROW(live.draw({}), base::InputError);
+    world.removeMaterial(material);
+    world.removeTexture(texture);
+    EXPECT_EQ(hashOf(live.render({})), hashOf(SoleRenderer(device(), world, options).render({})));
+}
+
 /// Tangents that come with the first normal texture are those of the pose, also where the device could not be told to deform them
 /// in the frame that uploads them.
 TEST_F(DeviceVerticesTest, HaveTangentsAfterAFailedFrame) {

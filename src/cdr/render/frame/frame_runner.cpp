@@ -1,4 +1,6 @@
 #include <cdr/base/error.h>
+#include <cdr/gpu/commands.h>
+#include <cdr/render/frame/for_all.h>
 #include <cdr/render/frame/frame_runner.h>
 #include <cdr/render/output/host_commands.h>
 
@@ -85,6 +87,9 @@ void FrameRunner::followScene() {
     const SceneNeeds needs = needsOf(drawn(), options());
     if (needs != m_equipment.needs()) {
         finish();
+        if (m_reads == HostReads::anyStage) {
+            gpu::waitForQueue(m_device); // a host may still read the images that end here
+        }
         m_equipment.follow(needs);
     }
     if (m_scene.isChanged()) {
@@ -171,9 +176,7 @@ void FrameRunner::waitFor(FrameSlot& slot) {
 }
 
 void FrameRunner::finish() {
-    for (FrameSlot* slot : slots().inOrder()) {
-        settle(*slot);
-    }
+    forAll(slots().inOrder(), [this](FrameSlot& slot) { settle(slot); });
 }
 
 } // namespace cdr::render

@@ -62,7 +62,8 @@ class FrameRunner {
     void settle(FrameSlot& slot);
     /// The same, and notes when it was done. Where it throws, the next frame is decided as a first one.
     void waitFor(FrameSlot& slot);
-    /// Settles all frames, in the order in which they were submitted.
+    /// Settles all frames, in the order in which they were submitted: those after one that fails too, so that nothing is in
+    /// flight then. Throws the first error.
     void finish();
 
     // What it is made of.

@@ -45,7 +45,7 @@ SceneFollower::SceneFollower(const gpu::Device& device, GpuScene& live)
 
 void SceneFollower::keepLastVertices() {
     if (m_live != nullptr) {
-        m_live->keepLastVertices();
+        m_lastVertices = m_live->keepLastVertices();
     }
 }
 

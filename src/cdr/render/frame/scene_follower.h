@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 namespace cdr::render {
 
@@ -21,7 +22,7 @@ class SceneFollower {
     SceneFollower(const gpu::Device& device, GpuScene& live);
 
     const DrawnScene& drawn() const { return m_drawn; }
-    /// Motion is worked out: a world keeps the vertices that meshes had before.
+    /// Motion is worked out: a world keeps the vertices that meshes had before, until this ends.
     void keepLastVertices();
 
     /// Uploads what changed in a world.
@@ -53,6 +54,7 @@ class SceneFollower {
     DrawnScene m_drawn;
     std::uint64_t m_revision;
     FacetsMadeFrom m_facetsMadeFrom;
+    std::shared_ptr<const void> m_lastVertices; ///< null where they need not be kept
 };
 
 } // namespace cdr::render

@@ -59,19 +59,36 @@ OrderMargin::OrderMargin(const depth::Technique& technique, const FrameView& vie
       m_nodesPerRatio(static_cast<double>(kNodes - 1) / std::log(view.camera.farView / m_nearView)) {
     const depth::Cascades cascades = view.ranges();
     const depth::Technique sliced = slicedTechnique(technique, view);
+    const auto marginOf = [&](double distanceView) {
+        const std::optional<depth::Forecast> forecast = depth::forecastIn(sliced, cascades, distanceView);
+        return forecast ? farthestBeyond(distanceView, kBetweenNodes * forecast->guaranteedView() *
+                                                           sliceLoss(view, technique.format, distanceView)) +
+                              interpolationOf(technique.mapping) * distanceView
+                        : kNever;
+    };
     m_nodes.reserve(kNodes);
     for (std::size_t node = 0; node < kNodes; ++node) {
-        const double at = m_nearView * std::exp(static_cast<double>(node) / m_nodesPerRatio);
-        const std::optional<depth::Forecast> forecast = depth::forecastIn(sliced, cascades, at);
-        m_nodes.push_back(forecast ? farthestBeyond(at, kBetweenNodes * forecast->guaranteedView() *
-                                                            sliceLoss(view, technique.format, at)) +
-                                         interpolationOf(technique.mapping) * at
-                                   : kNever);
+        m_nodes.push_back(marginOf(m_nearView * std::exp(static_cast<double>(node) / m_nodesPerRatio)));
+    }
+    // No node tells of a cascade between two of them. It is coarsest at its far end.
+    for (const depth::Cascade& cascade : cascades) {
+        const std::size_t node = nodeBefore(cascade.farView);
+        if (nodeBefore(cascade.nearView) == node) {
+            m_nodes[node] = std::max(m_nodes[node], marginOf(cascade.farView));
+        }
     }
 }
 
+double OrderMargin::placeOf(double distanceView) const {
+    return std::log(distanceView / m_nearView) * m_nodesPerRatio;
+}
+
+std::size_t OrderMargin::nodeBefore(double distanceView) const {
+    return static_cast<std::size_t>(std::clamp(placeOf(distanceView), 0.0, static_cast<double>(kNodes - 2)));
+}
+
 double OrderMargin::at(double distanceView) const {
-    const double place = std::log(distanceView / m_nearView) * m_nodesPerRatio;
+    const double place = placeOf(distanceView);
     if (!(place >= 0.0) || place >= static_cast<double>(kNodes - 1)) {
         return kNever;
     }

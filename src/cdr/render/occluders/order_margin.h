@@ -3,6 +3,7 @@
 #include <cdr/depth/technique.h>
 #include <cdr/render/frame_view.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace cdr::render {
@@ -23,6 +24,11 @@ class OrderMargin {
     double nodesPerRatio() const { return m_nodesPerRatio; } ///< over a ratio of e
 
   private:
+    /// Nodes from the near plane to there.
+    double placeOf(double distanceView) const;
+    /// The one at a distance or before it, which has one after it.
+    std::size_t nodeBefore(double distanceView) const;
+
     double m_nearView;
     double m_nodesPerRatio;
     std::vector<double> m_nodes;

@@ -2,6 +2,8 @@
 #include <cdr/render/materials/packed_vertex.h>
 #include <cdr/render/upload/last_vertices.h>
 
+#include <utility>
+
 namespace cdr::render {
 
 void LastVertices::choose(const SceneMeshes& meshes, const scene::Scene& scene,
@@ -41,6 +43,14 @@ void LastVertices::record(vk::CommandBuffer commands, const SceneMeshes& meshes)
     commands.copyBuffer(meshes.vertices().handle(), m_buffer.handle(), m_copies);
     gpu::memoryBarrier(commands, Stage::eCopy, Touch::eTransferWrite, Stage::eVertexAttributeInput,
                        Touch::eVertexAttributeRead);
+}
+
+void LastVertices::drop(gpu::Retired& retired) {
+    m_first.clear();
+    m_copies.clear();
+    if (m_buffer.size() != 0) {
+        retired.add(std::exchange(m_buffer, {}));
+    }
 }
 
 std::optional<std::size_t> LastVertices::firstOf(std::uint32_t mesh) const {

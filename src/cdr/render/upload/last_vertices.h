@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/retired.h>
 #include <cdr/render/upload/scene_meshes.h>
 #include <cdr/scene/scene.h>
 
@@ -25,6 +26,9 @@ class LastVertices {
     void choose(const SceneMeshes& meshes, const scene::Scene& scene, std::span<const std::uint32_t> kept);
     /// Copies these vertices as they are on the device, once frames have read those kept before.
     void record(vk::CommandBuffer commands, const SceneMeshes& meshes) const;
+
+    /// Keeps none any more.
+    void drop(gpu::Retired& retired);
 
     /// PackedVertices, mesh by mesh.
     const gpu::Buffer& buffer() const { return m_buffer; }

@@ -196,14 +196,14 @@ void SceneMeshes::upload(const scene::Scene& scene, const Counts& room) {
     }
     vertices.finish();
     indices.finish();
+    uploadDetails(scene, room.vertices);
     m_room = room;
-    uploadDetails(scene);
 }
 
-void SceneMeshes::follow(const scene::Scene& scene, std::optional<std::span<const std::uint32_t>> changed,
+bool SceneMeshes::follow(const scene::Scene& scene, std::optional<std::span<const std::uint32_t>> changed,
                          gpu::Retired& retired) {
     if (changed && append(scene, {changed->begin(), changed->end()})) {
-        return;
+        return false;
     }
     requireIndices(scene);
     requireRoom(scene);
@@ -217,6 +217,7 @@ void SceneMeshes::follow(const scene::Scene& scene, std::optional<std::span<cons
     const Counts room = most();
     upload(scene, {.vertices = std::min(times * needed.vertices, room.vertices),
                    .indices = std::min(times * needed.indices, room.indices)});
+    return true;
 }
 
 bool SceneMeshes::append(const scene::Scene& scene, const std::set<std::uint32_t>& changed) {
@@ -247,12 +248,12 @@ bool SceneMeshes::append(const scene::Scene& scene, const std::set<std::uint32_t
     return true;
 }
 
-void SceneMeshes::uploadDetails(const scene::Scene& scene) {
+void SceneMeshes::uploadDetails(const scene::Scene& scene, std::size_t room) {
     m_details = {};
     if (!hasDetail(scene)) {
         return;
     }
-    std::vector<PackedDetail> details(m_room->vertices);
+    std::vector<PackedDetail> details(room);
     for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
         const std::vector<PackedDetail> more = detailsOf(scene.meshes[mesh]);
         std::copy(more.begin(), more.end(), details.begin() + m_ranges[mesh].vertexOffset);
@@ -266,7 +267,7 @@ void SceneMeshes::uploadDetails(const scene::Scene& scene) {
 void SceneMeshes::followDetails(const scene::Scene& scene, gpu::Retired& retired) {
     if ((m_details.size() != 0) != hasDetail(scene)) {
         retired.add(std::exchange(m_details, {}));
-        uploadDetails(scene);
+        uploadDetails(scene, m_room->vertices);
     }
 }
 

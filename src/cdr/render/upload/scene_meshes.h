@@ -33,8 +33,9 @@ class SceneMeshes {
     /// changed: they go behind those that are there, where nothing that was submitted reads. Where they find no room, all
     /// are uploaded again into twice the room that they need, as far as the device has it.
     /// @param changed places, repeats allowed; nothing where all may have changed.
+    /// @return whether all were uploaded again: each mesh has the scene's vertices then.
     /// Errors as of upload(), and base::RunError when the device's memory does not suffice.
-    void follow(const scene::Scene& scene, std::optional<std::span<const std::uint32_t>> changed,
+    bool follow(const scene::Scene& scene, std::optional<std::span<const std::uint32_t>> changed,
                 gpu::Retired& retired);
 
     /// Follows meshes that have other vertices, as many as before, and waits. Nothing that was submitted may still read
@@ -85,7 +86,8 @@ class SceneMeshes {
     bool append(const scene::Scene& scene, const std::set<std::uint32_t>& changed);
     /// Puts a mesh behind what is used.
     MeshRange place(const scene::Mesh& mesh, Packed& into);
-    void uploadDetails(const scene::Scene& scene);
+    /// @param room vertices that they are for
+    void uploadDetails(const scene::Scene& scene, std::size_t room);
 
     const gpu::Device& m_device;
     gpu::Buffer m_vertices;

@@ -2,6 +2,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/platform/stage_watch.h>
 #include <cdr/platform/stopwatch.h>
+#include <cdr/render/frame/for_all.h>
 #include <cdr/render/frame/frame_output.h>
 #include <cdr/render/frame/frame_runner.h>
 #include <cdr/render/frame_split.h>
@@ -271,9 +272,7 @@ void ViewsRenderer::dropRecorded() {
 }
 
 void ViewsRenderer::finish() {
-    for (const auto& view : m_views) {
-        view->finish();
-    }
+    forAll(m_views, [](FrameRunner& view) { view.finish(); });
 }
 
 void ViewsRenderer::skip(Cameras cameras) {

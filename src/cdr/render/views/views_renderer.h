@@ -75,7 +75,7 @@ class CDR_EXPORT ViewsRenderer {
     void forgetFrames();
     /// Where the last frame of a view is.
     /// @param view below views()
-    /// @lifetime The images are valid until the next frame, or resize().
+    /// @lifetime As of Renderer::surfaces().
     Surfaces surfaces(std::size_t view) const;
     /// Makes pictures of another size, as Renderer::resize().
     /// @param width of each in pixels. @param height the same.
