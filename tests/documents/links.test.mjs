@@ -1,7 +1,8 @@
-// Every relative link and picture of every page leads somewhere. Every folder has its line in ARCHITECTURE.md or on the page
-// of its room.
+// Every relative link and picture of every page leads somewhere. Every commit that a page names is in the history. Every folder
+// has its line in ARCHITECTURE.md or on the page of its room.
 
 import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
 import { dirname, join, normalize } from "node:path";
 import { test } from "node:test";
@@ -31,6 +32,21 @@ for (const page of pages()) {
         }
     });
 }
+
+test("every commit that a page names is in the history", (context) => {
+    const git = (...words) => spawnSync("git", words, { cwd: root, encoding: "utf8", maxBuffer: 1 << 28 }).stdout?.trim();
+    if (!existsSync(join(root, ".git")) || git("rev-parse", "--is-shallow-repository") !== "false") {
+        context.skip("no git, or not the whole history");
+        return;
+    }
+    const history = new Set(git("rev-list", "HEAD").split("\n").map((commit) => commit.slice(0, 7)));
+    for (const page of pages()) {
+        const named = [...read(page).matchAll(/\b[0-9a-f]{7,40}\b/g)].map(([word]) => word);
+        for (const commit of named.filter((word) => /\d/.test(word) && /[a-f]/.test(word))) {
+            assert.ok(history.has(commit.slice(0, 7)), `${page}: ${commit} is no commit of the history`);
+        }
+    }
+});
 
 const sources = /^(src|shaders|tests|tools|third_party)(\/|$)/;
 

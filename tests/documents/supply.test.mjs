@@ -4,9 +4,9 @@ import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
 import { cpSync, existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { join, parse } from "node:path";
 import { test } from "node:test";
-import { read, root } from "./documents.mjs";
+import { files, read, root } from "./documents.mjs";
 
 const run = (program, ...words) => execFileSync(join(root, program), words, { cwd: root, encoding: "utf8" });
 const wanted = run("tools/setup.sh", "--list").trim().split("\n");
@@ -18,6 +18,17 @@ test("third_party/LICENCES.md names each package of setup.sh and of npm, and no 
         .map((match) => match[1]).filter((name) => !name.includes("/"));
     const npm = pinned.map(([name]) => name).filter((name) => !name.startsWith("@esbuild/"));
     assert.deepEqual(listed.sort(), [...wanted, ...npm, "three-globe", "mikktspace", "wabt"].sort());
+});
+
+test("third_party/LICENCES.md names each model of models_sheet.sh that is not in tests/assets", () => {
+    const [lists] = read("tests/results/models_sheet.sh").match(/^models=\(\)\n[\s\S]*?(?=^draw )/m);
+    const own = files("tests/assets").map((path) => parse(path).name);
+    const models = [...lists.matchAll(/[/{,](\w+)(?:\.gl(?:b|tf))?(?=[,}\s)])/g)].map((match) => match[1])
+        .filter((name) => !own.includes(name));
+    assert.ok(models.includes("cesium_man") && models.includes("TextureTransformTest"), "both lists are read");
+    for (const name of models) {
+        assert.ok(read("third_party/LICENCES.md").includes(`\`${name}\``), `${name} has no line`);
+    }
 });
 
 test("the bill of materials is SPDX and holds every package with its version, licence and hash", () => {

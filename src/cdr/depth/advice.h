@@ -28,7 +28,7 @@ struct AdviceQuestion {
     /// Of the device, which explain() names. Only scene.subPixelBits goes into the numbers.
     unsigned subPixelBits = 8;
     /// To choose from, the preferred ones first, each in every format. Empty: kSimplestFirst. Then come anchored
-    /// with its target set to the separation, and anchored-reversed/fitted:1e-9, which is as fine as eight cascades allow.
+    /// with a fifth of the separation as target, and anchored-reversed/fitted:1e-9, which is as fine as eight cascades allow.
     std::vector<Technique> techniques{};
 };
 

@@ -256,6 +256,7 @@ void addOptions(CLI::App& command, AdviseArguments& arguments) {
     options::addParsedList(command, "--format", arguments.formats, depth::parseDepthFormat, kFormatsHelp)
         ->default_str("all");
     addTechniques(command, arguments.techniques);
+    command.get_option("--techniques")->default_str("all presets, and two finer kinds of anchored");
     CLI::Option* measured = command.add_flag("--measured", arguments.measured,
                                              "Also measure separations and frame times on the device");
     addSize(command, arguments.measuring.width, arguments.measuring.height);
