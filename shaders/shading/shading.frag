@@ -156,7 +156,9 @@ vec4 shade(ivec2 pixel, uvec4 texel, out float distanceView) {
         color = litColor(color, metallicRoughness, point);
     }
 #ifdef EMISSION
-    color = min(color + emissionOf(emission), kBrightest);
+    if ((surface.id & kIdEmits) != 0u) { // or its look would depend on whether others emit
+        color = min(color + emissionOf(emission), kBrightest);
+    }
 #endif
     if (kFoggy != 0u) {
         color = throughFog(color, surface.ray, surface.anchor.x + surface.ahead);

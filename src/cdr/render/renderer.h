@@ -46,7 +46,8 @@ class CDR_EXPORT Renderer {
     /// Renders one frame, waits for it and copies it to main memory; Frame::gbuffer stays empty unless asked for. After an
     /// error the last frame is still the one before. Motion of the next frame is measured from that one, or there is none.
     /// But where the error comes after the frame was submitted, that frame is the last one: surfaces() and lastStats() describe
-    /// it, though it may lack what found no room. The next frame is then rendered as a first one is: forgetFrames().
+    /// it, though it may lack what found no room. Where it was waited for in vain, the next frame is rendered as a first one is:
+    /// forgetFrames(). Where only the copy failed, it is a whole frame, and the next one goes on from it.
     /// @throws base::InputError for an unusable camera or split, and with RenderOptions::motion where instances of one
     /// object moved apart since the last frame. Also with a visibility buffer while a world holds what that cannot show;
     /// frames are drawn again once it is removed. Also for what GpuScene::update() refuses.

@@ -115,6 +115,17 @@ TEST_F(FinishTest, StrongEmissionIsCutOffAsInFloat64) {
     }
 }
 
+/// Surfaces that do not emit keep their light above 16, which the tone mapper shows, where others may emit.
+TEST_F(FinishTest, WhatDoesNotEmitLooksTheSameWhereOthersMay) {
+    scene::Scene scene = brightScene();
+    scene.lights[0].color = glm::vec3(400.0f, 100.0f, 50.0f);
+    render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
+    options.effects.finish.toneMap = render::ToneMap::neutral;
+    const std::string alone = hashOf(draw(scene, kCamera, options));
+    options.prepareFor.emission = true;
+    EXPECT_EQ(hashOf(draw(scene, kCamera, options)), alone);
+}
+
 } // namespace
 
 } // namespace cdr::render_test

@@ -80,7 +80,7 @@ class CDR_EXPORT ViewsRenderer {
     /// Makes pictures of another size, as Renderer::resize().
     /// @param width of each in pixels. @param height the same.
     /// @errors base::InputError, base::RunError and std::system_error as the constructor; all sizes are then as they were.
-    ///         Until none is thrown, the device holds the images of both sizes.
+    ///         While it works, the device holds the images of both sizes of all views.
     void resize(std::uint32_t width, std::uint32_t height);
 
     /// How many cameras look.
