@@ -101,10 +101,8 @@ void CommandFiles::writesSequence(const std::string& option, std::size_t begin, 
             }
         }
         std::error_code error;
-        if (fs::exists(path, error) && !isSpecial(path)) { // else nothing is lost
-            const Output output{option, path, keysOf(path)};
-            requireApart(output);
-            note(output); // for what is read later
+        if (fs::exists(path, error)) { // else nothing is lost
+            notePresent(option, path);
         }
     }
 }
@@ -117,11 +115,8 @@ void CommandFiles::writesFolder(const std::string& option, const fs::path& folde
     }
     std::error_code error; // of a folder that is not there yet, which has nothing to lose
     for (fs::directory_iterator file(folder, error), end; file != end; file.increment(error)) {
-        const fs::path& path = file->path();
-        if (isWritten(path.filename().string()) && !isSpecial(path)) {
-            const Output output{option, path, keysOf(path)};
-            requireApart(output);
-            note(output); // for what is read later
+        if (isWritten(file->path().filename().string())) {
+            notePresent(option, file->path());
         }
     }
 }
@@ -150,6 +145,14 @@ void CommandFiles::note(const Output& output) {
                            m_outputs.size()); // the first of a sequence that has several names of one file
     }
     m_outputs.push_back(output);
+}
+
+void CommandFiles::notePresent(const std::string& option, const fs::path& path) {
+    if (!isSpecial(path)) {
+        const Output output{option, path, keysOf(path)};
+        requireApart(output);
+        note(output);
+    }
 }
 
 void CommandFiles::requireApart(const Output& output) const {

@@ -61,6 +61,9 @@ class CommandFiles {
     /// The first output that is this file, or null.
     const Output* sameOutput(const std::vector<std::string>& keys) const;
     void note(const Output& output);
+    /// A file that is there, for what is read later too. A device loses nothing. base::InputError when the command reads
+    /// the file, or it is one of another output's folder.
+    void notePresent(const std::string& option, const std::filesystem::path& path);
     void requireApart(const Output& output) const;
 
     std::unordered_set<std::string>

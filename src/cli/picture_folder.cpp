@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace cdr::cli {
@@ -42,8 +43,12 @@ PictureFolder::PictureFolder(fs::path path, CommandFiles& files,
     }
 }
 
-bool PictureFolder::isPicture(const std::string& name) {
-    return name.ends_with(".png");
+std::function<bool(const std::string&)> PictureFolder::oneOf(const std::vector<std::string>& names) {
+    std::set<std::string> files;
+    for (const std::string& name : names) {
+        files.insert(nameInFolder(name));
+    }
+    return [files](const std::string& name) { return files.contains(name); };
 }
 
 std::string PictureFolder::nameInFolder(std::string name) {

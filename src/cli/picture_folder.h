@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace cdr::cli {
 
@@ -17,13 +18,13 @@ class PictureFolder {
   public:
     /// @param path of --out; none when empty.
     /// @param files of the command, which none of the pictures may replace.
-    /// @param isWritten whether a file may be one of the pictures, by its name; without, any .png file may.
+    /// @param isWritten whether a file may be one of the pictures, by its name.
     /// base::InputError when pictures cannot be written there.
     PictureFolder(std::filesystem::path path, CommandFiles& files,
-                  const std::function<bool(const std::string& name)>& isWritten = isPicture);
+                  const std::function<bool(const std::string& name)>& isWritten);
 
-    /// Whether a file's name is that of a picture, .png.
-    static bool isPicture(const std::string& name);
+    /// Whether a file is one of those that write() makes of these names.
+    static std::function<bool(const std::string& name)> oneOf(const std::vector<std::string>& names);
 
     bool isWanted() const { return !m_path.empty(); }
     const std::filesystem::path& path() const { return m_path; }

@@ -191,20 +191,17 @@ void addRivalList(CLI::App& command, std::vector<rivals::NamedRival>& chosen, co
     for (const rivals::NamedRival& named : rivals::namedRivals()) {
         known.push_back(named.name);
     }
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--rivals",
-            [&chosen](const std::vector<std::string>& texts) {
-                chosen.clear();
-                for (const std::string& text : texts) {
-                    chosen.push_back(rivals::parseRival(text));
-                }
-                requireDistinct(texts);
-            },
-            fmt::format("Rivals to compare, separated by commas: {}, each also as NAME/prepass",
-                        fmt::join(known, ", ")))
-        ->expected(CLI::detail::expected_max_vector_size)
-        ->delimiter(',')
+    const auto parse = [&chosen](const std::string& text) {
+        rivals::NamedRival rival = rivals::parseRival(text);
+        if (std::ranges::count(chosen, rival.name, &rivals::NamedRival::name) > 0) {
+            throw base::inputError("{} is given twice", rival.name);
+        }
+        return rival;
+    };
+    options::addParsedList(
+        command, "--rivals", chosen, parse,
+        fmt::format("Rivals to compare, separated by commas: {}, each also as NAME/prepass",
+                    fmt::join(known, ", ")))
         ->default_str(otherwise);
 }
 

@@ -1,7 +1,7 @@
 // The experiment on people: shows the trials of logic/sitting.js and keeps their answers.
 
 import { pairRows } from "./logic/flicker.js";
-import { answered, freshSeed, nextTrial, reopen, startSitting, store } from "./logic/sitting.js";
+import { answered, freshSeed, nextTrial, reopen, restore, restoreOthers, startSitting, store } from "./logic/sitting.js";
 import { compared, fromCsv, maxBytes, toCsv, withoutRepeats } from "./logic/trials.js";
 import { makeAgreement, makePairs, makeTally } from "./view/tally.js";
 import { Trial } from "./view/trial.js";
@@ -19,11 +19,13 @@ const kept = {
             return null;
         }
     },
+    /** @returns {boolean} whether it was kept; else it lives as long as the page. */
     write(key, text) {
         try {
             localStorage.setItem(key, text);
+            return true;
         } catch {
-            // Then the answers live as long as the page.
+            return false;
         }
     },
 };
@@ -40,10 +42,19 @@ let loaded = []; // from files, which keep them
 const trial = new Trial({
     onAnswer(answer) {
         sitting = answered(sitting, answer);
-        kept.write(kKey, store(sitting));
+        keep();
         showNext(true);
     },
 });
+
+/** Keeps the sitting, which is written over another one: that one's answers are kept first. Another tab may have added some. */
+function keep() {
+    const written = restore(kept.read(kKey))?.answers ?? [];
+    others = withoutRepeats([...others, ...restoreOthers(kept.read(kOthersKey)), ...written]);
+    if (kept.write(kOthersKey, toCsv(others))) {
+        kept.write(kKey, store(sitting));
+    }
+}
 
 function show(id) {
     for (const section of ["welcome", "trial", "done"]) {
@@ -116,8 +127,7 @@ async function loadFiles(files) {
 byId("start").addEventListener("submit", (event) => {
     event.preventDefault();
     sitting = startSitting(byId("participant").value, sitting.seed);
-    kept.write(kOthersKey, toCsv(others)); // first, since these may be of the sitting that is written over
-    kept.write(kKey, store(sitting));
+    keep();
     showNext(true);
 });
 byId("save").addEventListener("click", () => download(`answers-${sitting.seed}.csv`, toCsv(sitting.answers)));

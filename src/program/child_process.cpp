@@ -25,9 +25,6 @@ class FileActions {
     FileActions& operator=(const FileActions&) = delete;
 
     void redirect(int from, int to) { posix_spawn_file_actions_adddup2(&m_actions, from, to); }
-    void redirectToNew(const char* path, int to) {
-        posix_spawn_file_actions_addopen(&m_actions, to, path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    }
     const posix_spawn_file_actions_t* get() const { return &m_actions; }
 
   private:
@@ -59,6 +56,12 @@ class SignalsLetThrough {
 ChildProcess::ChildProcess(std::vector<std::string> arguments, const Output& output)
     : m_name(arguments.at(0)),
       m_errors(std::tmpfile()) {
+    // Opened here, so that it is not taken for a failure to start the program. "e": no other child has it.
+    const std::string file = output.file ? output.file->string() : "/dev/null";
+    const std::unique_ptr<std::FILE, CloseFile> out(std::fopen(file.c_str(), "we"));
+    if (!out) {
+        throw base::RunError(file + ": cannot be written: " + std::strerror(errno));
+    }
     // A socket and not a pipe: writing to one whose reader has gone can fail without raising SIGPIPE.
     std::array<int, 2> ends{-1, -1};
     if (!m_errors || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
@@ -69,7 +72,7 @@ ChildProcess::ChildProcess(std::vector<std::string> arguments, const Output& out
     ::shutdown(ends[1], SHUT_WR);
     FileActions actions;
     actions.redirect(ends[1], STDIN_FILENO);
-    actions.redirectToNew(output.file ? output.file->c_str() : "/dev/null", STDOUT_FILENO);
+    actions.redirect(::fileno(out.get()), STDOUT_FILENO);
     actions.redirect(::fileno(m_errors.get()), STDERR_FILENO);
     std::vector<char*> argv;
     for (std::string& argument : arguments) {

@@ -23,7 +23,8 @@ class ChildProcess {
     };
 
     /// @param arguments the program, looked up in PATH, then its arguments.
-    /// base::InputError when there is no such program, or what has its name is none. base::RunError when it cannot be started.
+    /// base::InputError when there is no such program, or what has its name is none. base::RunError when it cannot be
+    /// started, or the file of its output cannot be written.
     ChildProcess(std::vector<std::string> arguments, const Output& output);
     /// Closes the input of a child that was not waited for, and kills it.
     ~ChildProcess();

@@ -87,7 +87,9 @@ TEST_F(Files, AnOutputNeverReplacesWhatAModelIsMadeOf) {
     EXPECT_FALSE(fs::exists(at("t_0000.png")));
     for (const char* arguments :
          {"render m.gltf --size 8x8 -o t_%04d.png --frames 3", "models m.gltf --size 8x8 --out .",
-          "pictures --scenes m.gltf --techniques log --size 8x8 --out ."}) {
+          "pictures --scenes m.gltf --techniques log --size 8x8 --out .",
+          "detail m.gltf --frames 1 --size 32x18 --out .", "effects m.gltf --frames 1 --size 32x18 --out .",
+          "focus m.gltf --frames 1 --cameras 1 --size 32x18 --out ."}) {
         EXPECT_EQ(run(arguments).status, 0) << arguments;
         EXPECT_EQ(textIn("t_0003.png"), before) << arguments;
     }
@@ -120,22 +122,44 @@ void writePictureModel(const fs::path& path, const std::vector<std::string>& nam
 
 /// By its name or by another one.
 TEST_F(Files, NoPictureInAFolderReplacesWhatAModelIsMadeOf) {
-    const std::vector<std::string> names{"m.png", "m_log.png", "plain.png", "truth.png"};
+    struct Written {
+        std::string command{};
+        std::string picture{};
+    };
+    std::ofstream(at("hard.png")) << "x";
+    std::ofstream(at("soft.png")) << "x";
+    fs::create_directories(at("d/e"));
+    for (const Written& each :
+         {Written{"models m.gltf", "m.png"}, Written{"pictures --scenes m.gltf", "m_log.png"},
+          Written{"detail m.gltf", "none-again.png"}, Written{"detail m.gltf", "object_cracks.png"},
+          Written{"effects m.gltf", "occlusion-layers.png"}, Written{"focus m.gltf", "cameras.png"},
+          Written{"focus m.gltf", "focus-blend.png"}, Written{"translucency m.gltf", "truth.png"},
+          Written{"translucency m.gltf", "sorted_2_error.png"},
+          Written{"shadows m.gltf", "anchored_anchored_0_0.png"},
+          Written{"shadows m.gltf", "anchored_anchored_12_3_wrong.png"}}) {
+        std::ofstream(at(each.picture)) << "x";
+        fs::create_hard_link(at("hard.png"), at("d") / each.picture);
+        fs::create_symlink("../../soft.png", at("d/e") / each.picture);
+        writePictureModel(at("m.gltf"), {each.picture, "hard.png", "soft.png"});
+        for (const char* out : {" --out .", " --out d", " --out d/e"}) {
+            expectRefusal(each.command + out, each.picture + ": --out would replace what the command reads");
+        }
+        fs::remove(at("d") / each.picture);
+        fs::remove(at("d/e") / each.picture);
+        EXPECT_EQ(textIn(each.picture) + textIn("hard.png") + textIn("soft.png"), "xxx") << each.command;
+    }
+}
+
+TEST_F(Files, OtherPicturesInAFolderAreLeftAlone) {
+    const std::vector<std::string> names{"truth_0.png", "sorted_9.png", "anchored_anchored_0_0_old.png",
+                                         "anchored_plain_0_0.png"};
     for (const std::string& name : names) {
         std::ofstream(at(name)) << "x";
     }
-    writePictureModel(at("m.gltf"), names);
-    fs::create_directory(at("d"));
-    fs::create_hard_link(at("plain.png"), at("d/m.png"));
-    fs::create_symlink("../truth.png", at("d/m_log.png"));
-    for (const char* command : {"models m.gltf", "pictures --scenes m.gltf", "detail m.gltf",
-                                "effects m.gltf", "focus m.gltf", "translucency m.gltf", "shadows m.gltf"}) {
-        for (const char* out : {" --out .", " --out d"}) {
-            expectRefusal(command + std::string(out), "--out would replace what the command reads");
-        }
-    }
-    for (const std::string& name : names) {
-        EXPECT_EQ(textIn(name), "x") << name;
+    writePictureModel(at("m.gltf"), names); // which has nothing to draw
+    for (const char* arguments : {"translucency m.gltf --out .", "shadows m.gltf --out ."}) {
+        const ProgramResult result = run(arguments);
+        EXPECT_EQ(result.err.find("--out would replace"), std::string::npos) << result.err;
     }
 }
 
@@ -147,6 +171,11 @@ TEST_F(Files, NoOutputIsAFileInTheFolderOfAnother) {
     }
     expectRefusal("flicker --frames 1 --size 16x16 --tga v --json v/log/0000.tga",
                   "both --tga and --json would write it");
+    expectRefusal("coplanar --frames 1 --size 16x16 --out v --json v/anchored_polygon_offset.png",
+                  "both --out and --json would write it");
+    const ProgramResult other = run("coplanar --frames 1 --search-views 1 --size 16x16 --techniques log "
+                                    "--slopes 0 --constants 0 --out v --json v/cdr_none.png");
+    EXPECT_EQ(other.status, 0) << other.err;
 }
 
 TEST_F(Files, NoPictureOfASequenceIsAnotherNameOfWhatAModelIsMadeOf) {

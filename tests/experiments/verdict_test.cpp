@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <string>
 
 namespace cdr::experiments {
 namespace {
@@ -29,13 +30,22 @@ InspectedTechnique inspected(const char* preset, std::uint64_t wrong, double und
 }
 
 /// Not one that was lucky.
-TEST(Verdict, TheBestTechniqueHasFewestWrongAndUndecidedPixels) {
+TEST(Verdict, TheBestTechniqueHasFewestWrongOrUndecidedPixels) {
     Inspection inspection;
     inspection.techniques = {inspected("standard", 0, 400.0), inspected("log", 3, 0.5)};
     inspection.objectPixels = 1000;
     EXPECT_EQ(
         explain(inspection, {}).front(),
         "No technique is enough: log with d32f is the best, with 3 of 1000 object pixels wrong, 0.3 %.");
+}
+
+/// Undecided ones are partly the wrong ones.
+TEST(Verdict, NoPixelCountsTwiceAgainstATechnique) {
+    Inspection inspection;
+    inspection.techniques = {inspected("standard", 250, 0.0), inspected("log", 100, 200.0)};
+    inspection.objectPixels = 1000;
+    const std::string said = explain(inspection, {}).front();
+    EXPECT_TRUE(said.starts_with("No technique is enough: log with d32f is the best")) << said;
 }
 
 } // namespace

@@ -53,6 +53,11 @@ TEST_F(ChildProcessTest, WhatIsNoProgramIsBadInput) {
     }
 }
 
+TEST_F(ChildProcessTest, AnOutputThatCannotBeWrittenIsNoMissingProgram) {
+    const std::string said = whatOf([&] { ChildProcess({"cat"}, {.file = file("none/out")}); });
+    EXPECT_TRUE(said.starts_with(file("none/out").string() + ": cannot be written: ")) << said;
+}
+
 /// No shell reads the arguments.
 TEST_F(ChildProcessTest, ArgumentsArriveAsTheyAre) {
     ChildProcess({"printf", "%s", "a b'\"$HOME;`id`"}, {.file = file("out")}).finish();

@@ -10,6 +10,9 @@
 #include <program/build_info.h>
 
 #include <algorithm>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace cdr::cli {
 
@@ -53,9 +56,27 @@ output::Columns<experiments::CoplanarResult> coplanarColumns() {
             {.key = "coverage_flips", .value = &Result::coverageFlips, .heading = "by rounded vertices"}};
 }
 
+std::string pictureName(const std::string& technique, experiments::CoplanarMethod method) {
+    std::string name = fmt::format("{}_{}.png", technique, nameOf(method));
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+}
+
+/// The files that may be written.
+std::vector<std::string> pictureFiles(std::span<const depth::NamedTechnique> techniques) {
+    std::vector<std::string> files;
+    for (const depth::NamedTechnique& technique : techniques.empty() ? depth::presets() : techniques) {
+        for (const experiments::CoplanarMethod method : experiments::kCoplanarMethods) {
+            files.push_back(pictureName(technique.name, method));
+        }
+    }
+    return files;
+}
+
 void run(Command& command, CoplanarArguments& arguments) {
     experiments::CoplanarOptions& options = arguments.options;
-    const PictureFolder folder(arguments.folder, command.files());
+    const PictureFolder folder(arguments.folder, command.files(),
+                               PictureFolder::oneOf(pictureFiles(options.techniques)));
     requireDistinct(options.techniques);
     command.keepUnits(arguments.state);
     const auto results = experiments::runCoplanar(command.device(), options,
@@ -85,9 +106,7 @@ void run(Command& command, CoplanarArguments& arguments) {
     for (const experiments::CoplanarResult& result : results) {
         auto& row = document["results"].emplace_back(output::jsonOf(columns, result));
         if (!result.picture.pixels.empty()) {
-            std::string name = fmt::format("{}_{}.png", result.technique, nameOf(result.method));
-            std::replace(name.begin(), name.end(), ' ', '_');
-            folder.write("picture", name, result.picture, row);
+            folder.write("picture", pictureName(result.technique, result.method), result.picture, row);
         }
     }
     command.writeDocument(document);

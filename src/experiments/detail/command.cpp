@@ -8,6 +8,9 @@
 #include <output/readable.h>
 #include <program/build_info.h>
 
+#include <string>
+#include <vector>
+
 namespace cdr::cli {
 
 namespace {
@@ -45,6 +48,24 @@ output::Columns<experiments::DetailResult> detailColumns() {
             {.key = "cracks", .value = &Result::cracks, .heading = "cracks"}};
 }
 
+std::string pictureName(const std::string& mode) {
+    return mode + ".png";
+}
+
+std::string cracksName(const std::string& mode) {
+    return mode + "_cracks.png";
+}
+
+/// The files that are written.
+std::vector<std::string> pictureFiles() {
+    std::vector<std::string> files;
+    for (const std::string& mode : experiments::detailModeNames()) {
+        files.push_back(pictureName(mode));
+        files.push_back(cracksName(mode));
+    }
+    return files;
+}
+
 void run(Command& command, DetailArguments& arguments) {
     command.measuresTime();
     experiments::DetailOptions& options = arguments.options;
@@ -52,7 +73,7 @@ void run(Command& command, DetailArguments& arguments) {
                                          depth::parseSplit(arguments.split), depth::DepthFormat::d32f};
     visibility::requireUsable(
         visibility::Detail{.mode = visibility::DetailMode::perObject, .pixels = options.pixels});
-    const PictureFolder folder(arguments.folder, command.files());
+    const PictureFolder folder(arguments.folder, command.files(), PictureFolder::oneOf(pictureFiles()));
     scene::SceneSetup setup = command.openScene(options.scene, options.seed, arguments.choice);
     command.keepUnits(arguments.state);
     const experiments::DetailReport report =
@@ -78,8 +99,8 @@ void run(Command& command, DetailArguments& arguments) {
     auto document = command.makeDocument(std::move(settings));
     for (const auto& result : report.results) {
         auto& row = document["results"].emplace_back(output::jsonOf(columns, result));
-        folder.write("picture", result.mode + ".png", result.picture, row);
-        folder.write("cracks_picture", result.mode + "_cracks.png", result.cracked, row);
+        folder.write("picture", pictureName(result.mode), result.picture, row);
+        folder.write("cracks_picture", cracksName(result.mode), result.cracked, row);
     }
     document["scene_triangles"] = report.sceneTriangles;
     document["levels"] = report.meshLevels;

@@ -257,6 +257,14 @@ class DetailComparison {
 
 } // namespace
 
+std::vector<std::string> detailModeNames() {
+    std::vector<std::string> names;
+    for (const ComparedMode& mode : kDetailModes) {
+        names.emplace_back(mode.name);
+    }
+    return names;
+}
+
 DetailReport runDetail(const gpu::Device& device, scene::SceneSetup setup, const DetailOptions& options,
                        const Progress& progress, ranks::Ranks& ranks) {
     if (options.frames < 1) {

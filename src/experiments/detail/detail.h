@@ -49,6 +49,9 @@ struct DetailResult {
     image::ImageRgba8 cracked;                    ///< the same with a red square about every crack
 };
 
+/// The modes that are compared, as results name them.
+std::vector<std::string> detailModeNames();
+
 struct DetailReport {
     std::uint64_t sceneTriangles = 0; ///< instances times their meshes'
     std::size_t meshLevels = 0;       ///< that were made or came with the scene, of all meshes

@@ -8,6 +8,9 @@
 #include <output/columns.h>
 #include <output/readable.h>
 
+#include <string>
+#include <vector>
+
 namespace cdr::cli {
 
 namespace {
@@ -34,6 +37,19 @@ output::Columns<experiments::EffectsResult> effectsColumns() {
              .before = "under"}};
 }
 
+std::string pictureName(experiments::EffectMode mode) {
+    return fmt::format("{}.png", nameOf(mode));
+}
+
+/// The files that are written.
+std::vector<std::string> pictureFiles() {
+    std::vector<std::string> files;
+    for (const experiments::EffectMode mode : experiments::kEffectModes) {
+        files.push_back(pictureName(mode));
+    }
+    return files;
+}
+
 void run(Command& command, EffectsArguments& arguments) {
     experiments::EffectsOptions& options = arguments.options;
     requireUsable(render::Effects{.occlusion = {.radius = options.occlusionRadius},
@@ -42,7 +58,7 @@ void run(Command& command, EffectsArguments& arguments) {
         throw base::InputError(
             "--occlusion and --fog must be above 0: without an effect there is nothing to compare");
     }
-    const PictureFolder folder(arguments.folder, command.files());
+    const PictureFolder folder(arguments.folder, command.files(), PictureFolder::oneOf(pictureFiles()));
     const scene::SceneSetup setup = command.openScene(options.scene, options.seed, arguments.choice);
     runs::TimedRanks ranks(command.ranks());
     const experiments::EffectsReport report = experiments::runEffects(
@@ -73,7 +89,7 @@ void run(Command& command, EffectsArguments& arguments) {
     auto document = command.makeDocument(std::move(settings));
     for (const auto& result : report.results) {
         auto& row = document["results"].emplace_back(output::jsonOf(columns, result));
-        folder.write("picture", fmt::format("{}.png", nameOf(result.mode)), result.picture, row);
+        folder.write("picture", pictureName(result.mode), result.picture, row);
     }
     document["lost_per_layer"] = report.lostPerLayer;
     runs::addMeasuredBy(document, command.ranks(), ranks.measuredBy("frames"));

@@ -15,6 +15,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace cdr::cli {
 
@@ -158,6 +160,17 @@ std::vector<experiments::FlickerResult> measure(Command& command, const FlickerA
     return results;
 }
 
+/// The files that may be written of the thesis' pairs.
+std::vector<std::string> videoFiles() {
+    std::vector<std::string> files;
+    for (const experiments::ThesisPair& pair : experiments::kThesisPairs) {
+        for (const char* kind : {"mp4", "png"}) {
+            files.push_back(fmt::format("{}_{}.{}", pair.left, pair.right, kind));
+        }
+    }
+    return files;
+}
+
 /// A folder of each technique, in one that has no files of its own.
 void noteTgaFolders(CommandFiles& files, const FlickerArguments& arguments) {
     files.writesFolder("--tga", *arguments.tga, [](const std::string&) { return false; });
@@ -180,9 +193,7 @@ void run(Command& command, FlickerArguments& arguments) {
         command.sayKept(*options.state);
     }
     if (arguments.videos) {
-        command.files().writesFolder("--videos", *arguments.videos, [](const std::string& name) {
-            return name.ends_with(".mp4") || PictureFolder::isPicture(name);
-        });
+        command.files().writesFolder("--videos", *arguments.videos, PictureFolder::oneOf(videoFiles()));
     }
     if (arguments.tga) {
         noteTgaFolders(command.files(), arguments);

@@ -32,6 +32,7 @@ constexpr std::array kFocusModes{FocusMode{"single", render::TargetsKind::single
                                  FocusMode{"focus-blend", render::TargetsKind::layers, true, true}};
 /// All others are compared with it.
 constexpr std::size_t kBase = 1;
+constexpr const char* kReference = "cameras"; // a mode too, of results
 
 /// Of linear light, over all channels.
 double rmseOf(const image::ImageRgba8& a, const image::ImageRgba8& b) {
@@ -96,7 +97,7 @@ class FocusComparison {
         for (std::size_t mode = 0; mode < kFocusModes.size(); ++mode) {
             report.results[mode].pixels = pixelsOf(kFocusModes[mode], report.cascades);
         }
-        report.results.push_back({.mode = "cameras",
+        report.results.push_back({.mode = kReference,
                                   .frameMs = m_referenceMs,
                                   .executeMs = m_referenceExecuteMs,
                                   .speedup = report.results[kBase].executeMs / m_referenceExecuteMs,
@@ -166,6 +167,14 @@ class FocusComparison {
 };
 
 } // namespace
+
+std::vector<std::string> focusModeNames() {
+    std::vector<std::string> names{kReference};
+    for (const FocusMode& mode : kFocusModes) {
+        names.emplace_back(mode.name);
+    }
+    return names;
+}
 
 FocusReport runFocus(const gpu::Device& device, const scene::SceneSetup& setup, const FocusOptions& options,
                      const Progress& progress, runs::TimedRanks& ranks) {

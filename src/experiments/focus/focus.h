@@ -47,6 +47,9 @@ struct FocusResult {
     image::ImageRgba8 picture;
 };
 
+/// The modes that are compared, as results name them.
+std::vector<std::string> focusModeNames();
+
 /// One cascade of the modes with a focus.
 struct FocusCascade {
     double nearView = 0.0;

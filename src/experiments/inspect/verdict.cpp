@@ -40,9 +40,9 @@ std::string simplestLine(const Inspection& inspection) {
             simplest.cascades == 1 ? "one cascade" : fmt::format("{} cascades", simplest.cascades),
             simplest.wrong.wrong == 0 ? "no pixels" : pixels(simplest));
     }
-    // One whose order is undecided may have been lucky.
+    // One whose order is undecided may have been lucky. Some of its undecided pixels are the wrong ones.
     const auto doubtful = [](const InspectedTechnique& each) {
-        return static_cast<double>(each.wrong.wrong) + each.undecided;
+        return std::max(static_cast<double>(each.wrong.wrong), each.undecided);
     };
     const auto best = std::ranges::min_element(inspection.techniques, {}, doubtful);
     const bool isUndecided = inspection.wrongFraction(*best) <= inspection.allowedShare;

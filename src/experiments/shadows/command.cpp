@@ -10,7 +10,12 @@
 #include <options/parsed_option.h>
 #include <output/columns.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace cdr::cli {
 
@@ -60,6 +65,32 @@ output::Columns<experiments::ShadowResult> shadowColumns() {
           {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms"}}});
 }
 
+/// Of the files of a technique and a method of shadows.
+std::string startOf(const std::string& technique, const std::string& method) {
+    return fmt::format("{}_{}_", technique, method);
+}
+
+/// Whether a name goes on behind its start as "0_1.png" or "0_1_wrong.png" do.
+bool isNumbered(std::string_view rest) {
+    const std::string_view end = rest.substr(std::min(rest.find_first_not_of("0123456789_"), rest.size()));
+    return end == ".png" || end == "wrong.png";
+}
+
+/// Which files of a folder may be one of the pictures, by their names. The lights of the scene are not known yet.
+std::function<bool(const std::string& name)> writtenBy(const experiments::ShadowExperiment& experiment) {
+    std::vector<std::string> starts;
+    for (const std::string& technique : experiment.techniques) {
+        for (const std::string& method : experiment.methods) {
+            starts.push_back(PictureFolder::nameInFolder(startOf(technique, method)));
+        }
+    }
+    return [starts](const std::string& name) {
+        return std::ranges::any_of(starts, [&](const std::string& start) {
+            return name.starts_with(start) && isNumbered(std::string_view(name).substr(start.size()));
+        });
+    };
+}
+
 void run(Command& command, ShadowArguments& arguments) {
     experiments::ShadowExperiment& experiment = arguments.experiment;
     experiment.techniques = techniqueNames(experiment.techniques);
@@ -67,7 +98,7 @@ void run(Command& command, ShadowArguments& arguments) {
         command.reads(arguments.camera.path);
     }
     const options::FrameCameras cameras(arguments.camera);
-    const PictureFolder folder(arguments.folder, command.files());
+    const PictureFolder folder(arguments.folder, command.files(), writtenBy(experiment));
     requireDistinct(experiment.techniques);
     requireDistinct(experiment.methods);
     const scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed, arguments.choice);
@@ -86,8 +117,8 @@ void run(Command& command, ShadowArguments& arguments) {
                             [&](const experiments::ShadowResult& result) {
                                 nlohmann::ordered_json row = output::jsonOf(columns, result);
                                 const std::string stem =
-                                    fmt::format("{}_{}_{}_{}", result.technique, result.method, result.frame,
-                                                result.light);
+                                    fmt::format("{}{}_{}", startOf(result.technique, result.method),
+                                                result.frame, result.light);
                                 folder.write("picture", stem + ".png", result.picture, row);
                                 folder.write("wrong_picture", stem + "_wrong.png", result.heatMap, row);
                                 document["results"].push_back(std::move(row));

@@ -37,9 +37,6 @@ void checkArguments(TimingArguments& arguments, CommandFiles& files, const ranks
     if (arguments.memory && (!arguments.modes.empty() || arguments.frames)) {
         throw base::InputError("--modes and --frames cannot be combined with --memory");
     }
-    if (arguments.memory && arguments.options.threads != experiments::TimingOptions{}.threads) {
-        throw base::InputError("--threads cannot be combined with --memory");
-    }
     if (!arguments.modes.empty()) {
         arguments.options.modes = experiments::timingModesNamed(arguments.modes);
     }
@@ -115,14 +112,15 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
         .add_flag("--memory", arguments.memory,
                   "Predict and measure the bytes of an instance, a draw and a pixel")
         ->excludes(against)
-        ->excludes(stages);
+        ->excludes(stages)
+        ->excludes(command.get_option("--threads"));
     addCsv(command, arguments.csv);
     addPlot(command, arguments.plot, "overheads over standard, or the stages of --stages,");
     addTrace(command, arguments.trace, "the frames before the measured ones");
     for (const char* option : {"--scene", "--in-flight", "--rivals", "--csv", "--trace"}) {
         sayNotWith(command, option, "--against, --stages or --memory");
     }
-    for (const char* option : {"--frames", "--modes", "--threads"}) {
+    for (const char* option : {"--frames", "--modes"}) {
         sayNotWith(command, option, "--memory");
     }
     sayNotWith(command, "--plot", "--against or --memory");

@@ -29,9 +29,27 @@ struct TranslucencyArguments {
     std::filesystem::path state;
 };
 
-/// Of a result's files.
+constexpr const char* kTruth = "truth.png";
+
+/// Of the files of a method over so many cascades.
+std::string stemOf(render::Translucency method, unsigned cascades) {
+    return fmt::format("{}_{}", nameOf(method), cascades);
+}
+
 std::string stemOf(const experiments::TranslucencyResult& result) {
-    return fmt::format("{}_{}", nameOf(result.stats.method), result.cascades);
+    return stemOf(result.stats.method, result.cascades);
+}
+
+/// The files that may be written.
+std::vector<std::string> pictureFiles(const std::vector<unsigned>& cascades) {
+    std::vector<std::string> files{kTruth};
+    for (const unsigned count : cascades) {
+        for (const render::Translucency method : render::kTranslucencies) {
+            files.push_back(stemOf(method, count) + ".png");
+            files.push_back(stemOf(method, count) + "_error.png");
+        }
+    }
+    return files;
 }
 
 output::Columns<experiments::TranslucencyResult> translucencyColumns() {
@@ -73,7 +91,7 @@ output::Columns<experiments::TranslucencyResult> translucencyColumns() {
 }
 
 void writePictures(const PictureFolder& folder, const experiments::TranslucencyResults& all) {
-    folder.write("truth.png", all.truth);
+    folder.write(kTruth, all.truth);
     for (const experiments::TranslucencyResult& result : all.results) {
         folder.write(stemOf(result) + ".png", result.picture);
         folder.write(stemOf(result) + "_error.png", experiments::errorPicture(result.picture, all.truth));
@@ -122,7 +140,8 @@ void run(Command& command, TranslucencyArguments& arguments) {
     command.measuresTime();
     experiments::TranslucencyExperiment& experiment = arguments.experiment;
     experiment.maxBytes = arguments.memoryMiB << 20u;
-    const PictureFolder folder(arguments.folder, command.files());
+    const PictureFolder folder(arguments.folder, command.files(),
+                               PictureFolder::oneOf(pictureFiles(experiment.cascades)));
     std::vector<std::string> numbers;
     for (const unsigned cascades : experiment.cascades) {
         numbers.push_back(fmt::format("--cascades {}", cascades));

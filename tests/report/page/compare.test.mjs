@@ -35,6 +35,15 @@ async function watch(page, how) {
     await page.waitForFunction(() => !document.getElementById("left").disabled, null, { timeout: 600_000 });
 }
 
+/** All answers of one person, as a page kept them. */
+function wholeSitting(name, seed) {
+    let sitting = startSitting(name, seed);
+    while (nextTrial(sitting)) {
+        sitting = answered(sitting, { side: "left", seconds: 1, plays: 1 });
+    }
+    return sitting;
+}
+
 async function savedBy(page, button) {
     const [download] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
     return readFileSync(await download.path(), "utf8");
@@ -114,10 +123,7 @@ test("answers survive a reload, and another lot starts anew", async () => {
 
 test("answers that nobody saved survive that somebody else starts", async () => {
     const page = await openCompare();
-    let ada = startSitting("Ada", "ada");
-    while (nextTrial(ada)) {
-        ada = answered(ada, { side: "left", seconds: 1, plays: 1 });
-    }
+    const ada = wholeSitting("Ada", "ada");
     await page.evaluate((text) => localStorage.setItem("cdr-compare", text), store(ada));
     await page.reload();
     const expectAda = async () => {
@@ -132,6 +138,41 @@ test("answers that nobody saved survive that somebody else starts", async () => 
     await page.goto(`${page.url()}?seed=ada2`); // another lot starts anew
     await start(page, "Cy");
     await expectAda();
+    await close(page);
+});
+
+test("answers that another tab keeps meanwhile survive", async () => {
+    const page = await openCompare("?seed=tab");
+    const keepInAnotherTab = (sitting) => page.evaluate((text) => localStorage.setItem("cdr-compare", text), store(sitting));
+    const ada = wholeSitting("Ada", "ada");
+    const bea = wholeSitting("Bea", "bea");
+    await keepInAnotherTab(ada);
+    await start(page, "Cy");
+    await keepInAnotherTab(bea);
+    await watch(page, () => play(page).click());
+    await left(page).click();
+    await page.reload();
+    assert.equal(await page.locator("#trial-title").textContent(), "Video 2 of 6");
+    await page.locator("#results summary").click();
+    assert.match(await page.locator("#counted").textContent(), /^13 answers of 3 people/);
+    await close(page);
+});
+
+test("a sitting is not written over while its answers cannot be kept", async () => {
+    const page = await openCompare("?seed=full");
+    const kept = store(wholeSitting("Ada", "ada"));
+    await page.evaluate((text) => {
+        localStorage.setItem("cdr-compare", text);
+        const setItem = Storage.prototype.setItem;
+        Storage.prototype.setItem = function (key, value) {
+            if (key === "cdr-compare-others") {
+                throw new Error("full");
+            }
+            setItem.call(this, key, value);
+        };
+    }, kept);
+    await start(page, "Bea");
+    assert.equal(await page.evaluate(() => localStorage.getItem("cdr-compare")), kept);
     await close(page);
 });
 

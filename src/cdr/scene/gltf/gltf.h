@@ -20,8 +20,9 @@ namespace cdr::scene {
 
 /// What the importer refuses to go beyond. Any file may be hostile.
 struct GltfLimits {
-    std::uintmax_t maxFileBytes = 1ull << 30; ///< each file read
-    std::uint64_t maxTriangles = 50'000'000;  ///< after instancing
+    /// Each file read. Four times this for all files beside it, and again for pictures in buffer views.
+    std::uintmax_t maxFileBytes = 1ull << 30;
+    std::uint64_t maxTriangles = 50'000'000; ///< after instancing
     std::uint64_t maxBytes = 4ull << 30; ///< of memory for meshes and instances, predicted from their counts
     std::uint32_t maxNodes = 1'000'000;
     std::uint32_t maxNodeDepth = 1'000;
