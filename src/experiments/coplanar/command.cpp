@@ -56,18 +56,18 @@ output::Columns<experiments::CoplanarResult> coplanarColumns() {
             {.key = "coverage_flips", .value = &Result::coverageFlips, .heading = "by rounded vertices"}};
 }
 
-std::string pictureName(const std::string& technique, experiments::CoplanarMethod method) {
+std::string coplanarPicture(const std::string& technique, experiments::CoplanarMethod method) {
     std::string name = fmt::format("{}_{}.png", technique, nameOf(method));
     std::replace(name.begin(), name.end(), ' ', '_');
     return name;
 }
 
 /// The files that may be written.
-std::vector<std::string> pictureFiles(std::span<const depth::NamedTechnique> techniques) {
+std::vector<std::string> coplanarFiles(std::span<const depth::NamedTechnique> techniques) {
     std::vector<std::string> files;
     for (const depth::NamedTechnique& technique : techniques.empty() ? depth::presets() : techniques) {
         for (const experiments::CoplanarMethod method : experiments::kCoplanarMethods) {
-            files.push_back(pictureName(technique.name, method));
+            files.push_back(coplanarPicture(technique.name, method));
         }
     }
     return files;
@@ -76,7 +76,7 @@ std::vector<std::string> pictureFiles(std::span<const depth::NamedTechnique> tec
 void run(Command& command, CoplanarArguments& arguments) {
     experiments::CoplanarOptions& options = arguments.options;
     const PictureFolder folder(arguments.folder, command.files(),
-                               PictureFolder::oneOf(pictureFiles(options.techniques)));
+                               PictureFolder::oneOf(coplanarFiles(options.techniques)));
     requireDistinct(options.techniques);
     command.keepUnits(arguments.state);
     const auto results = experiments::runCoplanar(command.device(), options,
@@ -106,7 +106,7 @@ void run(Command& command, CoplanarArguments& arguments) {
     for (const experiments::CoplanarResult& result : results) {
         auto& row = document["results"].emplace_back(output::jsonOf(columns, result));
         if (!result.picture.pixels.empty()) {
-            folder.write("picture", pictureName(result.technique, result.method), result.picture, row);
+            folder.write("picture", coplanarPicture(result.technique, result.method), result.picture, row);
         }
     }
     command.writeDocument(document);

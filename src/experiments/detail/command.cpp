@@ -48,7 +48,7 @@ output::Columns<experiments::DetailResult> detailColumns() {
             {.key = "cracks", .value = &Result::cracks, .heading = "cracks"}};
 }
 
-std::string pictureName(const std::string& mode) {
+std::string detailPicture(const std::string& mode) {
     return mode + ".png";
 }
 
@@ -57,10 +57,10 @@ std::string cracksName(const std::string& mode) {
 }
 
 /// The files that are written.
-std::vector<std::string> pictureFiles() {
+std::vector<std::string> detailFiles() {
     std::vector<std::string> files;
     for (const std::string& mode : experiments::detailModeNames()) {
-        files.push_back(pictureName(mode));
+        files.push_back(detailPicture(mode));
         files.push_back(cracksName(mode));
     }
     return files;
@@ -73,7 +73,7 @@ void run(Command& command, DetailArguments& arguments) {
                                          depth::parseSplit(arguments.split), depth::DepthFormat::d32f};
     visibility::requireUsable(
         visibility::Detail{.mode = visibility::DetailMode::perObject, .pixels = options.pixels});
-    const PictureFolder folder(arguments.folder, command.files(), PictureFolder::oneOf(pictureFiles()));
+    const PictureFolder folder(arguments.folder, command.files(), PictureFolder::oneOf(detailFiles()));
     scene::SceneSetup setup = command.openScene(options.scene, options.seed, arguments.choice);
     command.keepUnits(arguments.state);
     const experiments::DetailReport report =
@@ -99,7 +99,7 @@ void run(Command& command, DetailArguments& arguments) {
     auto document = command.makeDocument(std::move(settings));
     for (const auto& result : report.results) {
         auto& row = document["results"].emplace_back(output::jsonOf(columns, result));
-        folder.write("picture", pictureName(result.mode), result.picture, row);
+        folder.write("picture", detailPicture(result.mode), result.picture, row);
         folder.write("cracks_picture", cracksName(result.mode), result.cracked, row);
     }
     document["scene_triangles"] = report.sceneTriangles;

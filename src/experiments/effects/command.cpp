@@ -37,15 +37,15 @@ output::Columns<experiments::EffectsResult> effectsColumns() {
              .before = "under"}};
 }
 
-std::string pictureName(experiments::EffectMode mode) {
+std::string effectPicture(experiments::EffectMode mode) {
     return fmt::format("{}.png", nameOf(mode));
 }
 
 /// The files that are written.
-std::vector<std::string> pictureFiles() {
+std::vector<std::string> effectFiles() {
     std::vector<std::string> files;
     for (const experiments::EffectMode mode : experiments::kEffectModes) {
-        files.push_back(pictureName(mode));
+        files.push_back(effectPicture(mode));
     }
     return files;
 }
@@ -58,7 +58,7 @@ void run(Command& command, EffectsArguments& arguments) {
         throw base::InputError(
             "--occlusion and --fog must be above 0: without an effect there is nothing to compare");
     }
-    const PictureFolder folder(arguments.folder, command.files(), PictureFolder::oneOf(pictureFiles()));
+    const PictureFolder folder(arguments.folder, command.files(), PictureFolder::oneOf(effectFiles()));
     const scene::SceneSetup setup = command.openScene(options.scene, options.seed, arguments.choice);
     runs::TimedRanks ranks(command.ranks());
     const experiments::EffectsReport report = experiments::runEffects(
@@ -89,7 +89,7 @@ void run(Command& command, EffectsArguments& arguments) {
     auto document = command.makeDocument(std::move(settings));
     for (const auto& result : report.results) {
         auto& row = document["results"].emplace_back(output::jsonOf(columns, result));
-        folder.write("picture", pictureName(result.mode), result.picture, row);
+        folder.write("picture", effectPicture(result.mode), result.picture, row);
     }
     document["lost_per_layer"] = report.lostPerLayer;
     runs::addMeasuredBy(document, command.ranks(), ranks.measuredBy("frames"));

@@ -48,15 +48,15 @@ output::Columns<experiments::FocusCascade> cascadeColumns() {
             {.key = "scale", .value = &Cascade::scale}};
 }
 
-std::string pictureName(const std::string& mode) {
+std::string focusPicture(const std::string& mode) {
     return mode + ".png";
 }
 
 /// The files that are written.
-std::vector<std::string> pictureFiles() {
+std::vector<std::string> focusFiles() {
     std::vector<std::string> files;
     for (const std::string& mode : experiments::focusModeNames()) {
-        files.push_back(pictureName(mode));
+        files.push_back(focusPicture(mode));
     }
     return files;
 }
@@ -64,7 +64,7 @@ std::vector<std::string> pictureFiles() {
 void run(Command& command, FocusArguments& arguments) {
     experiments::FocusOptions& options = arguments.options;
     requireUsable(options.lens);
-    const PictureFolder folder(arguments.folder, command.files(), PictureFolder::oneOf(pictureFiles()));
+    const PictureFolder folder(arguments.folder, command.files(), PictureFolder::oneOf(focusFiles()));
     const scene::SceneSetup setup = command.openScene(options.scene, options.seed, arguments.choice);
     runs::TimedRanks ranks(command.ranks());
     const experiments::FocusReport report = experiments::runFocus(
@@ -96,7 +96,7 @@ void run(Command& command, FocusArguments& arguments) {
     auto document = command.makeDocument(std::move(settings));
     for (const auto& result : report.results) {
         auto& row = document["results"].emplace_back(output::jsonOf(columns, result));
-        folder.write("picture", pictureName(result.mode), result.picture, row);
+        folder.write("picture", focusPicture(result.mode), result.picture, row);
     }
     document["cascades"] = output::jsonOf(cascadeColumns(), report.cascades);
     runs::addMeasuredBy(document, command.ranks(), ranks.measuredBy("frames"));

@@ -140,7 +140,7 @@ scene::OpenedScene openModel(const std::string& file, const scene::GltfChoice& c
 }
 
 /// The files that are written of models.
-std::vector<std::string> filesOf(const std::vector<std::string>& models) {
+std::vector<std::string> modelFiles(const std::vector<std::string>& models) {
     std::vector<std::string> files{kModelSheet};
     for (const std::string& model : models) {
         for (const ModelPicture& picture : kPicturesOfModel) {
@@ -167,7 +167,7 @@ void run(Command& command, ModelsArguments& arguments) {
     arguments.options.closer = !arguments.camera.has_value();
     arguments.options.technique = depth::parseTechnique(arguments.technique);
     const scene::ModelLight light = scene::parseModelLight(arguments.light);
-    const PictureFolder folder(arguments.folder, command.files(), PictureFolder::oneOf(filesOf(names)));
+    const PictureFolder folder(arguments.folder, command.files(), PictureFolder::oneOf(modelFiles(names)));
     std::vector<experiments::ModelResult> results;
     for (const std::string& file : arguments.files) {
         command.reads(file);

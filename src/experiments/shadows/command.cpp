@@ -77,7 +77,7 @@ bool isNumbered(std::string_view rest) {
 }
 
 /// Which files of a folder may be one of the pictures, by their names. The lights of the scene are not known yet.
-std::function<bool(const std::string& name)> writtenBy(const experiments::ShadowExperiment& experiment) {
+std::function<bool(const std::string& name)> shadowFiles(const experiments::ShadowExperiment& experiment) {
     std::vector<std::string> starts;
     for (const std::string& technique : experiment.techniques) {
         for (const std::string& method : experiment.methods) {
@@ -98,7 +98,7 @@ void run(Command& command, ShadowArguments& arguments) {
         command.reads(arguments.camera.path);
     }
     const options::FrameCameras cameras(arguments.camera);
-    const PictureFolder folder(arguments.folder, command.files(), writtenBy(experiment));
+    const PictureFolder folder(arguments.folder, command.files(), shadowFiles(experiment));
     requireDistinct(experiment.techniques);
     requireDistinct(experiment.methods);
     const scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed, arguments.choice);

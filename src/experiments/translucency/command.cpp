@@ -41,7 +41,7 @@ std::string stemOf(const experiments::TranslucencyResult& result) {
 }
 
 /// The files that may be written.
-std::vector<std::string> pictureFiles(const std::vector<unsigned>& cascades) {
+std::vector<std::string> translucencyFiles(const std::vector<unsigned>& cascades) {
     std::vector<std::string> files{kTruth};
     for (const unsigned count : cascades) {
         for (const render::Translucency method : render::kTranslucencies) {
@@ -141,7 +141,7 @@ void run(Command& command, TranslucencyArguments& arguments) {
     experiments::TranslucencyExperiment& experiment = arguments.experiment;
     experiment.maxBytes = arguments.memoryMiB << 20u;
     const PictureFolder folder(arguments.folder, command.files(),
-                               PictureFolder::oneOf(pictureFiles(experiment.cascades)));
+                               PictureFolder::oneOf(translucencyFiles(experiment.cascades)));
     std::vector<std::string> numbers;
     for (const unsigned cascades : experiment.cascades) {
         numbers.push_back(fmt::format("--cascades {}", cascades));
