@@ -66,7 +66,7 @@ inline std::unique_ptr<draco::Mesh> dracoMesh(const Document& document, const js
     for (const auto& [name, index] : primitive["attributes"].items()) {
         const json& accessor = accessors[index.get<std::size_t>()];
         const std::string type = accessor["type"];
-        const auto components = static_cast<std::int8_t>(type == "SCALAR" ? 1 : type.back() - '0');
+        const auto components = static_cast<std::uint8_t>(type == "SCALAR" ? 1 : type.back() - '0');
         const draco::DataType componentType = dracoType(accessor["componentType"]);
         const int stride = components * draco::DataTypeLength(componentType);
         draco::GeometryAttribute attribute;

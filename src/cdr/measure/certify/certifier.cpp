@@ -60,6 +60,7 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, platform::WorkerPoo
     const DeviceBound float64 = DeviceBound::ofFloat64(frame);
     const std::vector<VisibleInstance> visible =
         visibleInstances(*m_scene, m_caster.shapes(), frame.camera, width, height, workers, kMarginPixels);
+    const PixelSlopes slopes = pixelSlopes(frame.camera, width, height);
     const auto enterAll = [&](OrderStrip& strip, const DeviceBound& bound) {
         FrameBound largest;
         InstanceTriangles triangles(frame.camera, width, height, bound);
@@ -69,8 +70,10 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, platform::WorkerPoo
             }
             const MeshOutline& outline = m_outlines[m_scene->instances.mesh[candidate.instance]];
             const std::uint32_t material = m_scene->instances.material[candidate.instance];
-            const StripSurface surface{candidate.id, m_scene->materials[material].alphaMode,
-                                       m_layers[material]};
+            const scene::AlphaMode alphaMode = m_scene->materials[material].alphaMode;
+            const MaskedPixels masked{*m_scene, m_caster.textures(), slopes, candidate};
+            const StripSurface surface{candidate.id, alphaMode, m_layers[material],
+                                       alphaMode == scene::AlphaMode::mask ? &masked : nullptr};
             for (const ScreenTriangle& triangle : triangles.of(m_scene->instances, candidate.instance,
                                                                outline, surface.layer, candidate.sides)) {
                 strip.enter(triangle, surface);

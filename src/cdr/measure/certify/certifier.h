@@ -61,8 +61,8 @@ struct Certificate {
 /// 2. Where the bound allows two answers, the same is tested again with triangles that are off by roundings of float64 alone.
 ///    Nearly all pixels that were drawn right are proven so.
 /// 3. Rays are cast for the others, which were drawn wrong or lie on an edge. Wrong ones are repaired.
-/// 4. Where a masked surface may be the nearest one, or before it, a ray is cast. It keeps what the mask keeps in float64, as
-///    TruthCaster filters textures. No bound of a device's filter is used.
+/// 4. A mask keeps what it keeps in float64, as TruthCaster filters textures. No bound of a device's filter is used. So a pixel
+///    where a masked surface may be the nearest one, or before it, is proven by 2. or cast, and never refused for the mask.
 /// 5. Of surfaces with a layer, that is nearer whose distance less its layer is less.
 /// 6. Blended surfaces hide nothing. What they are drawn over is certified, and their colours are not. A repaired pixel has
 ///    them over it in the order of their distances.

@@ -57,7 +57,7 @@ MeshOutline outlineOf(const scene::Mesh& mesh) {
             use.face = static_cast<std::uint32_t>(outline.faces.size());
             ++use.count;
         }
-        outline.faces.push_back({corners, {}});
+        outline.faces.push_back({corners, {}, static_cast<std::uint32_t>(i)});
     }
     for (MeshOutline::Face& face : outline.faces) {
         for (std::size_t edge = 0; edge < 3; ++edge) {

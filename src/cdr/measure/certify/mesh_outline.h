@@ -20,6 +20,7 @@ struct MeshOutline {
         /// Across the edge from corner i to the next: the one face that has it the other way round. None where there are
         /// none or several: then the surface ends there.
         std::array<std::uint32_t, 3> neighbours;
+        std::uint32_t first = 0; ///< of its three indices in the mesh
     };
 
     std::vector<glm::dvec3> positions; ///< object space

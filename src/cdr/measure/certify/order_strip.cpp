@@ -23,6 +23,7 @@ OrderStrip::OrderStrip(const DrawnFrame& frame, const DeviceBound& bound, const 
                        double farthestLayer)
     : m_frame(frame),
       m_bound(bound),
+      m_readsMasks(false),
       m_pixels(pixels),
       m_tileColumns((frame.ids.width + kTile - 1) / kTile) {
     const std::uint32_t rows = pixels.bottom - pixels.top;
@@ -44,6 +45,7 @@ OrderStrip::OrderStrip(const DrawnFrame& frame, const DeviceBound& bound, const 
 OrderStrip::OrderStrip(const OrderStrip& device, std::span<const glm::uvec2> open, const DeviceBound& bound)
     : m_frame(device.m_frame),
       m_bound(bound),
+      m_readsMasks(true),
       m_pixels(device.m_pixels),
       m_reach(device.m_reach.size(), 0.0),
       m_tileColumns(device.m_tileColumns),
@@ -235,11 +237,21 @@ void OrderStrip::enterPixel(const ScreenTriangle& triangle, const StripSurface& 
         cover = Cover::perhaps;
     }
     const double surfaceOff = kSurfaceRoundings * DeviceBound::surfaceView(triangle.bound, w, slope);
-    if (cover == Cover::perhaps || surface.alphaMode != scene::AlphaMode::opaque) {
+    Order& order = m_orders[indexOf(x, y)];
+    const bool readsMask = m_readsMasks && surface.masked != nullptr;
+    if (readsMask) {
+        order.maskedLeast = std::min(order.maskedLeast, place.least);
+        if (surface.masked->cutsAt(triangle.first, x, y)) {
+            if (cover != Cover::within && surface.id == m_frame.ids.at(x, y)) {
+                order.mostBeside = kNever; // what is kept beyond the edge may end there
+            }
+            return;
+        }
+    }
+    if (cover == Cover::perhaps || (surface.alphaMode != scene::AlphaMode::opaque && !readsMask)) {
         enterPerhaps(surface, x, y, place.least, surfaceOff);
         return;
     }
-    Order& order = m_orders[indexOf(x, y)];
     if (surface.id != m_frame.ids.at(x, y)) {
         order.otherLeast = std::min(order.otherLeast, place.least);
         // Near an edge beyond which it goes on, it may end there too: another triangle says so, to the drawn object alone.

@@ -3,6 +3,7 @@
 #include <cdr/measure/certify/device_bound.h>
 #include <cdr/measure/certify/drawn_frame.h>
 #include <cdr/measure/certify/screen_triangle.h>
+#include <cdr/measure/truth/mask_cut.h>
 #include <cdr/measure/truth/screen_bounds.h>
 
 #include <cstdint>
@@ -31,9 +32,11 @@ struct PixelFinding {
 /// What a triangle that goes into a strip is part of.
 struct StripSurface {
     std::uint32_t id = 0; ///< object index + 1
-    /// What a mask may cut away at any pixel covers none surely. What is blended hides nothing.
+    /// What is blended hides nothing.
     scene::AlphaMode alphaMode = scene::AlphaMode::opaque;
     LayerOffset layer{};
+    /// What float64 rays meet of a masked one, else null.
+    const MaskedPixels* masked = nullptr;
 };
 
 /// Some rows of a drawn picture. All triangles that may be seen there go in, in any order; verdicts come out.
@@ -42,7 +45,8 @@ struct StripSurface {
 /// It surely covers the pixel if the centre is inside it, and farther from its edges than corners may be off. It may cover
 /// the pixel if the centre is outside by no more than that. Where a surface goes on beyond an edge, inside is enough.
 /// A layer's offset is taken off these, so surfaces are compared in the order of distance less layer.
-/// A masked surface covers no pixel surely, since devices filter textures in ways that no bound is known of.
+/// Devices filter textures in ways that no bound is known of, so there a masked surface covers no pixel surely. Float64 rays read
+/// a texture in one way, which says what the mask keeps.
 /// The drawn distance says which triangles cannot matter, so most of what is hidden is never looked at.
 class OrderStrip {
   public:
@@ -51,7 +55,7 @@ class OrderStrip {
     OrderStrip(const DrawnFrame& frame, const DeviceBound& bound, const PixelRect& pixels,
                double farthestLayer);
 
-    /// Some pixels alone of another strip.
+    /// Some pixels alone of another strip, as float64 rays see them.
     /// @param open that the other strip leaves open. Their drawn distances may be off by as much as it found.
     /// @param bound of float64.
     OrderStrip(const OrderStrip& device, std::span<const glm::uvec2> open, const DeviceBound& bound);
@@ -132,6 +136,7 @@ class OrderStrip {
 
     const DrawnFrame& m_frame;
     const DeviceBound& m_bound;
+    bool m_readsMasks; ///< else a device may cut away any pixel of a masked surface
     PixelRect m_pixels;
     std::vector<double> m_reach; ///< per pixel: what is farther is behind what was drawn
     std::uint32_t m_tileColumns;

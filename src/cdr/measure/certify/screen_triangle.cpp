@@ -172,6 +172,7 @@ void InstanceTriangles::append(const MeshOutline::Face& face, Side side) {
         corners[2].goesOn = i + 1 < polygon.count || corners[2].goesOn;
         ScreenTriangle& part = m_triangles.emplace_back(partOf(corners));
         part.inverse = inverse;
+        part.first = face.first;
         // Of a thin one nothing is taken for sure.
         if (!part.isThin) {
             part.bound.distanceView += plane.rounding(part.mostView);

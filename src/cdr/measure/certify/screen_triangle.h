@@ -27,6 +27,7 @@ struct ScreenTriangle {
     /// Along a ray, 1 / distance is inverse[0] + inverse[1] * x + inverse[2] * y.
     std::array<double, 3> inverse{};
     TriangleBound bound;
+    std::uint32_t first = 0; ///< MeshOutline::Face::first
 };
 
 /// Makes an instance's triangles that face the camera, or may.

@@ -114,4 +114,15 @@ MaskedHit nearestKept(const scene::Scene& scene, const TruthTextures& textures,
         cast, [&](const Triangle& triangle) { return weightsOf(triangle, visible.camera, pixel, shift); });
 }
 
+bool MaskedPixels::cutsAt(std::uint32_t first, std::uint32_t x, std::uint32_t y) const {
+    const scene::Mesh& mesh = scene.meshes[scene.instances.mesh[visible.instance]];
+    const scene::Material& material = scene.materials[scene.instances.material[visible.instance]];
+    const PixelRay pixel{slopes.x[x], slopes.y[y], slopes.step};
+    const double shift = visible.camera.ray(pixel.slopeX, pixel.slopeY).shiftTo(glm::dvec3(0.0));
+    const SurfacePoint point{scene,    textures,
+                             material, mesh,
+                             first,    weightsOf(triangleOf(mesh, first), visible.camera, pixel, shift)};
+    return material.alphaCutoff > 0.0f && isCutAt(material, point.baseColor().a);
+}
+
 } // namespace cdr::measure

@@ -7,6 +7,8 @@
 #include <cdr/measure/truth/visible_instances.h>
 #include <cdr/scene/scene.h>
 
+#include <cstdint>
+
 namespace cdr::measure {
 
 /// Whether a mask cuts away a point with this alpha.
@@ -56,5 +58,18 @@ MaskedHit nearestKept(const scene::Scene& scene, const TruthTextures& textures, 
 /// @param visible of `scene`, with a material whose alpha mode is `mask`. @param textures of `scene`.
 MaskedHit nearestKept(const scene::Scene& scene, const TruthTextures& textures,
                       const VisibleInstance& visible, const PixelRay& pixel, const ViewRange& range);
+
+/// A masked instance, as the rays of a picture's pixels meet it.
+struct MaskedPixels {
+    const scene::Scene& scene;
+    const TruthTextures& textures; ///< of the scene
+    const PixelSlopes& slopes;
+    const VisibleInstance& visible; ///< of the scene, with a material whose alpha mode is `mask`
+
+    /// Whether the mask cuts away the point where a pixel's ray meets what a triangle lies in. It is the same to the last
+    /// bit as in nearestKept().
+    /// @param first of the triangle's three indices.
+    bool cutsAt(std::uint32_t first, std::uint32_t x, std::uint32_t y) const;
+};
 
 } // namespace cdr::measure

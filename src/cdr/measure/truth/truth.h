@@ -80,14 +80,16 @@ class TruthCaster {
 
     /// Of each mesh.
     const std::vector<Shape>& shapes() const { return m_shapes; }
+    /// Which masks are read from.
+    const TruthTextures& textures() const { return *m_textures; }
 
   private:
     void castInto(const scene::Camera& camera, const image::Raster<std::uint8_t>* wanted,
                   platform::WorkerPool& workers, TruthImage& truth) const;
 
     const scene::Scene* m_scene;
-    std::vector<Shape> m_shapes;                     ///< per mesh
-    std::unique_ptr<const TruthTextures> m_textures; ///< which masks are read from
+    std::vector<Shape> m_shapes; ///< per mesh
+    std::unique_ptr<const TruthTextures> m_textures;
 };
 
 /// One picture by a TruthCaster of its own.
