@@ -22,6 +22,12 @@ fs::path resolved(const fs::path& path) {
     return error ? path.lexically_normal() : whole;
 }
 
+/// The same of a folder, whose name may end in a slash.
+fs::path resolvedFolder(const fs::path& folder) {
+    const fs::path whole = resolved(folder);
+    return whole.filename().empty() ? whole.parent_path() : whole;
+}
+
 /// The name with links followed, then the identity of the file if there is one. Paths that share one of these are of one file.
 std::vector<std::string> keysOf(const fs::path& path) {
     std::vector<std::string> keys{resolved(path).string()};
@@ -109,7 +115,7 @@ void CommandFiles::writesSequence(const std::string& option, std::size_t begin, 
 
 void CommandFiles::writesFolder(const std::string& option, const fs::path& folder,
                                 const std::function<bool(const std::string&)>& isWritten) {
-    m_folders.push_back({option, resolved(folder / "x").parent_path(), isWritten});
+    m_folders.push_back({option, resolvedFolder(folder), isWritten});
     for (const Output& output : m_outputs) {
         requireApart(output);
     }

@@ -49,8 +49,12 @@ const trial = new Trial({
 
 /** Keeps the sitting, which is written over another one: that one's answers are kept first. Another tab may have added some. */
 function keep() {
+    const earlier = restoreOthers(kept.read(kOthersKey));
+    if (earlier === null) {
+        return; // answers that this page cannot read are not written over
+    }
     const written = restore(kept.read(kKey))?.answers ?? [];
-    others = withoutRepeats([...others, ...restoreOthers(kept.read(kOthersKey)), ...written]);
+    others = withoutRepeats([...others, ...earlier, ...written]);
     if (kept.write(kOthersKey, toCsv(others))) {
         kept.write(kKey, store(sitting));
     }

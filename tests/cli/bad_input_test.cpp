@@ -250,6 +250,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"orbit --techniques anchored,anchored", "anchored is given twice"},
         BadInput{"flicker --techniques log,log", "log is given twice"},
         BadInput{"coplanar --techniques log,log", "log is given twice"},
+        BadInput{"effects --techniques log,log", "log is given twice"},
+        BadInput{"inspect cubes --techniques log,log", "log is given twice"},
         BadInput{"probe --techniques log,log", "log is given twice"},
         BadInput{"rivals cubes --techniques log,log", "log is given twice"},
         BadInput{"probe --rivals atomic-log,atomic-log", "atomic-log is given twice"},

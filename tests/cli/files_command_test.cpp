@@ -176,6 +176,14 @@ TEST_F(Files, NoOutputIsAFileInTheFolderOfAnother) {
     const ProgramResult other = run("coplanar --frames 1 --search-views 1 --size 16x16 --techniques log "
                                     "--slopes 0 --constants 0 --out v --json v/cdr_none.png");
     EXPECT_EQ(other.status, 0) << other.err;
+    fs::create_directory(at("elsewhere"));
+    std::ofstream(at("elsewhere/y")) << "y";
+    fs::create_directory(at("out"));
+    fs::create_symlink("../elsewhere/y", at("out/x")); // a folder's name comes from none of its files
+    for (const char* out : {"out", "out/", "./out/."}) {
+        expectRefusal(std::string("effects --frames 1 --size 16x16 --json out/plain.png --out ") + out,
+                      "both --out and --json would write it");
+    }
 }
 
 TEST_F(Files, NoPictureOfASequenceIsAnotherNameOfWhatAModelIsMadeOf) {

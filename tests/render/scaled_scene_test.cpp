@@ -62,14 +62,6 @@ std::size_t differingPixels(const render::Frame& a, const render::Frame& b) {
 
 class ScaledSceneTest : public RenderTest {
   protected:
-    /// Expects that the device drew each of the cases; other devices than lavapipe only some.
-    void expectDrawn(std::size_t drawn, std::size_t cases) const {
-        if (device().info().name.find("llvmpipe") != std::string::npos) {
-            EXPECT_EQ(drawn, cases);
-        } else if (drawn == 0) {
-            GTEST_SKIP() << "the device draws no scene that is so small or large";
-        }
-    }
     /// Whether the device draws boxes that are no mirrors where they are. Some form products of three w, which are no
     /// floats: they lose triangles below 2^-46 units, and interpolate nothing above 2^38.
     bool drawsAt(int power, const render::RenderOptions& options) {

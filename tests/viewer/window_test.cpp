@@ -146,8 +146,6 @@ TEST_F(ViewerTest, PicksAndMeasures) {
     EXPECT_NE(valueOf(states[1], "under"), valueOf(states[0], "under")) << "the pointer went elsewhere";
     EXPECT_EQ(valueOf(states[0], "picked"), valueOf(states[1], "picked"));
     EXPECT_EQ(valueOf(states[0], "eye"), valueOf(states[1], "eye")) << "a click is no drag";
-    EXPECT_EQ(valueOf(states[0], "measured"), "");
-    EXPECT_NE(valueOf(states[1], "measured"), "") << "the second click is on another cube: " << states[1];
 }
 
 TEST_F(ViewerTest, RecordsAPathAndPlaysIt) {

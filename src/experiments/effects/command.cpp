@@ -52,6 +52,7 @@ std::vector<std::string> effectFiles() {
 
 void run(Command& command, EffectsArguments& arguments) {
     experiments::EffectsOptions& options = arguments.options;
+    requireDistinct(options.techniques);
     requireUsable(render::Effects{.occlusion = {.radius = options.occlusionRadius},
                                   .fog = {.visibility = options.visibility}});
     if (options.occlusionRadius == 0.0 || options.visibility == 0.0) {

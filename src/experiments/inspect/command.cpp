@@ -165,6 +165,7 @@ void addResults(nlohmann::ordered_json& document, const Inspection& inspection, 
 
 void run(Command& command, InspectArguments& arguments) {
     experiments::InspectOptions& options = arguments.options;
+    requireDistinct(options.techniques);
     options.judged = depth::namedTechnique(arguments.technique);
     options.allowedShare = arguments.failAbove.value_or(0.0);
     options.judged.technique.format = depth::parseDepthFormat(arguments.format);

@@ -9,7 +9,7 @@ export function startSitting(participant, seed) {
 
 /** A short text that a spreadsheet takes for no formula, so that it reads from CSV as it was written. */
 export function plainText(text) {
-    return String(text).replace(/^[\s=+@-]+|\s+$/g, "").slice(0, 60);
+    return String(text).replace(/[\r\n]+/g, " ").replace(/^[\s=+@-]+/, "").slice(0, 60).trimEnd();
 }
 
 /** The trial that comes next, with its number from 1, or null when all are answered. */
@@ -46,12 +46,12 @@ export function restore(text) {
     }
 }
 
-/** Answers of earlier sittings as they were kept with toCsv(); none when this page wrote nothing. */
+/** Answers of earlier sittings as they were kept with toCsv(); null when the text is no such thing, which must be left as it is. */
 export function restoreOthers(text) {
     try {
-        return fromCsv(text);
+        return text ? fromCsv(text) : [];
     } catch {
-        return [];
+        return null;
     }
 }
 
@@ -64,7 +64,7 @@ export function reopen(kept, keptOthers, seed = null) {
     const last = restore(kept);
     const goesOn = last && (seed === null || last.seed === plainText(seed));
     const earlier = last && !goesOn ? last.answers : [];
-    return { sitting: goesOn ? last : null, others: withoutRepeats([...restoreOthers(keptOthers), ...earlier]) };
+    return { sitting: goesOn ? last : null, others: withoutRepeats([...(restoreOthers(keptOthers) ?? []), ...earlier]) };
 }
 
 /** A seed of eight letters and digits from 40 random bits. */

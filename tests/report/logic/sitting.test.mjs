@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { answered, freshSeed, nextTrial, reopen, restore, restoreOthers, startSitting, store } from "../../../src/page/logic/sitting.js";
-import { toCsv } from "../../../src/page/logic/trials.js";
+import { maxBytes, toCsv } from "../../../src/page/logic/trials.js";
 
 const answerAll = (sitting) => {
     while (nextTrial(sitting)) {
@@ -38,6 +38,13 @@ test("a name that looks like a formula reads from the file as it was written", (
     assert.deepEqual(reopen(store(done), null, "@seed").sitting, done);
 });
 
+test("names of several lines or cut off at a space read as they are kept", () => {
+    for (const name of ["a\nb", "a\r\n\nb", `${"x".repeat(59)} y`]) {
+        const sitting = answered(startSitting(name, name), { side: "left", seconds: 1, plays: 1 });
+        assert.deepEqual(restore(store(sitting)), sitting);
+    }
+});
+
 test("what another page or another seed left is not taken", () => {
     const kept = store(answerAll(startSitting("p", "a")));
     assert.equal(reopen(kept, null, "b").sitting, null);
@@ -55,9 +62,17 @@ test("answers of an earlier sitting outlive one of another seed", () => {
     assert.deepEqual(reopen(store(second), kept, "b"), { sitting: second, others: first.answers });
     assert.deepEqual(reopen(store(second), kept, "c"), { sitting: null, others: [...first.answers, ...second.answers] });
     assert.deepEqual(reopen(store(first), kept, "c"), { sitting: null, others: first.answers }); // once
-    for (const text of [null, "", "no answers"]) {
-        assert.deepEqual(restoreOthers(text), []);
-    }
+    assert.deepEqual([null, ""].map(restoreOthers), [[], []]);
+    assert.equal(restoreOthers("no answers"), null);
+    assert.deepEqual(reopen(null, "no answers"), { sitting: null, others: [] });
+});
+
+test("answers that were kept are read however many they are", () => {
+    const { answers } = answerAll(startSitting("Ada", "a"));
+    const many = [...Array(20_000).keys()].map((i) => ({ ...answers[i % 6], participant: `person number ${i}` }));
+    const text = toCsv(many);
+    assert.ok(text.length > maxBytes);
+    assert.deepEqual(restoreOthers(text), many);
 });
 
 test("a name cannot be endless, an empty one is anonymous", () => {

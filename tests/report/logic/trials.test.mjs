@@ -68,7 +68,7 @@ test("CSV keeps empty and quoted fields, and defuses formulas", () => {
 test("a file that is no file of answers is refused in one line", () => {
     const good = toCsv(answersOf(7, "p"));
     for (const bad of ["", "a,b\n1,2\n", good.replace("cdr", "chrome"), good.replace(/,left,/, ",up,"),
-                       good.replace(/,1\r\n/, ",\r\n"), good.replace(/,1\r\n/, ",1,9\r\n"), "x".repeat(2e6)]) {
+                       good.replace(/,1\r\n/, ",\r\n"), good.replace(/,1\r\n/, ",1,9\r\n")]) {
         assert.throws(() => fromCsv(bad), (error) => !error.message.includes("\n") && error.message.length > 10);
     }
     const lines = good.split("\r\n");

@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { techniqueTitles } from "../../../src/page/logic/thesis.js";
 import { answered, nextTrial, startSitting, store } from "../../../src/page/logic/sitting.js";
-import { makeTrials, toCsv, makeAnswer, fromCsv } from "../../../src/page/logic/trials.js";
+import { makeTrials, toCsv, makeAnswer, fromCsv, maxBytes } from "../../../src/page/logic/trials.js";
 import { assertNoFindings, assertNoSidewaysScroll, close, folder, open, screenshot, shareBrowser } from "./browser.mjs";
 
 const shared = shareBrowser();
@@ -176,7 +176,16 @@ test("a sitting is not written over while its answers cannot be kept", async () 
     await close(page);
 });
 
-test("files of others are counted once, with both tests; a strange file is named", async () => {
+test("kept answers that the page cannot read are not written over", async () => {
+    const page = await openCompare("?seed=strange");
+    await page.evaluate(() => localStorage.setItem("cdr-compare-others", "strange"));
+    await page.reload();
+    await start(page, "Bea");
+    assert.equal(await page.evaluate(() => localStorage.getItem("cdr-compare-others")), "strange");
+    await close(page);
+});
+
+test("files of others are counted once, with both tests; strange and large files are named", async () => {
     const page = await openCompare("?seed=load");
     await page.locator("#results summary").click();
     const files = [...Array(12).keys()].map((person) => {
@@ -189,9 +198,10 @@ test("files of others are counted once, with both tests; a strange file is named
         return { name: `p${person}.csv`, mimeType: "text/csv", buffer: Buffer.from(toCsv(answers)) };
     });
     const strange = { name: "strange.csv", mimeType: "text/csv", buffer: Buffer.from("<img src=x onerror=alert(1)>\n1,2") };
-    await page.setInputFiles("#load", [...files, strange, files[0]]);
+    const large = { name: "large.csv", mimeType: "text/csv", buffer: Buffer.alloc(maxBytes + 1, "\n") };
+    await page.setInputFiles("#load", [...files, strange, large, files[0]]);
     await page.waitForFunction(() => document.getElementById("counted").textContent.startsWith("72 answers of 12 people"));
-    assert.match(await page.locator("#refused").textContent(), /^strange\.csv: not answers of this experiment/);
+    assert.match(await page.locator("#refused").textContent(), /^strange\.csv: not answers of this experiment.*; large\.csv: over the limit/);
     const rows = await page.$$eval("#tally tbody tr", (list) => list.map((row) => [...row.cells].map((cell) => cell.textContent)));
     assert.deepEqual(rows[0].slice(1), ["2 : 10", "5.333", "0.03857", "2 : 10", "5.333", "0.03857"]);
     assert.deepEqual(rows[5].slice(1, 4), ["1 : 11", "8.333", "0.006348"]);
