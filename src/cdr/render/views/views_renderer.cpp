@@ -60,7 +60,7 @@ std::vector<depth::Interval> occupiedBy(std::span<const HostFrame> hosts) {
 /// Draws of a frame that ends with an error are on no fence, and their command buffers are about to be recorded anew.
 void waitQuietly(const gpu::Device& device) {
     try {
-        gpu::waitForQueue(device);
+        gpu::finishQueue(device);
     } catch (...) { // the first error is told
     }
 }
