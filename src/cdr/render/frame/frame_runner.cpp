@@ -50,6 +50,7 @@ FrameSlot& FrameRunner::run(const scene::Camera& camera, const Delivery& deliver
 }
 
 void FrameRunner::skip(const scene::Camera& camera) {
+    slots().keepRecorded(); // it was submitted, also where this is refused
     scene::requireUsable(camera);
     followScene();
     m_decider.followMotion(camera);

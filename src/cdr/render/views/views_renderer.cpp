@@ -249,9 +249,7 @@ void ViewsRenderer::submit(Cameras cameras, const FrameSync& sync) {
 }
 
 void ViewsRenderer::record(Cameras cameras, std::span<const HostFrame> frames) {
-    for (const auto& view : m_views) {
-        view->slots().keepRecorded(); // the frames before were submitted, also where these are refused
-    }
+    keepRecorded();
     requireCameras(cameras, views());
     requireFrames(frames, views());
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -262,6 +260,12 @@ void ViewsRenderer::record(Cameras cameras, std::span<const HostFrame> frames) {
     } catch (...) {
         dropRecorded(); // the views that were recorded before the error
         throw;
+    }
+}
+
+void ViewsRenderer::keepRecorded() {
+    for (const auto& view : m_views) {
+        view->slots().keepRecorded();
     }
 }
 
@@ -276,6 +280,7 @@ void ViewsRenderer::finish() {
 }
 
 void ViewsRenderer::skip(Cameras cameras) {
+    keepRecorded();
     requireCameras(cameras, views());
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         m_views[i]->followScene();
