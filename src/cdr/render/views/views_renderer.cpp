@@ -155,6 +155,7 @@ void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
         }
     } catch (...) {
         m_split->takeBack(std::move(before));
+        forgetMotion();
         throw;
     }
     m_views.front()->slots().last()->stats.times.cullMs += lookMs;
@@ -282,9 +283,14 @@ void ViewsRenderer::finish() {
 void ViewsRenderer::skip(Cameras cameras) {
     keepRecorded();
     requireCameras(cameras, views());
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-        m_views[i]->followScene();
-        m_views[i]->decider().followMotion(cameras[i]);
+    try {
+        for (std::size_t i = 0; i < cameras.size(); ++i) {
+            m_views[i]->followScene();
+            m_views[i]->decider().followMotion(cameras[i]);
+        }
+    } catch (...) {
+        forgetMotion();
+        throw;
     }
     if (m_split->needsVisible()) {
         look(cameras, {});
@@ -295,6 +301,12 @@ void ViewsRenderer::forgetFrames() {
     m_split->forget();
     for (const auto& view : m_views) {
         view->decider().forgetFrames();
+    }
+}
+
+void ViewsRenderer::forgetMotion() {
+    for (const auto& view : m_views) {
+        view->decider().forgetMotion();
     }
 }
 
