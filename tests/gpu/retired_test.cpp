@@ -1,5 +1,6 @@
 #include "../support/shared_device.h"
 #include "../support/timeline.h"
+#include "host_loader.h"
 
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/retired.h>
@@ -41,6 +42,16 @@ TEST_F(RetiredObjects, GoWithTheirKeeperOnceItHasWaited) {
         retired.close();
     }
     EXPECT_TRUE(watched.expired());
+}
+
+/// An update that found no memory leaves them open, and then there may be none to wait with.
+TEST_F(RetiredObjects, AreWaitedForWithoutMemoryWhereNothingClosedThem) {
+    test::waits() = {};
+    {
+        gpu::Retired retired(device());
+        retired.add(1);
+    }
+    EXPECT_EQ(test::waits().idle, 1) << "a fence takes memory";
 }
 
 } // namespace

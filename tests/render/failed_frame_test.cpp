@@ -275,6 +275,35 @@ TEST_F(FailedFrameTest, AFrameThatIsRefusedDoesNotMoveFittedCascades) {
     }
 }
 
+/// The first view refuses the frame before the second one looks at what moved, which is not refused again.
+TEST_F(FailedFrameTest, ViewsRefuseTogetherWhatMovedApart) {
+    using render::ViewsRenderer;
+    const std::array cameras{cameraAt(0.0), cameraAt(0.2)};
+    const std::vector<std::function<void(ViewsRenderer&)>> ways{
+        [&](ViewsRenderer& renderer) { renderer.draw(cameras); },
+        [&](ViewsRenderer& renderer) { renderer.skip(cameras); }};
+    for (const auto& goOn : ways) {
+        for (const bool deviceClock : {false, true}) { // views are drawn together, and in turn
+            scene::World world(boxScene());
+            std::vector<scene::InstanceHandle> parts;
+            for (const double x : {-1.5, 1.5}) {
+                parts.push_back(world.addInstance({.mesh = world.mesh(0),
+                                                   .material = world.material(0),
+                                                   .object = 7,
+                                                   .transform = {{x, 0.0, -8.0}}}));
+            }
+            render::GpuScene onDevice(device(), world);
+            render::RenderOptions chosen = options();
+            chosen.deviceClock = deviceClock;
+            ViewsRenderer renderer(device(), onDevice, chosen, 2);
+            goOn(renderer);
+            world.setTransform(parts[1], {.position = {1.6, 0.0, -8.0}});
+            EXPECT_THROW(goOn(renderer), base::InputError);
+            EXPECT_NO_THROW(goOn(renderer));
+        }
+    }
+}
+
 TEST_F(FailedFrameTest, MeshesOutliveAnUploadWithoutMemory) {
     const std::string wanted = hashOf(draw(m_scene, cameraAt(0.0), options()));
     std::size_t failures = 0;

@@ -6,19 +6,6 @@ namespace cdr::gpu {
 
 namespace {
 
-/// A queue that others submit to is waited for by a fence, since vkQueueWaitIdle() needs their lock.
-void finishQueue(const Device& device) {
-    if (!device.isQueueShared()) {
-        vk::Queue(device.queue()).waitIdle();
-        return;
-    }
-    const vk::UniqueFence done = vk::Device(device.handle()).createFenceUnique({});
-    submit(device, {}, *done);
-    vk::resultCheck(
-        vk::Device(device.handle()).waitForFences(*done, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
-        "vkWaitForFences");
-}
-
 /// Where a wait fails, what it was for may still be in work, and who waited is about to destroy what that uses. So the queue
 /// is waited for first.
 /// @param call names it in messages
@@ -84,6 +71,19 @@ void submit(const Device& device, std::span<const vk::CommandBuffer> commands, v
 void waitForQueue(const Device& device) {
     // A fence is signalled after all that was submitted before it.
     runOnce(device, [](vk::CommandBuffer) {});
+}
+
+// A queue that others submit to is waited for by a fence, since vkQueueWaitIdle() needs their lock.
+void finishQueue(const Device& device) {
+    if (!device.isQueueShared()) {
+        vk::Queue(device.queue()).waitIdle();
+        return;
+    }
+    const vk::UniqueFence done = vk::Device(device.handle()).createFenceUnique({});
+    submit(device, {}, *done);
+    vk::resultCheck(
+        vk::Device(device.handle()).waitForFences(*done, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
+        "vkWaitForFences");
 }
 
 void waitAndReset(const Device& device, vk::Fence done) {

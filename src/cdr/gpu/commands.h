@@ -43,6 +43,8 @@ void submit(const Device& device, std::span<const vk::CommandBuffer> commands, v
 
 /// Waits for all that was submitted to the device's queue before.
 void waitForQueue(const Device& device);
+/// The same after an error, before what the queue uses is destroyed. Takes no memory, unless others submit to the queue too.
+void finishQueue(const Device& device);
 
 /// Waits for a submission and makes its fence unsignalled again. std::system_error when the device is lost.
 void waitAndReset(const Device& device, vk::Fence done);

@@ -11,7 +11,7 @@ Retired::~Retired() {
             waitAndReset(m_device, *batch.done);
         }
         if (!m_open.empty()) {
-            waitForQueue(m_device);
+            finishQueue(m_device); // there may be no memory to wait with
         }
     } catch (...) {
         // A lost device runs nothing any more; it is reported where somebody waits for a frame.

@@ -97,6 +97,7 @@ class GpuScene::State {
     VertexUpdates m_vertexUpdates;
     bool m_arePosesStale =
         false; ///< whether meshes that the device deforms were uploaded as the CPU has them
+    bool m_isEachPoseStale = false; ///< the same of all meshes, so that what is kept is not the last frame's
     std::shared_ptr<const char> m_lastVerticesUse = std::make_shared<char>(); ///< each renderer has one more
     std::uint64_t m_verticesRevision = 0;
     SceneTextures m_textures;
@@ -288,8 +289,8 @@ void GpuScene::State::replaceTables() {
     const vk::Buffer detailsBefore = m_meshes.details().handle();
     if (areMeshesOthers) {
         // Kept, since the next update does not do it again where this one fails from here on.
-        const bool areAllUploaded = m_meshes.follow(*m_scene, meshes, m_retired);
-        m_arePosesStale = m_arePosesStale || areAllUploaded || (meshes && lacksPose(*meshes));
+        m_isEachPoseStale = m_meshes.follow(*m_scene, meshes, m_retired) || m_isEachPoseStale;
+        m_arePosesStale = m_arePosesStale || m_isEachPoseStale || (meshes && lacksPose(*meshes));
         m_vertexUpdates.forget(meshes, m_retired);
     }
     if (!meshes && !changes.vertices.since(m_followed.vertices)) { // all is there, and nothing deformed
@@ -308,6 +309,7 @@ void GpuScene::State::replaceTables() {
     if (m_arePosesStale) {
         followPoses();
         m_arePosesStale = false;
+        m_isEachPoseStale = false;
     }
 }
 
@@ -376,7 +378,7 @@ void GpuScene::State::followPoses() {
     if (meshes.empty()) {
         return;
     }
-    m_verticesRevision += 2; // what is kept is not the last frame's
+    m_verticesRevision += m_isEachPoseStale ? 2 : 0;
     m_vertexUpdates.follow(*m_world, meshes, {.meshes = m_meshes, .retired = m_retired});
 }
 

@@ -55,7 +55,7 @@ struct HostFrame {
     /// outlive the renderer, or live until Renderer::finish(). A host that does not submit its commands calls
     /// Renderer::dropRecorded(), and nothing waits.
     VkSemaphore done = VK_NULL_HANDLE;
-    std::uint64_t doneValue = 0; ///< that `done` reaches
+    std::uint64_t doneValue = 0; ///< that `done` reaches, above 0 and above what it has
     /// Where the picture goes: of the renderer's size, made for VK_IMAGE_USAGE_TRANSFER_DST_BIT, in a format that
     /// vkCmdBlitImage() writes; no view. What it held is lost, and `layout` is what the frame leaves it in. With `linear` there
     /// may be none.
@@ -68,7 +68,8 @@ struct HostFrame {
     std::optional<SurfaceImage> motion{};
     /// Called for each cascade, the nearest or the farthest first, on the caller's thread. Empty: the host draws nothing
     /// inside cascades. A surface writes a texel by cdr_gbuffer.glsl and is lit as cdr's own are. They hide
-    /// each other to the step of the technique's depth. Only with SurfacePath::gbuffer, and without a focus.
+    /// each other to the step of the technique's depth. Only with SurfacePath::gbuffer, without a focus, and where no material
+    /// of the scene emits light or has an occlusion texture, nor RenderOptions::prepareFor says that one may.
     std::function<void(const HostCascade&)> draw{};
     /// View distances of what `draw` draws: fitted cascades and shadow maps cover them too. Finite, each from near to far.
     /// Those behind the camera are below 0. What lies out of the camera's range counts for nothing.

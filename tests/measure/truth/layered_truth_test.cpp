@@ -127,6 +127,25 @@ TEST(LayeredTruth, WhatEmitsIsCutOff) {
     expectColor(stack.middle(), {0.5 * 16.0, 0.5 * 16.0 + 0.5, 0.5 * 20.0});
 }
 
+/// Of what blends, shading cuts off what reads textures of detail too. Other detail is none that it reads.
+TEST(LayeredTruth, WhatBlendsIsCutOffWithATextureOfDetail) {
+    Stack stack;
+    stack.add(2.0, {1.0f, 1.0f, 1.0f, 0.25f}, true);
+    stack.scene.background = glm::vec3(0.0f);
+    stack.scene.ambient = glm::vec3(40.0f);
+    stack.scene.textures.push_back(
+        {.name = "white", .pixels = image::ImageRgba8(1, 1, {255, 255, 255, 255})});
+    scene::Material& material = stack.scene.materials[0];
+    material.unlit = false;
+    for (const scene::MaterialDetail& unread :
+         {scene::MaterialDetail{.normalScale = 0.5f}, scene::MaterialDetail{.occlusionStrength = 0.5f}}) {
+        material.detail = unread;
+        expectColor(stack.middle(), glm::dvec3(0.25 * 40.0));
+        material.detail.occlusion = scene::TextureUse{};
+        expectColor(stack.middle(), glm::dvec3(0.25 * 16.0));
+    }
+}
+
 TEST(LayeredTruth, PixelsNextToASilhouetteAreNotInner) {
     Stack stack;
     stack.add(4.0, {0.0f, 1.0f, 0.0f, 0.5f}, true);

@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <thread>
 #include <vector>
 
 namespace cdr::render_test {
@@ -373,6 +374,22 @@ TEST_F(RecordTest, ADroppedFrameLosesNoEdit) {
     } // the destructor does not wait
 }
 
+/// To the device: dropRecorded() gives nothing back that the host submitted.
+TEST_F(RecordTest, ASkipThatIsRefusedLeavesTheFrameBefore) {
+    const render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
+    const scene::Scene scene = boxScene();
+    HostSide host(device(), extentOf(options));
+    SoleRenderer renderer(device(), scene, options);
+    const render::HostFrame frame = host.begin();
+    renderer.record({}, frame);
+    EXPECT_THROW(renderer.skip({.position = {NAN, 0.0, 0.0}}), base::InputError);
+    renderer.dropRecorded();
+    std::thread submitting([&] { host.submit(); });
+    renderer.finish(); // waits for what is being submitted
+    EXPECT_GE(vk::Device(device().handle()).getSemaphoreCounterValue(frame.done), frame.doneValue);
+    submitting.join();
+}
+
 /// A recorded frame cannot be drawn again, so its lists have room for all instances from the start.
 TEST_F(RecordTest, InstancesThatAWorldGainedAreInTheNextFrame) {
     for (const render::Submission submission : recordable()) {
@@ -441,6 +458,7 @@ TEST_F(RecordTest, WhatCannotBeRecordedIntoIsRefused) {
         EXPECT_NE(refusal(spoil).find(text), std::string::npos) << text << ": " << refusal(spoil);
     };
     expectRefusal("semaphore", [](Frame& f, Options&) { f.done = VK_NULL_HANDLE; });
+    expectRefusal("value 0", [](Frame& f, Options&) { f.doneValue = 0; });
     expectRefusal("command buffer", [](Frame& f, Options&) { f.commands = VK_NULL_HANDLE; });
     expectRefusal("480x269", [](Frame& f, Options&) { f.color.extent.height = 269; });
     expectRefusal("480x271", [](Frame& f, Options&) { f.depth->image.extent.height = 271; });
@@ -455,6 +473,10 @@ TEST_F(RecordTest, WhatCannotBeRecordedIntoIsRefused) {
     expectRefusal("primaries", [](Frame&, Options& o) { o.submission = render::Submission::primaries; });
     expectRefusal("visibility", [](Frame& f, Options& o) {
         o.surface = render::SurfacePath::visibility;
+        f.draw = [](const render::HostCascade&) {};
+    });
+    expectRefusal("prepared for", [](Frame& f, Options& o) {
+        o.prepareFor.emission = true;
         f.draw = [](const render::HostCascade&) {};
     });
     for (const depth::Interval& bad : {depth::Interval{5.0, 1.0}, depth::Interval{1.0, INFINITY}}) {

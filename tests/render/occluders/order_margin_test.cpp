@@ -26,25 +26,33 @@ render::FrameView viewOfCascades(depth::Mapping mapping, const depth::Cascades& 
     return view;
 }
 
-/// A wide cascade between two nodes, both of which lie in thin ones.
+/// A wide cascade between two nodes, the second of which lies in a thin one. So does the first, or it begins the wide one.
 TEST(OrderMargin, HoldsInACascadeBetweenItsNodes) {
-    for (const depth::Mapping mapping : {depth::Mapping::standard, depth::Mapping::anchored}) {
-        const depth::Technique technique{
-            .mapping = mapping, .split = depth::SplitNone{}, .format = depth::DepthFormat::d16};
-        const render::OrderMargin nodes(technique, viewOfCascades(mapping, {{kNearest, kFarthest}}));
-        const double first = distanceOf(kNode, nodes);
-        const double second = distanceOf(kNode + 1, nodes);
-        const depth::Cascades cascades{{kNearest, first * (1.0 - kThin)},
-                                       {first * (1.0 - kThin), first * (1.0 + kThin)},
-                                       {first * (1.0 + kThin), second * (1.0 - kThin)},
-                                       {second * (1.0 - kThin), second * (1.0 + kThin)},
-                                       {second * (1.0 + kThin), kFarthest}};
-        const render::OrderMargin margin(technique, viewOfCascades(mapping, cascades));
-        for (double place = kNode - 1.5; place < kNode + 2.5; place += 1.0 / 512.0) {
-            const double distance = distanceOf(place, margin);
-            const auto forecast = depth::forecastIn(technique, cascades, distance);
-            ASSERT_TRUE(forecast.has_value());
-            ASSERT_GE(margin.at(distance), forecast->guaranteedView()) << nameOf(mapping) << " " << place;
+    using depth::Mapping;
+    for (const Mapping mapping : {Mapping::standard, Mapping::anchored, Mapping::anchoredReversed}) {
+        for (const depth::DepthFormat format : depth::kDepthFormats) {
+            const depth::Technique technique{
+                .mapping = mapping, .split = depth::SplitNone{}, .format = format};
+            const render::OrderMargin nodes(technique, viewOfCascades(mapping, {{kNearest, kFarthest}}));
+            const double first = distanceOf(kNode, nodes);
+            const double second = distanceOf(kNode + 1, nodes);
+            for (const bool isFirstThin : {true, false}) {
+                depth::Cascades cascades{{kNearest, first * (1.0 - kThin)}};
+                if (isFirstThin) {
+                    cascades.push_back({first * (1.0 - kThin), first * (1.0 + kThin)});
+                }
+                cascades.push_back({cascades.back().farView, second * (1.0 - kThin)});
+                cascades.push_back({second * (1.0 - kThin), second * (1.0 + kThin)});
+                cascades.push_back({second * (1.0 + kThin), kFarthest});
+                const render::OrderMargin margin(technique, viewOfCascades(mapping, cascades));
+                for (double place = kNode - 1.5; place < kNode + 2.5; place += 1.0 / 512.0) {
+                    const double distance = distanceOf(place, margin);
+                    const auto forecast = depth::forecastIn(technique, cascades, distance);
+                    ASSERT_TRUE(forecast.has_value());
+                    ASSERT_GE(margin.at(distance), forecast->guaranteedView())
+                        << nameOf(technique) << " " << isFirstThin << " " << place;
+                }
+            }
         }
     }
 }

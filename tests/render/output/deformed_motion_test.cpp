@@ -328,6 +328,27 @@ TEST_F(DeformedMotionTest, MeshesMayComeWhileTheDeviceDeformsOthers) {
     });
 }
 
+/// All poses are made again for the first material with detail, and once there is none. That takes no motion from them.
+TEST_F(DeformedMotionTest, DetailMayComeAndGoWhileTheDeviceDeforms) {
+    if (!device().info().deformMissing.empty()) {
+        GTEST_SKIP() << "the device lacks " << device().info().deformMissing.front();
+    }
+    Sheets sheets(20.0);
+    SoleRenderer renderer(device(), sheets.world, motionOptions("anchored"));
+    const scene::Camera camera = sheets.cameraAt(0.0);
+    scene::Material material = sheets.world.scene().materials[0];
+    std::vector<bool> moved;
+    for (int frame = 0; frame < 4; ++frame) {
+        if (frame > 0) {
+            sheets.world.setPose(sheets.sheet, grownPose(1.0 + 0.05 * frame));
+            material.detail.emission = glm::vec3(frame == 2 ? 0.5f : 0.0f);
+            sheets.world.setMaterial(sheets.world.material(0), material);
+        }
+        moved.push_back(renderer.render(camera).motion.at(120, 135) != glm::vec2(0.0f));
+    }
+    EXPECT_EQ(moved, (std::vector<bool>{false, true, true, true}));
+}
+
 TEST_F(DeformedMotionTest, LastVerticesAreKeptAsLongAsARendererShowsMotion) {
     Sheets sheets(20.0);
     render::GpuScene onDevice(device(), sheets.world);

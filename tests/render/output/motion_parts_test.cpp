@@ -93,6 +93,13 @@ TEST_F(MotionPartsTest, MayShrinkToNothingAndGrowAgain) {
     }
 }
 
+/// So far away, where they are is known less exactly than the bases.
+TEST_F(MotionPartsTest, MayComeFromFarAwayAndGoThere) {
+    const glm::dmat4 far = glm::translate(kAhead, glm::dvec3(1e11, 0.0, 0.0));
+    EXPECT_FALSE(isRefused({kAhead, far}, 0.0));
+    EXPECT_FALSE(isRefused({far, kAhead}, 0.0));
+}
+
 /// The inverses of their bases are less exact than the bases.
 TEST_F(MotionPartsTest, MayBeThin) {
     for (const double thickness : {0.1, 1e-2, 1e-3, 1e-4}) {

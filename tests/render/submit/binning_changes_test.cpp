@@ -1,3 +1,4 @@
+#include "../failing_calls.h"
 #include "../fixture.h"
 
 #include <cdr/render/draw_source.h>
@@ -144,6 +145,39 @@ TEST_F(BinningChangesTest, EditsBeforeAnotherSizeAreDrawn) {
     renderer.resize(2 * options.width, options.height);
     const render::Frame frame = renderer.render(camera);
     EXPECT_EQ(hashOf(frame), hashOf(draw(world.scene(), camera, renderer.options())));
+}
+
+/// What grew has room to grow on.
+TEST_F(BinningChangesTest, AnInstanceWithEachFrameTakesNoBuffersInEach) {
+    if (!canDrawGpuDriven()) {
+        GTEST_SKIP() << "the device does not draw gpu-driven";
+    }
+    scene::Scene scene = boxScene();
+    for (int i = 0; i < 100; ++i) {
+        addBox(scene, {0.0, 0.0, -5.0 - i});
+    }
+    scene::World world(scene);
+    render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored/count:2"));
+    options.submission = render::Submission::gpuDriven;
+    SoleRenderer renderer(device(), world, options);
+    renderer.draw({});
+    constexpr std::size_t kFrames = 20;
+    std::size_t withBuffers = 0;
+    for (std::size_t frame = 0; frame < kFrames; ++frame) {
+        world.addInstance({.mesh = world.mesh(0),
+                           .material = world.material(0),
+                           .object = 1000,
+                           .transform = {.position = {0.0, 0.0, -5.0}}});
+        const FailingCall failing("vkCreateBuffer");
+        try {
+            renderer.draw({});
+        } catch (const std::exception&) {
+            renderer.draw({}); // only one call fails
+        }
+        withBuffers += FailingCall::hasFailed() ? 1 : 0;
+    }
+    EXPECT_GE(withBuffers, 1u);
+    EXPECT_LE(withBuffers, kFrames / 3);
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -223,23 +224,49 @@ TEST_F(RecordViewsTest, NothingWaitsForFramesThatAreNotSubmitted) {
     } // nor does the destructor wait
 }
 
+/// A view that was recorded before an error goes on from no frame that the other one lacks.
+TEST_F(RecordViewsTest, NoViewMovesFromAFrameThatIsNotSubmitted) {
+    render::RenderOptions options = eyeOptions(depth::parseTechnique("anchored"));
+    options.motion = true;
+    const auto camerasAt = [](double ahead) {
+        return std::vector<scene::Camera>(2, bothEyes(scene::StereoMode::parallel, ahead).front());
+    };
+    for (const EyeCommands commands : {EyeCommands::shared, EyeCommands::separate}) {
+        TwoEyes host(device());
+        ViewsRenderer renderer(device(), m_scene, *m_onDevice, options, 2);
+        renderer.draw(camerasAt(0.0));
+        std::vector<HostFrame> frames = host.begin(commands);
+        frames[1].draw = [](const render::HostCascade&) { throw base::RunError("the host's"); };
+        EXPECT_THROW(renderer.record(camerasAt(0.7), frames), base::RunError);
+        const std::vector<render::Frame> next = renderer.render(camerasAt(1.5));
+        EXPECT_EQ(next[0].motion, next[1].motion);
+    }
+}
+
 /// A refused frame leaves the one before to the device: dropRecorded() gives nothing back that the host submitted.
 TEST_F(RecordViewsTest, ARefusedFrameLeavesTheOneBefore) {
     const render::RenderOptions options = eyeOptions(depth::parseTechnique("anchored"));
     const std::vector<scene::Camera> cameras = bothEyes(scene::StereoMode::parallel);
-    TwoEyes host(device());
-    ViewsRenderer renderer(device(), m_scene, *m_onDevice, options, 2);
-    const std::vector<HostFrame> frames = host.begin(EyeCommands::shared);
-    renderer.record(cameras, frames);
-    std::vector<HostFrame> refused = frames;
-    refused[1].color.format = VK_FORMAT_R32G32B32A32_UINT;
-    EXPECT_THROW(renderer.record(cameras, refused), base::InputError);
-    renderer.dropRecorded();
-    std::thread submitting([&] { host.submit(); });
-    renderer.finish(); // waits for what is being submitted
-    EXPECT_GE(vk::Device(device().handle()).getSemaphoreCounterValue(frames[0].done), frames[0].doneValue);
-    submitting.join();
-    vk::Device(device().handle()).waitIdle(); // for the host's other submission
+    for (const bool isSkipped : {false, true}) {
+        TwoEyes host(device());
+        ViewsRenderer renderer(device(), m_scene, *m_onDevice, options, 2);
+        const std::vector<HostFrame> frames = host.begin(EyeCommands::shared);
+        renderer.record(cameras, frames);
+        std::vector<HostFrame> refused = frames;
+        refused[1].color.format = VK_FORMAT_R32G32B32A32_UINT;
+        if (isSkipped) {
+            EXPECT_THROW(renderer.skip(std::span(cameras).first(1)), base::InputError);
+        } else {
+            EXPECT_THROW(renderer.record(cameras, refused), base::InputError);
+        }
+        renderer.dropRecorded();
+        std::thread submitting([&] { host.submit(); });
+        renderer.finish(); // waits for what is being submitted
+        EXPECT_GE(vk::Device(device().handle()).getSemaphoreCounterValue(frames[0].done),
+                  frames[0].doneValue);
+        submitting.join();
+        vk::Device(device().handle()).waitIdle(); // for the host's other submission
+    }
 }
 
 } // namespace

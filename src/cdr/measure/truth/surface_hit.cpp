@@ -29,10 +29,14 @@ glm::dvec3 bumpedAt(const SurfacePoint& point, const glm::dvec3& normal, const g
                           texel.z * normal);
 }
 
-/// Whether shading adds emission, and cuts off the sum. Of what is blended it does so with any detail.
+/// Whether shading adds emission, and cuts off the sum. Of what is blended it does so with any texture of detail too.
 bool addsEmission(const scene::Material& material) {
-    return material.alphaMode == scene::AlphaMode::blend ? scene::hasDetail(material)
-                                                         : scene::hasEmission(material);
+    if (material.alphaMode != scene::AlphaMode::blend) {
+        return scene::hasEmission(material);
+    }
+    const scene::MaterialDetail& detail = material.detail;
+    const bool hasTexture = detail.metallicRoughness || detail.normal || detail.occlusion || detail.emissive;
+    return detail.emission != glm::vec3(0.0f) || (!material.unlit && hasTexture);
 }
 
 glm::dvec3 emissionAt(const SurfacePoint& point) {

@@ -49,7 +49,7 @@ void FrameDecider::takeBack(FrameSlot& slot) {
     slot.destination = slot.before.destination;
     m_equipment.passes().cutter.takeBack(std::move(slot.before.cut));
     if (slot.before.isMotionFollowed) {
-        m_motion->forget();
+        forgetMotion();
     }
 }
 
@@ -147,6 +147,10 @@ void FrameDecider::followCut(const scene::Camera& camera) {
 
 void FrameDecider::forgetFrames() {
     m_equipment.passes().forgetFrames();
+    forgetMotion();
+}
+
+void FrameDecider::forgetMotion() {
     if (m_motion) {
         m_motion->forget();
     }

@@ -30,6 +30,8 @@ class FrameDecider {
     void followCut(const scene::Camera& camera);
     /// The next frame is decided as a first one.
     void forgetFrames();
+    /// The same of motion alone: nothing moves in the next frame.
+    void forgetMotion();
 
     /// Whether a frame of the next slot reads the visible list.
     bool readsVisible() const { return readsVisible(m_equipment.slots().next()); }

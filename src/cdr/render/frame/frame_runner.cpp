@@ -50,6 +50,7 @@ FrameSlot& FrameRunner::run(const scene::Camera& camera, const Delivery& deliver
 }
 
 void FrameRunner::skip(const scene::Camera& camera) {
+    slots().keepRecorded(); // it was submitted, also where this is refused
     scene::requireUsable(camera);
     followScene();
     m_decider.followMotion(camera);
@@ -60,8 +61,8 @@ void FrameRunner::requireRecordable(const HostFrame& frame) {
     render::requireRecordable(m_device, options(), frame);
     followScene(); // what was added may emit light
     if (frame.draw && m_equipment.needs().emission) {
-        throw base::InputError(
-            "a host cannot draw beside surfaces that emit light or have occlusion textures");
+        throw base::InputError("a host cannot draw beside surfaces that emit light or have occlusion "
+                               "textures, nor where these are prepared for");
     }
 }
 

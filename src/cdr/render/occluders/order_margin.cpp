@@ -70,11 +70,11 @@ OrderMargin::OrderMargin(const depth::Technique& technique, const FrameView& vie
     for (std::size_t node = 0; node < kNodes; ++node) {
         m_nodes.push_back(marginOf(m_nearView * std::exp(static_cast<double>(node) / m_nodesPerRatio)));
     }
-    // No node tells of a cascade between two of them. It is coarsest at its far end.
+    // Between two nodes a cascade is coarsest at a node or at an end of its own. A bound belongs to the cascade before it.
     for (const depth::Cascade& cascade : cascades) {
-        const std::size_t node = nodeBefore(cascade.farView);
-        if (nodeBefore(cascade.nearView) == node) {
-            m_nodes[node] = std::max(m_nodes[node], marginOf(cascade.farView));
+        for (const double end : {std::nextafter(cascade.nearView, cascade.farView), cascade.farView}) {
+            double& margin = m_nodes[nodeBefore(end)];
+            margin = std::max(margin, marginOf(end));
         }
     }
 }

@@ -121,6 +121,7 @@ void requireRecordable(const gpu::Device& device, const RenderOptions& options, 
             "submission primaries needs command buffers of its own");
     require(host.commands != VK_NULL_HANDLE, "there is no command buffer");
     require(host.done != VK_NULL_HANDLE, "there is no semaphore that says when it is done");
+    require(host.doneValue > 0, "the semaphore has the value 0 from the start");
     if (host.color.image != VK_NULL_HANDLE || !host.linear) {
         requireColor(device, host.color, options);
     }

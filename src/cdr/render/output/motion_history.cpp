@@ -67,8 +67,9 @@ bool isOfMove(const CommonMove& move, const MovedObject& part) {
     const glm::dvec3 apart = part.now.position - move.part.now.position;
     const glm::dvec3 apartBefore = move.turn * apart;
     const glm::dvec3 off = (part.before.position - move.part.before.position) - apartBefore;
-    const double most = allowed * std::max(glm::length(apart), glm::length(apartBefore)) +
-                        1e-15 * glm::length(move.part.before.position);
+    const double most =
+        allowed * std::max(glm::length(apart), glm::length(apartBefore)) +
+        1e-15 * (glm::length(move.part.before.position) + glm::length(move.turn * move.part.now.position));
     return largest(glm::dmat3(part.before.basis) - basis) <= allowed * largest(basis) &&
            glm::length(off) <= most;
 }

@@ -73,9 +73,14 @@ void DeviceLists::grow(List list, std::size_t bytes) {
         return;
     }
     bytes = std::max<std::size_t>(bytes, sizeof(shaders::DrawRecord)); // no buffer is empty
-    if (bytes > m_device.info().maxStorageBufferBytes) {
+    const std::size_t most = m_device.info().maxStorageBufferBytes;
+    if (bytes > most) {
         throw base::runError("gpu-driven draws need a {} byte buffer, {} allows {}", bytes,
-                             m_device.info().name, m_device.info().maxStorageBufferBytes);
+                             m_device.info().name, most);
+    }
+    // Half as much again, where the device allows it: what grew may grow on. How many records there are is guessed at first.
+    if (list == records || m_lists[list].size() > 0) {
+        bytes = std::max(bytes, std::min(most, bytes + bytes / 2));
     }
     gpu::requireDeviceBytes(m_device, bytes, "a list of gpu-driven draws");
     m_lists[list] =
@@ -87,10 +92,7 @@ void DeviceLists::grow(List list, std::size_t bytes) {
 }
 
 void DeviceLists::growRecords(std::size_t draws) {
-    const std::size_t most = m_device.info().maxStorageBufferBytes / sizeof(shaders::DrawRecord);
-    // Half as many again as were missing, where the device allows it.
-    const std::size_t wanted = std::max(draws, std::min(most, draws + draws / 2));
-    grow(records, wanted * sizeof(shaders::DrawRecord));
+    grow(records, draws * sizeof(shaders::DrawRecord));
     m_recordCapacity = m_lists[records].size() / sizeof(shaders::DrawRecord);
     m_draws.records = m_lists[records].handle();
 }

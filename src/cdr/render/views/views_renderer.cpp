@@ -60,7 +60,7 @@ std::vector<depth::Interval> occupiedBy(std::span<const HostFrame> hosts) {
 /// Draws of a frame that ends with an error are on no fence, and their command buffers are about to be recorded anew.
 void waitQuietly(const gpu::Device& device) {
     try {
-        gpu::waitForQueue(device);
+        gpu::finishQueue(device);
     } catch (...) { // the first error is told
     }
 }
@@ -155,6 +155,7 @@ void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
         }
     } catch (...) {
         m_split->takeBack(std::move(before));
+        forgetMotion();
         throw;
     }
     m_views.front()->slots().last()->stats.times.cullMs += lookMs;
@@ -249,9 +250,7 @@ void ViewsRenderer::submit(Cameras cameras, const FrameSync& sync) {
 }
 
 void ViewsRenderer::record(Cameras cameras, std::span<const HostFrame> frames) {
-    for (const auto& view : m_views) {
-        view->slots().keepRecorded(); // the frames before were submitted, also where these are refused
-    }
+    keepRecorded();
     requireCameras(cameras, views());
     requireFrames(frames, views());
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -262,6 +261,12 @@ void ViewsRenderer::record(Cameras cameras, std::span<const HostFrame> frames) {
     } catch (...) {
         dropRecorded(); // the views that were recorded before the error
         throw;
+    }
+}
+
+void ViewsRenderer::keepRecorded() {
+    for (const auto& view : m_views) {
+        view->slots().keepRecorded();
     }
 }
 
@@ -276,10 +281,16 @@ void ViewsRenderer::finish() {
 }
 
 void ViewsRenderer::skip(Cameras cameras) {
+    keepRecorded();
     requireCameras(cameras, views());
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-        m_views[i]->followScene();
-        m_views[i]->decider().followMotion(cameras[i]);
+    try {
+        for (std::size_t i = 0; i < cameras.size(); ++i) {
+            m_views[i]->followScene();
+            m_views[i]->decider().followMotion(cameras[i]);
+        }
+    } catch (...) {
+        forgetMotion();
+        throw;
     }
     if (m_split->needsVisible()) {
         look(cameras, {});
@@ -290,6 +301,12 @@ void ViewsRenderer::forgetFrames() {
     m_split->forget();
     for (const auto& view : m_views) {
         view->decider().forgetFrames();
+    }
+}
+
+void ViewsRenderer::forgetMotion() {
+    for (const auto& view : m_views) {
+        view->decider().forgetMotion();
     }
 }
 

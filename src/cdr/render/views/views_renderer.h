@@ -98,6 +98,10 @@ class CDR_EXPORT ViewsRenderer {
     /// @param occupied view distances of what the scene does not hold
     depth::Cascades look(Cameras cameras, std::span<const depth::Interval> occupied);
     void launch(Cameras cameras, const Launch& how);
+    /// The frames before were submitted, also where the next ones are refused.
+    void keepRecorded();
+    /// Of all views: some may have gone on to a frame that others refused, and refuse once more what moved apart in it.
+    void forgetMotion();
     /// The draws of all views first, then the rest of all, so that no view's draws wait for another's to be done.
     void launchTogether(Cameras cameras, std::span<Delivery> deliveries);
     /// One view after the other.
