@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <scenes/city.h>
+#include <scenes/cube_scene.h>
 #include <scenes/degree.h>
 #include <scenes/random.h>
 
@@ -53,8 +54,7 @@ class Town {
 
   private:
     void box(std::uint32_t material, const glm::dvec3& centre, const glm::dvec3& size) {
-        scene::addInstance(m_scene, 0, material, m_objects++, centre,
-                           glm::mat3(glm::dmat3(size.x, 0, 0, 0, size.y, 0, 0, 0, size.z)));
+        addBox(m_scene, material, centre, glm::mat3(glm::dmat3(size.x, 0, 0, 0, size.y, 0, 0, 0, size.z)));
     }
 
     /// A body, a roof, and a row of windows for each side and floor: 38 boxes.
@@ -98,7 +98,6 @@ class Town {
 
     scene::Scene& m_scene;
     Random m_random;
-    std::uint32_t m_objects = 0;
 };
 
 /// Along a street that runs to -z, round a corner, and along one that runs to +x.

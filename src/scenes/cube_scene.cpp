@@ -12,9 +12,13 @@ scene::Scene cubeScene(const char* name, double halfDistanceOfLight) {
     return scene;
 }
 
-void addCube(scene::Scene& scene, const glm::dvec3& position, float scale) {
+void addBox(scene::Scene& scene, std::uint32_t material, const glm::dvec3& centre, const glm::mat3& basis) {
     const auto object = static_cast<std::uint32_t>(scene.instances.size());
-    scene::addInstance(scene, 0, 0, object, position, glm::mat3(scale));
+    scene::addInstance(scene, 0, material, object, centre, basis);
+}
+
+void addCube(scene::Scene& scene, const glm::dvec3& position, float scale) {
+    addBox(scene, 0, position, glm::mat3(scale));
 }
 
 } // namespace cdr::scenes

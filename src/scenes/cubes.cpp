@@ -61,10 +61,8 @@ scene::SceneSetup makeAfcNear(std::uint64_t seed) {
         const double corner = scene::frustumOf(camera, 16.0, 9.0).tanY * (kAhead - kHalf);
         const double right = corner * (16.0 / 9.0 - 0.2) + kHalf;
         const double up = corner * 0.8 + kHalf;
-        const auto object = static_cast<std::uint32_t>(setup.scene.instances.size());
-        scene::addInstance(setup.scene, 0, 0, object,
-                           camera.position + right * camera.right + up * camera.up - kAhead * camera.back,
-                           glm::mat3(camera.right, camera.up, camera.back) * kSide);
+        addBox(setup.scene, 0, camera.position + right * camera.right + up * camera.up - kAhead * camera.back,
+               glm::mat3(camera.right, camera.up, camera.back) * kSide);
     }
     setup.path.at = [orbit](std::uint32_t frame) {
         scene::Camera camera = orbit.at(frame);

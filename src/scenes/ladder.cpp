@@ -17,12 +17,11 @@ namespace {
 
 /// A cube of the ladder, its face to +z where it is however deep the cube is.
 void addOne(scene::Scene& scene, const glm::dvec3& centre, const LadderOptions& options, double depth) {
-    const auto object = static_cast<std::uint32_t>(scene.instances.size());
     const auto side = static_cast<float>(options.scale);
     glm::mat3 basis(side);
     basis[2][2] = static_cast<float>(options.scale * depth);
     const glm::dvec3 forward(0.0, 0.0, 0.5 * options.scale * (1.0 - depth));
-    scene::addInstance(scene, 0, 0, object, centre + forward, basis);
+    addBox(scene, 0, centre + forward, basis);
 }
 
 } // namespace

@@ -7,12 +7,7 @@
 
 namespace cdr::depth {
 
-/// The fewest cascades over what is visible whose predicted steps meet the split's target at every occupied
-/// distance. Intervals are cut only where fewer cascades could not do. There is at least one cascade, and
-/// there may be gaps between them. A target that needs more than `split.most` is relaxed until that many meet
-/// it.
-///
-/// Bounds stay put from frame to frame:
+/// The cascades of a fitted split, at least one. Bounds stay put from frame to frame:
 /// - they have a margin of 1/128 of the cascade where the target allows it;
 /// - previous bounds are kept while what they enclose stays within twice that margin;
 /// - previous cuts and the previous count are kept while a target 1/8 wider is met.

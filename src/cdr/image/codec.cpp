@@ -1,6 +1,4 @@
-#include "codec_jpeg.h"
-#include "codec_limits.h"
-#include "codec_png.h"
+#include "codec_formats.h"
 
 #include <cdr/base/format_error.h>
 #include <cdr/image/codec.h>

@@ -6,14 +6,6 @@
 
 namespace cdr::scenes {
 
-/// The sine and the cosine of an angle.
-struct SineCosine {
-    double sine = 0.0;
-    double cosine = 1.0;
-
-    explicit SineCosine(double degrees);
-};
-
 /// The Earth as a plane with true areas, around a place (Lambert 1772): metres east and south of it. Near the place it is the
 /// plane y = 0 of world space, to a thousandth.
 class AirportMap {

@@ -18,22 +18,8 @@ constexpr double kNormalStep = 0.02;
 /// Degrees of latitude beyond which normals are the ellipsoid's.
 constexpr double kPolar = 85.0;
 
-struct Turn {
-    double sin;
-    double cos;
-};
-
-/// Exact at the poles, where all longitudes must meet in one point, and the same from both sides of 180
-/// degrees.
-Turn turnOf(double degrees) {
-    const double radians = (degrees == -180.0 ? 180.0 : degrees) * std::numbers::pi / 180.0;
-    return {std::sin(radians), std::abs(degrees) == 90.0 ? 0.0 : std::cos(radians)};
-}
-
 glm::dvec3 outward(const Geodetic& place) {
-    const Turn latitude = turnOf(place.latitude);
-    const Turn longitude = turnOf(place.longitude);
-    return {latitude.cos * longitude.cos, latitude.cos * longitude.sin, latitude.sin};
+    return outward(SineCosine(place.latitude), SineCosine(place.longitude));
 }
 
 /// About the Earth's centre.
@@ -68,12 +54,22 @@ Texels texelsAt(double share, std::uint32_t count, Beyond beyond) {
 
 } // namespace
 
+SineCosine::SineCosine(double degrees) {
+    const double radians = (degrees == -180.0 ? 180.0 : degrees) * std::numbers::pi / 180.0;
+    sine = std::sin(radians);
+    cosine = std::abs(degrees) == 90.0 ? 0.0 : std::cos(radians);
+}
+
+glm::dvec3 outward(const SineCosine& latitude, const SineCosine& longitude) {
+    return {latitude.cosine * longitude.cosine, latitude.cosine * longitude.sine, latitude.sine};
+}
+
 EarthSurface::EarthSurface(const image::ImageRgba8& topography, const Geodetic& origin, const Pad& pad)
     : m_topography(topography),
       m_pad(pad) {
-    const Turn longitude = turnOf(origin.longitude);
+    const SineCosine longitude(origin.longitude);
     m_up = outward(origin);
-    m_east = {-longitude.sin, longitude.cos, 0.0};
+    m_east = {-longitude.sine, longitude.cosine, 0.0};
     m_south = glm::cross(m_east, m_up);
     m_origin = onEllipsoid(origin, topographyAt(origin));
 }
@@ -117,7 +113,7 @@ glm::dvec3 EarthSurface::normalAt(const Geodetic& place) const {
         const glm::dvec3 up = outward(place);
         return {glm::dot(m_east, up), glm::dot(m_up, up), glm::dot(m_south, up)};
     }
-    const double step = kNormalStep / turnOf(place.latitude).cos;
+    const double step = kNormalStep / SineCosine(place.latitude).cosine;
     const glm::dvec3 east =
         at({place.latitude, place.longitude + step}) - at({place.latitude, place.longitude - step});
     const glm::dvec3 north = at({place.latitude + kNormalStep, place.longitude}) -

@@ -12,6 +12,18 @@ struct Geodetic {
     double longitude = 0.0;
 };
 
+/// The sine and the cosine of an angle. Exact at the poles, where all longitudes must meet in one point, and the same from
+/// both sides of 180 degrees.
+struct SineCosine {
+    double sine = 0.0;
+    double cosine = 1.0;
+
+    explicit SineCosine(double degrees);
+};
+
+/// The ellipsoid's unit normal, about the Earth's centre: x to 0 E, z to the north pole.
+glm::dvec3 outward(const SineCosine& latitude, const SineCosine& longitude);
+
 /// The ground in float64: the WGS84 ellipsoid plus a topography, levelled around one place.
 ///
 /// World space has its origin at that place; x is east, y up, z south, in metres. So positions near the origin are

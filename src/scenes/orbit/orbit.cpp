@@ -2,10 +2,11 @@
 #include <scenes/degree.h>
 #include <scenes/orbit/airport.h>
 #include <scenes/orbit/orbit.h>
-#include <scenes/orbit/path.h>
 #include <scenes/solids.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace cdr::scenes {
@@ -19,6 +20,11 @@ constexpr double kFarView = 4.5e8; ///< beyond the Moon
 constexpr double kFirstAim = 36.0;
 constexpr double kMoonBelow = 18.4;
 constexpr double kMoonRight = 9.0;
+constexpr double kWidestDegrees = 60.0; ///< vertical field of view, of the path's first frame
+constexpr double kNarrowestDegrees = 0.002;
+constexpr std::uint32_t kZoomFrames = 240;
+/// The aim's share of its way, to the power that the lens has: beyond 1 it comes closer than the lens.
+constexpr double kAimPower = 1.5;
 
 std::uint32_t addBlueMarble(SceneBuilder& builder, image::ImageRgba8 color) {
     const std::uint32_t texture = builder.addTexture(
@@ -66,6 +72,35 @@ void addLights(scene::Scene& scene, const StationPose& station) {
                             .halfDistance = 0.2});
     scene.ambient = glm::vec3(0.04f);
     scene.background = glm::vec3(0.0f);
+}
+
+/// The unit vector `share` of the angle on from `a` to `b`, both unit.
+glm::dvec3 between(const glm::dvec3& a, const glm::dvec3& b, double share) {
+    const double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+    if (angle < 1e-9) {
+        return b;
+    }
+    return (std::sin((1.0 - share) * angle) * a + std::sin(share * angle) * b) / std::sin(angle);
+}
+
+/// A look through the station's window that ends as one through a telescope. The lens narrows by the same factor every
+/// frame. The aim nears the target faster than the lens narrows, so the target comes into the picture and stays there.
+/// Frames beyond the path begin it again.
+scene::CameraPath zoomPath(const StationPose& station) {
+    const double below = kFirstAim * kDegree;
+    const glm::dvec3 firstAim = std::cos(below) * station.forward - std::sin(below) * station.up;
+    const glm::dvec3 target(0.0, kSlabHeight + kMarkingHeight, 0.0);
+    return {.frames = kZoomFrames, .at = [eye = station.eye, firstAim, target](std::uint32_t frame) {
+                const double share = (frame % kZoomFrames) / (kZoomFrames - 1.0);
+                const double degrees = kWidestDegrees * std::pow(kNarrowestDegrees / kWidestDegrees, share);
+                const double away =
+                    std::max(0.0, (degrees - kNarrowestDegrees) / (kWidestDegrees - kNarrowestDegrees));
+                const glm::dvec3 lastAim = glm::normalize(target - eye);
+                const glm::dvec3 aim = between(lastAim, firstAim, std::pow(away, kAimPower));
+                const scene::Camera lens{
+                    .fovY = degrees * std::numbers::pi / 180.0, .nearView = 0.1, .farView = kFarView};
+                return scene::lookAt(lens, eye, eye + glm::distance(eye, target) * aim);
+            }};
 }
 
 } // namespace
@@ -116,12 +151,7 @@ scene::SceneSetup makeOrbitOn(const EarthSurface& surface, const GroundCover& co
     addEarth(builder, surface, station, cover);
     addMoon(builder, surface, station);
     addLights(setup.scene, station);
-    const double below = kFirstAim * kDegree;
-    setup.path = zoomPath({.eye = station.eye,
-                           .firstAim = std::cos(below) * station.forward - std::sin(below) * station.up,
-                           .target = {0.0, kSlabHeight + kMarkingHeight, 0.0},
-                           .nearView = 0.1,
-                           .farView = kFarView});
+    setup.path = zoomPath(station);
     return setup;
 }
 

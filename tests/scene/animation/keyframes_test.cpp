@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 
 namespace cdr::scene {
@@ -27,10 +26,9 @@ double numberAt(const Keyframes& keyframes, double seconds) {
 
 /// A turn about z, in radians.
 double turnAt(const Keyframes& keyframes, double seconds) {
-    std::array<double, 4> value{};
-    sampleRotationAt(keyframes, seconds, value);
-    EXPECT_NEAR(std::hypot(value[0], value[1], std::hypot(value[2], value[3])), 1.0, 1e-15);
-    return 2.0 * std::atan2(value[2], value[3]);
+    const glm::dquat turn = rotationAt(keyframes, seconds);
+    EXPECT_NEAR(glm::length(turn), 1.0, 1e-15);
+    return 2.0 * std::atan2(turn.z, turn.w);
 }
 
 std::vector<float> aboutZ(const std::vector<double>& angles) {

@@ -182,7 +182,7 @@ TEST_F(GltfFolder, UnsoundCamerasAreRefused) {
     expectSays(withLens({{"yfov", 1.0}, {"znear", "near"}}), "its znear is \"near\"");
     expectSays(withLens({{"yfov", 1.0}, {"znear", 2.0}, {"zfar", 2.0}}), "a znear that lies before its zfar");
     expectSays(withLens({{"znear", 2.0}}), "needs a yfov");
-    expectSays(withLens(nullptr), "has no 'perspective' object");
+    expectSays(withLens(nullptr), "'perspective' is not an object");
     const auto withBox = [&](const json& orthographic) {
         Document document = withCamera();
         document.root["cameras"][2]["orthographic"] = orthographic;
@@ -193,7 +193,7 @@ TEST_F(GltfFolder, UnsoundCamerasAreRefused) {
     expectSays(withBox({{"ymag", 1.0}, {"znear", -1.0}, {"zfar", 1.0}}), "a znear of at least 0");
     expectSays(withBox({{"ymag", 1.0}, {"znear", 1.0}, {"zfar", 1.0}}), "lies before its zfar");
     expectSays(withBox({{"ymag", 1.0}, {"zfar", 1.0}}), "needs a ymag, and a znear");
-    expectSays(withBox(nullptr), "has no 'orthographic' object");
+    expectSays(withBox(nullptr), "'orthographic' is not an object");
     expectRefused(withCamera(), "/cameras/1/type", "fisheye", "type 'fisheye' does not exist");
     expectRefused(withCamera(), "/nodes/3/camera", 7, "camera 7 does not exist, the file has 3");
 }

@@ -240,10 +240,10 @@ TEST_F(Gltf, UnsoundTextureTransformsAreRefused) {
         baseColorTexture(document)["extensions"]["KHR_texture_transform"] = transform;
         return refusal(document);
     };
-    expectSays(withTransform({{"offset", {1}}}), "'offset' is not two numbers");
-    expectSays(withTransform({{"scale", {1, "x"}}}), "'scale' is not two numbers");
+    expectSays(withTransform({{"offset", {1}}}), "'offset' is not 2 numbers");
+    expectSays(withTransform({{"scale", {1, "x"}}}), "'scale' is not 2 numbers");
     expectSays(withTransform({{"rotation", "left"}}), "'rotation' is not a number");
-    expectSays(withTransform({{"texCoord", -1}}), "'texCoord' is not an index");
+    expectSays(withTransform({{"texCoord", -1}}), "'texCoord' is -1, not an integer from 0");
 }
 
 TEST_F(Gltf, UnsoundMaterialReferencesAreRefused) {

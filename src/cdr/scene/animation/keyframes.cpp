@@ -1,9 +1,7 @@
 #include <cdr/scene/animation/keyframes.h>
 
-#include <glm/glm.hpp>
-#include <glm/gtc/quaternion.hpp>
-
 #include <algorithm>
+#include <array>
 
 namespace cdr::scene {
 
@@ -84,21 +82,15 @@ void sampleAt(const Keyframes& keyframes, double seconds, std::span<double> valu
     }
 }
 
-void sampleRotationAt(const Keyframes& keyframes, double seconds, std::span<double> value) {
-    glm::dquat turn;
+glm::dquat rotationAt(const Keyframes& keyframes, double seconds) {
     if (keyframes.interpolation == Interpolation::linear) {
         const Moment moment = momentOf(keyframes.times, seconds);
-        turn = glm::slerp(quaternionOf(keyframes, moment.before), quaternionOf(keyframes, moment.after),
-                          moment.share);
-    } else {
-        sampleAt(keyframes, seconds, value);
-        turn = glm::dquat(value[3], value[0], value[1], value[2]);
+        return normalized(glm::slerp(quaternionOf(keyframes, moment.before),
+                                     quaternionOf(keyframes, moment.after), moment.share));
     }
-    turn = normalized(turn);
-    value[0] = turn.x;
-    value[1] = turn.y;
-    value[2] = turn.z;
-    value[3] = turn.w;
+    std::array<double, 4> value{};
+    sampleAt(keyframes, seconds, value);
+    return normalized(glm::dquat(value[3], value[0], value[1], value[2]));
 }
 
 } // namespace cdr::scene

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -25,6 +28,6 @@ void sampleAt(const Keyframes& keyframes, double seconds, std::span<double> valu
 
 /// The same of rotations, whose four numbers are a quaternion x, y, z, w. Linear turns by the shorter way at an even pace
 /// (slerp). The result has length one.
-void sampleRotationAt(const Keyframes& keyframes, double seconds, std::span<double> value);
+glm::dquat rotationAt(const Keyframes& keyframes, double seconds);
 
 } // namespace cdr::scene

@@ -13,12 +13,6 @@ glm::dvec3 vectorAt(const Keyframes& keyframes, double seconds) {
     return {value[0], value[1], value[2]};
 }
 
-glm::dquat rotationAt(const Keyframes& keyframes, double seconds) {
-    std::array<double, 4> value{};
-    sampleRotationAt(keyframes, seconds, value);
-    return {value[3], value[0], value[1], value[2]};
-}
-
 /// Writes what a channel moves.
 void apply(const Channel& channel, const Keyframes& keyframes, double seconds, const RigNode& node,
            LocalTransform& local, std::span<double> weights) {

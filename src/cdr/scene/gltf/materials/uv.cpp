@@ -1,13 +1,10 @@
 #include "uv.h"
 
-#include "../checks.h"
 #include "../json.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <cstdint>
-#include <limits>
 
 namespace cdr::scene::gltf {
 
@@ -19,14 +16,8 @@ constexpr const char* kTransform = "KHR_texture_transform";
 
 /// Two numbers of an extension's array member, or the fallback when it is absent.
 glm::dvec2 pairOf(const json& extension, const char* key, const glm::dvec2& fallback) {
-    const json* pair = member(extension, key);
-    if (pair == nullptr) {
-        return fallback;
-    }
-    if (!pair->is_array() || pair->size() != 2 || !(*pair)[0].is_number() || !(*pair)[1].is_number()) {
-        refuse("{}: '{}' is not two numbers", kTransform, key);
-    }
-    return {(*pair)[0].get<double>(), (*pair)[1].get<double>()};
+    const auto pair = numbersMember(extension, key, 2, kTransform);
+    return pair ? glm::dvec2((*pair)[0], (*pair)[1]) : fallback;
 }
 
 /// The transform of a source as a matrix.
@@ -35,17 +26,6 @@ glm::dmat3 matrixOf(const UvSource& uv) {
     const double s = std::sin(uv.rotation);
     return {glm::dvec3(c * uv.scale.x, -s * uv.scale.x, 0.0), glm::dvec3(s * uv.scale.y, c * uv.scale.y, 0.0),
             glm::dvec3(uv.offset, 1.0)};
-}
-
-int texCoordOf(const json& extension, int fallback) {
-    const json* set = member(extension, "texCoord");
-    if (set == nullptr) {
-        return fallback;
-    }
-    if (!set->is_number_unsigned() || set->get<std::uint64_t>() > std::numeric_limits<std::int32_t>::max()) {
-        refuse("{}: 'texCoord' is not an index", kTransform);
-    }
-    return set->get<int>();
 }
 
 } // namespace
@@ -76,7 +56,7 @@ UvSource uvSourceOf(const json& info) {
         uv.offset = pairOf(*transform, "offset", uv.offset);
         uv.scale = pairOf(*transform, "scale", uv.scale);
         uv.rotation = numberMember(*transform, "rotation", kTransform).value_or(uv.rotation);
-        uv.texCoord = texCoordOf(*transform, uv.texCoord);
+        uv.texCoord = indexMember(*transform, "texCoord").value_or(uv.texCoord);
     }
     return uv;
 }

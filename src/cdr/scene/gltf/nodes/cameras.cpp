@@ -49,13 +49,10 @@ std::optional<double> magnification(const json& object, const char* key, const s
 }
 
 CameraLens perspectiveLensOf(const json& camera, const std::string& where) {
-    const json* perspective = member(camera, "perspective");
-    if (perspective == nullptr || !perspective->is_object()) {
-        refuse("{}: has no 'perspective' object", where);
-    }
-    const auto fovY = positive(*perspective, "yfov", INFINITY, where); // glTF advises to stay below pi
-    const auto nearView = positive(*perspective, "znear", INFINITY, where);
-    const auto farView = positive(*perspective, "zfar", INFINITY, where);
+    const json& perspective = objectMember(camera, "perspective", where);
+    const auto fovY = positive(perspective, "yfov", INFINITY, where); // glTF advises to stay below pi
+    const auto nearView = positive(perspective, "znear", INFINITY, where);
+    const auto farView = positive(perspective, "zfar", INFINITY, where);
     if (!fovY || !nearView || (farView && *farView <= *nearView)) {
         refuse("{}: needs a yfov, and a znear that lies before its zfar", where);
     }
@@ -67,13 +64,10 @@ CameraLens perspectiveLensOf(const json& camera, const std::string& where) {
 }
 
 CameraLens orthographicLensOf(const json& camera, const std::string& where) {
-    const json* orthographic = member(camera, "orthographic");
-    if (orthographic == nullptr || !orthographic->is_object()) {
-        refuse("{}: has no 'orthographic' object", where);
-    }
-    const auto halfHeight = magnification(*orthographic, "ymag", where);
-    const auto nearView = numberMember(*orthographic, "znear", where);
-    const auto farView = positive(*orthographic, "zfar", INFINITY, where);
+    const json& orthographic = objectMember(camera, "orthographic", where);
+    const auto halfHeight = magnification(orthographic, "ymag", where);
+    const auto nearView = numberMember(orthographic, "znear", where);
+    const auto farView = positive(orthographic, "zfar", INFINITY, where);
     if (!halfHeight || !nearView || !farView || !(*nearView >= 0.0 && *nearView < *farView)) {
         refuse("{}: needs a ymag, and a znear of at least 0 that lies before its zfar", where);
     }

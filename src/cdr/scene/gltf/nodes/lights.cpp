@@ -37,20 +37,8 @@ glm::vec3 colorOf(const json& light, const std::string& where) {
     return color;
 }
 
-/// A number of a light, or what stands for it.
-double numberOf(const json& light, const char* key, double otherwise, const std::string& where) {
-    const json* value = member(light, key);
-    if (value == nullptr) {
-        return otherwise;
-    }
-    if (!value->is_number()) {
-        refuse("{}: its {} is {}", where, key, oneLine(value->dump()));
-    }
-    return value->get<double>();
-}
-
 double intensityOf(const json& light, const std::string& where) {
-    const double intensity = numberOf(light, "intensity", 1.0, where);
+    const double intensity = numberMember(light, "intensity", where).value_or(1.0);
     if (!(intensity >= 0.0 && std::isfinite(intensity))) {
         refuse("{}: its intensity is {}", where, intensity);
     }
@@ -59,15 +47,10 @@ double intensityOf(const json& light, const std::string& where) {
 
 /// Of a spot light; its direction is that of a node without rotation.
 LightCone coneOf(const json& light, const std::string& where) {
-    static const json kWithout = json::object();
-    const json* spot = member(light, "spot");
-    if (spot != nullptr && !spot->is_object()) {
-        refuse("{}: its spot is no object", where);
-    }
-    const json& angles = spot == nullptr ? kWithout : *spot;
+    const json& angles = objectMember(light, "spot", where);
     LightCone cone;
-    cone.inner = numberOf(angles, "innerConeAngle", cone.inner, where);
-    cone.outer = numberOf(angles, "outerConeAngle", cone.outer, where);
+    cone.inner = numberMember(angles, "innerConeAngle", where).value_or(cone.inner);
+    cone.outer = numberMember(angles, "outerConeAngle", where).value_or(cone.outer);
     if (!(cone.inner >= 0.0 && cone.inner < cone.outer && cone.outer <= kMaxAngle)) {
         refuse("{}: its cone is from {} to {}, and it needs 0 <= inner < outer <= half pi", where, cone.inner,
                cone.outer);
@@ -78,7 +61,7 @@ LightCone coneOf(const json& light, const std::string& where) {
 }
 
 std::optional<double> rangeOf(const json& light, const std::string& where) {
-    const double range = numberOf(light, "range", INFINITY, where);
+    const double range = numberMember(light, "range", where).value_or(INFINITY);
     if (!(range > 0.0)) {
         refuse("{}: its range is {}", where, range);
     }

@@ -47,14 +47,12 @@ std::uint64_t solidCount(const Primitive& primitive, Accessors& accessors);
 /// Triangles that a primitive is drawn as at most, from its counts alone.
 std::uint64_t drawnTriangleCount(const Primitive& primitive, Accessors& accessors);
 
-/// The radius of points without a radius of their own: a third of the distance of neighbours. Points are assumed to be
-/// spread evenly over a surface as large as three sides of their box, as in a scan. Points in a row are assumed to be spread
-/// over its length. 0 where they are all at one place.
+/// The radius of points without a radius of their own (src/cdr/scene/README.md, "Points and lines"). 0 where they are all at
+/// one place.
 /// @param sides of their box.
 double defaultPointRadius(const glm::dvec3& sides, std::uint64_t count);
 
-/// The radius of lines without a radius of their own: a share of the diagonal of their box. It is about two pixels of a
-/// picture that they fill.
+/// The same of lines: about two pixels of a picture that they fill.
 double defaultLineRadius(const glm::dvec3& sides);
 
 /// What a primitive shows its material on. glTF lights points and lines by the normals that they have, and without
