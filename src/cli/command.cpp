@@ -17,6 +17,7 @@
 #include <runs/same_files.h>
 
 #include <algorithm>
+#include <thread>
 
 namespace cdr::cli {
 
@@ -188,9 +189,17 @@ void Command::endProgress() const {
 }
 
 nlohmann::ordered_json Command::makeDocument(nlohmann::ordered_json options) const {
-    nlohmann::ordered_json document = output::makeDocument(
-        m_name, m_opened ? m_opened->documentDevice() : output::DocumentDevice{}, std::move(options));
-    document["given"] = givenOptions(m_app);
+    const program::BuildInfo build = program::buildInfo();
+    const gpu::DeviceInfo device = m_opened ? m_opened->device().info() : gpu::DeviceInfo{};
+    nlohmann::ordered_json document{
+        {"command", m_name},
+        {"version", build.version},
+        {"commit", build.commit},
+        {"device", {{"name", device.name}, {"driver", device.driver}, {"api", device.api}}},
+        {"host", {{"cpus", std::thread::hardware_concurrency()}}},
+        {"options", std::move(options)},
+        {"results", nlohmann::ordered_json::array()},
+        {"given", givenOptions(m_app)}};
     if (m_global.hostCpus != 0) {
         document["host"]["cpus"] = m_measuresTime ? platform::allowedCpus().size() : m_global.hostCpus;
     }

@@ -86,7 +86,8 @@ class Command {
     /// From now on JSON counts the processors that this rank may use, and not those that one process would have.
     void measuresTime() { m_measuresTime = true; }
 
-    /// What the command's JSON begins with.
+    /// What the command's JSON begins with, up to empty results and the options that were given. The device has empty texts
+    /// where the command opened none.
     nlohmann::ordered_json makeDocument(nlohmann::ordered_json options) const;
     /// Writes the document where --json asks for it.
     void writeDocument(nlohmann::ordered_json document) const;
