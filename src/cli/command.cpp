@@ -6,7 +6,6 @@
 #include <cdr/platform/file.h>
 #include <cdr/platform/json_text.h>
 #include <cdr/platform/thread_placement.h>
-#include <cdr/scene/gltf/gltf.h>
 #include <scenes/open_scene.h>
 #include <scenes/orbit/data.h>
 
@@ -17,6 +16,7 @@
 #include <runs/same_files.h>
 
 #include <algorithm>
+#include <thread>
 
 namespace cdr::cli {
 
@@ -71,22 +71,28 @@ void Command::sayRanks() const {
 }
 
 void Command::reads(const std::filesystem::path& path) {
-    m_files.reads(path);
+    std::vector<scene::GltfReference> files{{.uri = path.string(), .path = path}};
     if (scene::isGltfPath(path)) {
-        for (const scene::GltfReference& reference : scene::gltfReferences(path)) {
-            m_files.reads(reference.path);
-        }
+        const std::vector<scene::GltfReference> others = scene::gltfReferences(path);
+        files.insert(files.end(), others.begin(), others.end());
     }
-    m_read.push_back(path);
-    runs::requireSameFiles(ranks(), path);
+    readsAll(path.string(), files);
 }
 
 void Command::readsEarth(const std::filesystem::path& folder) {
-    m_earth = folder;
+    std::vector<scene::GltfReference> files;
     for (const std::filesystem::path& file : scenes::earthFiles(folder)) {
-        m_files.reads(file);
+        files.push_back({.uri = file.filename().string(), .path = file});
     }
-    runs::requireSameEarth(ranks(), folder);
+    readsAll("orbit", files);
+}
+
+void Command::readsAll(const std::string& what, const std::vector<scene::GltfReference>& files) {
+    for (const scene::GltfReference& file : files) {
+        m_files.reads(file.path);
+    }
+    m_read.insert(m_read.end(), files.begin(), files.end());
+    runs::requireSameFiles(ranks(), what, files);
 }
 
 void Command::sayKept(const std::filesystem::path& state) const {
@@ -94,13 +100,6 @@ void Command::sayKept(const std::filesystem::path& state) const {
 }
 
 std::string Command::digestOfRun(const std::string& more) {
-    nlohmann::ordered_json files = nlohmann::ordered_json::object();
-    for (const std::filesystem::path& path : m_read) {
-        files[path.string()] = runs::digestOfFiles(path);
-    }
-    if (!m_earth.empty()) {
-        files["orbit"] = runs::digestOfEarth(m_earth);
-    }
     const program::BuildInfo build = program::buildInfo();
     const gpu::DeviceInfo& device = this->device().info();
     const nlohmann::ordered_json parts{{"command", m_name},
@@ -110,7 +109,7 @@ std::string Command::digestOfRun(const std::string& more) {
                                        {"options", textOf(m_app)},
                                        {"texture_memory", m_global.textureMiB.value_or(0)},
                                        {"points", m_global.pointRadius.value_or(0.0)},
-                                       {"files", std::move(files)},
+                                       {"files", runs::digestOfFiles(m_read)},
                                        {"more", more}};
     return program::sha256Of(platform::textOf(parts, -1));
 }
@@ -188,9 +187,17 @@ void Command::endProgress() const {
 }
 
 nlohmann::ordered_json Command::makeDocument(nlohmann::ordered_json options) const {
-    nlohmann::ordered_json document = output::makeDocument(
-        m_name, m_opened ? m_opened->documentDevice() : output::DocumentDevice{}, std::move(options));
-    document["given"] = givenOptions(m_app);
+    const program::BuildInfo build = program::buildInfo();
+    const gpu::DeviceInfo device = m_opened ? m_opened->device().info() : gpu::DeviceInfo{};
+    nlohmann::ordered_json document{
+        {"command", m_name},
+        {"version", build.version},
+        {"commit", build.commit},
+        {"device", {{"name", device.name}, {"driver", device.driver}, {"api", device.api}}},
+        {"host", {{"cpus", std::thread::hardware_concurrency()}}},
+        {"options", std::move(options)},
+        {"results", nlohmann::ordered_json::array()},
+        {"given", givenOptions(m_app)}};
     if (m_global.hostCpus != 0) {
         document["host"]["cpus"] = m_measuresTime ? platform::allowedCpus().size() : m_global.hostCpus;
     }

@@ -6,6 +6,7 @@
 #include "shared_options.h"
 
 #include <CLI/CLI.hpp>
+#include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/gltf/open_gltf.h>
 #include <cdr/scene/scene_setup.h>
 
@@ -42,8 +43,8 @@ class Command {
     /// Where several ranks work on the command, says how many and how they share the machine.
     void sayRanks() const;
 
-    /// Notes a file that the command reads, which all ranks have to find alike. base::InputError where they do not, where it
-    /// cannot be read, and where the command writes it.
+    /// Notes a file that the command reads, which all ranks have to find alike. base::InputError where they do not, where the
+    /// command writes it, and where it is glTF and cannot be read.
     void reads(const std::filesystem::path& path);
 
     /// The same of the Earth's pictures in a folder, which may be missing.
@@ -86,20 +87,23 @@ class Command {
     /// From now on JSON counts the processors that this rank may use, and not those that one process would have.
     void measuresTime() { m_measuresTime = true; }
 
-    /// What the command's JSON begins with.
+    /// What the command's JSON begins with, up to empty results and the options that were given. The device has empty texts
+    /// where the command opened none.
     nlohmann::ordered_json makeDocument(nlohmann::ordered_json options) const;
     /// Writes the document where --json asks for it.
     void writeDocument(nlohmann::ordered_json document) const;
 
   private:
+    /// @param what has these files, for messages.
+    void readsAll(const std::string& what, const std::vector<scene::GltfReference>& files);
+
     const CLI::App& m_app;
     std::string m_name;
     const GlobalOptions& m_global;
     OutputOptions m_output;
     Console m_console;
     CommandFiles m_files;
-    std::vector<std::filesystem::path> m_read;
-    std::filesystem::path m_earth; ///< folder of the Earth's pictures; empty where it is not shown
+    std::vector<scene::GltfReference> m_read;
     std::optional<std::vector<std::string>> m_notes; ///< none where no scene was opened
     std::vector<std::string> m_notedFiles;           ///< of each note
     std::string m_device;                            ///< of this rank, as gpu::Device takes it

@@ -33,11 +33,6 @@ OpenedDevice::OpenedDevice(const std::string& choice, Validation validation)
     gpu::keepPipelines(m_device);
 }
 
-output::DocumentDevice OpenedDevice::documentDevice() const {
-    const gpu::DeviceInfo& info = m_device.info();
-    return {.name = info.name, .driver = info.driver, .api = info.api};
-}
-
 std::string OpenedDevice::text() const {
     const gpu::DeviceInfo& info = m_device.info();
     return fmt::format("{}, {}, Vulkan {}", info.name, info.driver, info.api);

@@ -2,8 +2,6 @@
 
 #include <cdr/gpu/device.h>
 
-#include <output/document.h>
-
 #include <cstdint>
 #include <string>
 
@@ -22,7 +20,6 @@ class OpenedDevice {
     OpenedDevice(const std::string& choice, Validation validation);
 
     const gpu::Device& device() const { return m_device; }
-    output::DocumentDevice documentDevice() const;
     /// "name, driver, Vulkan version": what a number was measured on.
     std::string text() const;
 

@@ -176,6 +176,7 @@ void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techni
         .add_option_function<std::vector<std::string>>(
             "--techniques",
             [&techniques](const std::vector<std::string>& parts) {
+                techniques.clear();
                 for (const std::string& name : techniqueNames(parts)) {
                     techniques.push_back(depth::namedTechnique(name));
                 }

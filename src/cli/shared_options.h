@@ -112,7 +112,7 @@ std::vector<std::string> techniqueNames(const std::vector<std::string>& parts);
 void requireDistinct(const std::vector<std::string>& names);
 void requireDistinct(const std::vector<depth::NamedTechnique>& techniques);
 
-/// `--techniques A,B,...`; none: all presets.
+/// `--techniques A,B,...` instead of those that are there. Without the option, commands take all presets.
 void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techniques);
 
 /// `--rivals A,B,...`. base::InputError where one is there twice, as requireDistinct().

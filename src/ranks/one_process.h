@@ -9,13 +9,17 @@ class OneProcess final : public Ranks {
   public:
     OneProcess() : Ranks({}) {}
 
-    void requireSame(const std::string& text, const std::string& otherwise) override;
+    void requireSame(const std::string&, const std::string&) override {}
     void learnMachine() override {}
     void sayWhenKilled(const std::string&) override {}
-    void forEachUnit(std::size_t count, const Make& make, const Take& take) override;
+    void forEachUnit(std::size_t count, const Make& make, const Take& take) override {
+        for (std::size_t unit = 0; unit < count; ++unit) {
+            take(unit, make(unit));
+        }
+    }
     platform::Bytes share(platform::Bytes ofFirst) override { return ofFirst; }
-    void merge(const std::function<platform::Bytes()>& pack,
-               const std::function<void(const platform::Bytes& later)>& take) override;
+    void merge(const std::function<platform::Bytes()>&,
+               const std::function<void(const platform::Bytes& later)>&) override {}
     Ending end(const Ending& mine) override { return mine; }
 };
 

@@ -1,8 +1,8 @@
 #include "manifest.h"
 
-#include <nlohmann/json.hpp>
+#include <cdr/platform/json_text.h>
 
-#include <utility>
+#include <nlohmann/json.hpp>
 
 namespace cdr::report {
 
@@ -10,24 +10,21 @@ namespace {
 
 using nlohmann::json;
 
-/// More than a manifest needs. Deep nesting would take eighty times the file's size in memory.
-constexpr int kDeepest = 16;
-
 /// Null where the text is no JSON or too deeply nested.
-json shallowJson(std::string_view text) {
-    bool isTooDeep = false;
-    const auto keep = [&](int depth, json::parse_event_t, json&) {
-        isTooDeep = isTooDeep || depth > kDeepest;
-        return !isTooDeep;
-    };
-    json parsed = json::parse(text, keep, false);
-    return isTooDeep ? json() : std::move(parsed);
+json manifestIn(std::string_view text) {
+    constexpr int kDeepest = 16; // more than a manifest needs
+    try {
+        return platform::parseShallow<json>(text, kDeepest, "is no manifest");
+    } catch (const base::InputError&) {
+    } catch (const json::exception&) {
+    }
+    return {};
 }
 
 } // namespace
 
 std::optional<std::set<std::string>> filesOfManifest(std::string_view text) {
-    const json manifest = shallowJson(text);
+    const json manifest = manifestIn(text);
     if (!manifest.is_object() || manifest.value("command", json()) != "report") {
         return std::nullopt;
     }

@@ -3,6 +3,7 @@
 #include <cdr/measure/statistics/statistics.h>
 #include <cdr/platform/stopwatch.h>
 
+#include <ranks/one_process.h>
 #include <runs/units.h>
 
 #include <algorithm>
@@ -61,6 +62,13 @@ void InterleavedFrames::run(TimedRanks& ranks, std::uint32_t frames, const std::
         }
         return timed([&] { return draw(mode, static_cast<std::uint32_t>(unit)); });
     });
+}
+
+void InterleavedFrames::runAlone(std::uint32_t frames, const std::function<void()>& step,
+                                 const std::function<render::FrameStats(std::size_t, std::uint32_t)>& draw) {
+    ranks::OneProcess alone;
+    TimedRanks here(alone);
+    run(here, frames, step, draw);
 }
 
 void InterleavedFrames::forget() {

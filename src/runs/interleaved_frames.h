@@ -46,6 +46,10 @@ class InterleavedFrames {
     void run(TimedRanks& ranks, std::uint32_t frames, const std::function<void()>& step,
              const std::function<render::FrameStats(std::size_t mode, std::uint32_t frame)>& draw);
 
+    /// The same in this process alone, whatever ranks there are.
+    void runAlone(std::uint32_t frames, const std::function<void()>& step,
+                  const std::function<render::FrameStats(std::size_t mode, std::uint32_t frame)>& draw);
+
     /// Drops what was drawn so far.
     void forget();
 

@@ -2,9 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/platform/file.h>
-#include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/gltf/open_gltf.h>
-#include <scenes/orbit/data.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,8 +11,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <string>
-#include <vector>
 
 namespace cdr::runs {
 
@@ -40,14 +36,6 @@ std::vector<std::string> digestsOf(const std::vector<scene::GltfReference>& file
     return digests;
 }
 
-std::vector<scene::GltfReference> earthFiles(const std::filesystem::path& folder) {
-    std::vector<scene::GltfReference> files;
-    for (const std::filesystem::path& file : scenes::earthFiles(folder)) {
-        files.push_back({.uri = file.filename().string(), .path = file});
-    }
-    return files;
-}
-
 /// The first file, by name, that is another one or that only one of them refers to; empty where there is none. A rank may
 /// refuse a reference that another one follows.
 std::string differing(const std::map<std::string, std::string>& mine,
@@ -59,9 +47,13 @@ std::string differing(const std::map<std::string, std::string>& mine,
     return std::min(mineEnd->first, firstEnd->first);
 }
 
-/// @param what has these files, for the message.
-void requireAlike(ranks::Ranks& ranks, const std::string& what,
-                  const std::vector<scene::GltfReference>& files) {
+} // namespace
+
+void requireSameFiles(ranks::Ranks& ranks, const std::string& what,
+                      const std::vector<scene::GltfReference>& files) {
+    if (ranks.isAlone()) {
+        return;
+    }
     const std::vector<std::string> digests = digestsOf(files);
     std::map<std::string, std::string> mine;
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -75,37 +67,8 @@ void requireAlike(ranks::Ranks& ranks, const std::string& what,
                                         differing(mine, first)));
 }
 
-} // namespace
-
-void requireSameFiles(ranks::Ranks& ranks, const std::filesystem::path& path) {
-    if (ranks.isAlone()) {
-        return;
-    }
-    const std::string digest = program::digestOfFile(path, scene::GltfLimits{}.maxFileBytes).sha256;
-    ranks.requireSame(digest, fmt::format("{}: is another file than the first rank's", path.string()));
-    if (scene::isGltfPath(path)) {
-        requireAlike(ranks, path.string(), scene::gltfReferences(path));
-    }
-}
-
-void requireSameEarth(ranks::Ranks& ranks, const std::filesystem::path& folder) {
-    if (ranks.isAlone()) {
-        return;
-    }
-    requireAlike(ranks, "orbit", earthFiles(folder));
-}
-
-std::string digestOfFiles(const std::filesystem::path& path) {
-    std::vector<scene::GltfReference> files{{.uri = path.string(), .path = path}};
-    if (scene::isGltfPath(path)) {
-        const std::vector<scene::GltfReference> others = scene::gltfReferences(path);
-        files.insert(files.end(), others.begin(), others.end());
-    }
+std::string digestOfFiles(const std::vector<scene::GltfReference>& files) {
     return program::sha256Of(nlohmann::json(digestsOf(files)).dump());
-}
-
-std::string digestOfEarth(const std::filesystem::path& folder) {
-    return program::sha256Of(nlohmann::json(digestsOf(earthFiles(folder))).dump());
 }
 
 } // namespace cdr::runs

@@ -2,6 +2,7 @@
 
 #include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
+#include <cdr/platform/json_text.h>
 
 #include <fmt/format.h>
 #include <program/sha256.h>
@@ -18,22 +19,11 @@ namespace {
 constexpr std::uintmax_t kMaxStateBytes = std::uintmax_t{1} << 30u;
 constexpr std::string_view kStateName = "cdr state 1 ";
 constexpr std::size_t kDigits = 64; ///< of a SHA-256
-/// Of nested values; a writer of JSON goes down them by calls.
-constexpr int kDeepest = 8;
+constexpr int kDeepest = 8;         ///< of nested values
 
 bool isThere(const std::filesystem::path& path) {
     std::error_code error; // readFile() says what is wrong with a file that may be there
     return std::filesystem::status(path, error).type() != std::filesystem::file_type::not_found;
-}
-
-/// nlohmann::json::exception for what is no JSON.
-output::Json parseShallow(std::string_view text) {
-    return output::Json::parse(text, [](int depth, output::Json::parse_event_t, const output::Json&) {
-        if (depth > kDeepest) {
-            throw base::InputError("is damaged");
-        }
-        return true;
-    });
 }
 
 /// A line of stateLineOf(), without its end.
@@ -42,7 +32,7 @@ void readLine(std::string_view line, const UnitRun& run, UnitState& state) {
     if (json.empty() || line.substr(0, kDigits + 1) != program::sha256Of(json) + " ") {
         throw base::InputError("is damaged");
     }
-    output::Json record = parseShallow(json);
+    auto record = platform::parseShallow<output::Json>(json, kDeepest, "is damaged");
     const output::Json& unit = record.at("unit");
     if (!unit.is_number_unsigned() || unit.get<std::uint64_t>() >= run.units) {
         throw base::InputError("holds a result that is not part of this run");

@@ -51,7 +51,7 @@ class RankFiles : public RankTest {
 
 TEST_F(RankFiles, AModelIsAlikeOnAllRanks) {
     platform::writeText(at("2/well.gltf"), textIn("2/well.gltf") + " ");
-    expectRefused("rank 2 on .+: well.gltf: is another file than the first rank's");
+    expectRefused("rank 2 on .+: well.gltf: its file well.gltf is another one than the first rank's");
     fs::remove(at("1/well.gltf"));
     expectRefused("rank 1 on .+: well.gltf: .+");
     fs::remove(at("0/well.gltf"));

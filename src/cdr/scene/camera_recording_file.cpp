@@ -1,5 +1,6 @@
 #include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
+#include <cdr/platform/json_text.h>
 #include <cdr/scene/camera_recording.h>
 
 #include <nlohmann/json.hpp>
@@ -15,6 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "cdr camera path";
 constexpr int kFormatVersion = 1;
+constexpr int kDeepest = 4; // recording, cameras, camera, vector, number
 /// A camera takes about 500 bytes.
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{kMaxRecordedCameras} * 640;
 constexpr std::size_t kMaxSceneName = 4096;
@@ -35,15 +37,6 @@ Json toJson(const RecordedCamera& recorded) {
         json["lens_shift"] = {camera.lensShift.x, camera.lensShift.y};
     }
     return json;
-}
-
-/// A recording is not nested deeper. Deep nesting would take fifty times the file's size in memory.
-bool refuseNesting(int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
-    constexpr int kDeepest = 4; // recording, cameras, camera, vector, number
-    if (depth > kDeepest) {
-        throw base::InputError("is not a camera path of cdr-viewer");
-    }
-    return true;
 }
 
 double numberIn(const nlohmann::json& json, const char* key) {
@@ -162,7 +155,8 @@ void writeRecording(const std::filesystem::path& path, const CameraRecording& re
 CameraRecording readRecording(const std::filesystem::path& path) {
     const platform::Bytes bytes = platform::readFile(path, kMaxBytes);
     try {
-        return recordingIn(nlohmann::json::parse(bytes, refuseNesting));
+        return recordingIn(
+            platform::parseShallow<nlohmann::json>(bytes, kDeepest, "is not a camera path of cdr-viewer"));
     } catch (const base::InputError& error) {
         throw base::inputError("{}: {}", platform::oneLine(path), error.what());
     } catch (const nlohmann::json::exception&) {

@@ -16,6 +16,8 @@
 
 #include <fmt/format.h>
 #include <output/certified_frame.h>
+#include <runs/part_frames.h>
+#include <runs/units.h>
 
 #include <algorithm>
 #include <array>
@@ -189,9 +191,22 @@ void drawFrames(Command& command, const RenderArguments& arguments, const Render
     const auto describe = [&](std::size_t frame, render::Frame drawn) {
         return results.describe(frame, maker.finish(numberOf(frame), std::move(drawn)));
     };
-    const auto take = [&](std::size_t frame, output::Json made) { results.take(frame, std::move(made)); };
-    makeFrames(command.ranks(), arguments.ranks, results.missing(),
-               {.draw = draw, .describe = describe, .take = take});
+    const std::vector<std::size_t> missing = results.missing();
+    if (arguments.ranks == FrameDivision::frames) {
+        runs::forEachUnit(
+            command.ranks(), missing.size(),
+            [&](std::size_t unit) { return describe(missing[unit], draw(missing[unit])); },
+            [&](std::size_t unit, output::Json made) { results.take(missing[unit], std::move(made)); });
+    } else {
+        for (const std::size_t frame : missing) {
+            render::Frame drawn = draw(frame);
+            std::size_t bytesSent = 0;
+            runs::mergeParts(command.ranks(), drawn, bytesSent);
+            if (command.ranks().isFirst()) {
+                results.take(frame, describe(frame, std::move(drawn)));
+            }
+        }
+    }
     command.endProgress();
 }
 

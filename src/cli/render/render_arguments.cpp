@@ -2,6 +2,7 @@
 
 #include "../shared_options.h"
 
+#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
 
 #include <options/drawing_options.h>
@@ -56,6 +57,8 @@ nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth
 
 namespace {
 
+constexpr base::EnumNames<FrameDivision, 2> kDivisions{"division among ranks", {"frames", "cascades"}};
+
 void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
     options::addParsed(command, "--technique", arguments.technique, depth::namedTechnique,
                        "Technique: " + options::techniqueHelp())
@@ -102,7 +105,7 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     options::addLayers(command, arguments.layers);
     command.option_defaults()->group("Ranks");
     options::addParsed(
-        command, "--ranks", arguments.ranks, parseFrameDivision,
+        command, "--ranks", arguments.ranks, [](const std::string& name) { return kDivisions.parse(name); },
         "What the ranks of an MPI run divide: frames, or the cascades of each frame. With cascades, leave out "
         "--antialias, --occlusion RADIUS, --shadows, --focus, --submission gpu-driven and blended materials")
         ->default_str("frames");

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "frame_division.h"
-
 #include <CLI/CLI.hpp>
 #include <cdr/depth/technique.h>
 #include <cdr/render/render_options.h>
@@ -22,6 +20,12 @@
 #include <string>
 
 namespace cdr::cli {
+
+/// What of a command's frames its ranks divide among them.
+enum class FrameDivision : std::uint8_t {
+    frames,  ///< each frame is one rank's
+    cascades ///< each rank draws neighbouring cascades of every frame, which are laid over each other
+};
 
 /// What `render` was given.
 struct RenderArguments {

@@ -1,12 +1,15 @@
 #include "render_results.h"
 
+#include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <output/frame_notes.h>
+#include <program/sha256.h>
 #include <runs/units.h>
 
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -34,6 +37,19 @@ std::vector<std::string> notesOn(Command& command, std::size_t index, const Fram
     return notes;
 }
 
+/// Whether the picture of a frame is there as it was written, if it has one.
+bool hasPicture(const output::Json& made, const std::filesystem::path& path) {
+    if (made.at("picture").is_null()) {
+        return true;
+    }
+    try {
+        const platform::Bytes bytes = platform::readFile(path, std::numeric_limits<std::uintmax_t>::max());
+        return program::sha256(bytes) == made.at("picture").get<std::string>();
+    } catch (const base::InputError&) {
+        return false;
+    }
+}
+
 } // namespace
 
 RenderResults::RenderResults(Command& command, const RenderArguments& arguments,
@@ -57,21 +73,33 @@ RenderResults::RenderResults(Command& command, const RenderArguments& arguments,
     }
     command.sayKept(arguments.state);
     if (command.ranks().isFirst()) {
-        m_kept.emplace(
-            arguments.state, runs::UnitRun{.digest = command.digestOfRun(), .units = cameras.frames},
-            KeptFrames::Shape{.frame = [this](std::size_t frame) { return shapeOf(frame); },
-                              .picture = [this](std::size_t frame) { return m_name.at(numberOf(frame)); }});
-        if (m_kept->count() > 0) {
-            command.console().line(fmt::format("{} of {} frames are kept in {}", m_kept->count(),
-                                               cameras.frames, arguments.state.string()));
+        takeUpKept();
+    }
+}
+
+void RenderResults::takeUpKept() {
+    const std::string state = m_arguments.state.string();
+    auto& kept = m_kept
+                     .emplace(m_arguments.state,
+                              runs::UnitRun{.digest = m_command.digestOfRun(), .units = m_cameras.frames})
+                     .made();
+    for (const auto& [frame, made] : kept) {
+        if (!isKeptFrame(made, shapeOf(frame))) {
+            throw base::inputError("{}: holds no results of render; remove it or name another file", state);
         }
+    }
+    std::erase_if(
+        kept, [&](const auto& frame) { return !hasPicture(frame.second, m_name.at(numberOf(frame.first))); });
+    if (!kept.empty()) {
+        m_command.console().line(
+            fmt::format("{} of {} frames are kept in {}", kept.size(), m_cameras.frames, state));
     }
 }
 
 std::vector<std::size_t> RenderResults::missing() {
     std::vector<std::uint32_t> frames;
     for (std::uint32_t frame = 0; frame < m_cameras.frames; ++frame) {
-        if (!m_kept || !m_kept->has(frame)) {
+        if (!m_kept || !m_kept->made().contains(frame)) {
             frames.push_back(frame);
         }
     }
@@ -107,11 +135,15 @@ output::Json RenderResults::describe(std::size_t frame, const FrameOutput& made)
 
 void RenderResults::take(std::size_t frame, output::Json made) {
     addKept(frame);
-    if (!made.at("file").is_null()) {
-        platform::writeFile(m_name.at(numberOf(frame)), made.at("file").get_binary());
+    const output::Json& file = made.at("file");
+    if (!file.is_null()) {
+        platform::writeFile(m_name.at(numberOf(frame)), file.get_binary());
     }
     if (m_kept) {
-        m_kept->keep(frame, made);
+        output::Json kept = made;
+        kept["picture"] = file.is_null() ? output::Json() : output::Json(program::sha256(file.get_binary()));
+        kept.erase("file");
+        m_kept->keep(frame, kept);
     }
     add(made);
 }
@@ -136,8 +168,8 @@ FrameShape RenderResults::shapeOf(std::size_t frame) const {
 
 void RenderResults::addKept(std::size_t before) {
     for (; m_kept && m_added < before; ++m_added) {
-        if (m_kept->has(m_added)) {
-            add(m_kept->at(m_added));
+        if (const auto kept = m_kept->made().find(m_added); kept != m_kept->made().end()) {
+            add(kept->second);
         }
     }
 }

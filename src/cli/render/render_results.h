@@ -3,13 +3,14 @@
 #include "../command.h"
 #include "certificate_file.h"
 #include "frame_output.h"
-#include "kept_frames.h"
+#include "kept_frame.h"
 #include "render_arguments.h"
 #include "sequence_name.h"
 
 #include <options/camera_options.h>
 #include <options/views/views_plan.h>
 #include <output/columns.h>
+#include <runs/unit_state.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -44,6 +45,8 @@ class RenderResults {
   private:
     std::uint32_t numberOf(std::size_t frame) const;
     FrameShape shapeOf(std::size_t frame) const; ///< as a state must hold it
+    /// Takes up the frames of --state whose pictures are there.
+    void takeUpKept();
     /// Those before a frame that no take() has brought yet.
     void addKept(std::size_t before);
     void add(const output::Json& made);
@@ -59,8 +62,9 @@ class RenderResults {
     output::Columns<RenderRow> m_columns;
     output::Table m_table;
     nlohmann::ordered_json m_document;
-    std::optional<KeptFrames> m_kept; ///< on the first rank
-    std::size_t m_added = 0;          ///< frames
+    /// On the first rank: what describe() gave of frames that earlier runs have made. The picture is in its own file.
+    std::optional<runs::UnitStateFile> m_kept;
+    std::size_t m_added = 0; ///< frames
 };
 
 } // namespace cdr::cli

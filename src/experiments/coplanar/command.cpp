@@ -10,7 +10,6 @@
 #include <program/build_info.h>
 
 #include <algorithm>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -63,9 +62,9 @@ std::string coplanarPicture(const std::string& technique, experiments::CoplanarM
 }
 
 /// The files that may be written.
-std::vector<std::string> coplanarFiles(std::span<const depth::NamedTechnique> techniques) {
+std::vector<std::string> coplanarFiles(const std::vector<depth::NamedTechnique>& techniques) {
     std::vector<std::string> files;
-    for (const depth::NamedTechnique& technique : techniques.empty() ? depth::presets() : techniques) {
+    for (const depth::NamedTechnique& technique : techniques) {
         for (const experiments::CoplanarMethod method : experiments::kCoplanarMethods) {
             files.push_back(coplanarPicture(technique.name, method));
         }

@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <span>
 #include <utility>
 
 namespace cdr::experiments {
@@ -245,8 +244,7 @@ std::vector<CoplanarResult> runCoplanar(const gpu::Device& device, const Coplana
     if (options.offsets.slopes.empty() || options.offsets.constants.empty()) {
         throw base::InputError("coplanar needs a setting of polygon offset");
     }
-    const std::span<const depth::NamedTechnique> techniques =
-        options.techniques.empty() ? depth::presets() : std::span(options.techniques);
+    const std::vector<depth::NamedTechnique>& techniques = options.techniques;
     const std::size_t all = techniques.size() + options.views;
     CoplanarComparison comparison(device, options);
     std::vector<render::LayerOptions> offsets;

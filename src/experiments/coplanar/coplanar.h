@@ -35,8 +35,8 @@ struct CoplanarOptions {
     std::uint32_t searchViews = 24; ///< that settings of polygon offset are compared over
     OffsetSettings offsets;
     std::size_t threads = 1;
-    std::uint32_t snapBits = 0;                    ///< render::RenderOptions::snapBits
-    std::vector<depth::NamedTechnique> techniques; ///< none: all presets
+    std::uint32_t snapBits = 0; ///< render::RenderOptions::snapBits
+    std::vector<depth::NamedTechnique> techniques{depth::presets().begin(), depth::presets().end()};
 };
 
 /// What decides between faces at the same place.

@@ -11,7 +11,6 @@
 #include <cdr/visibility/bin_cells.h>
 #include <cdr/visibility/cluster_choice.h>
 
-#include <ranks/one_process.h>
 #include <runs/interleaved_frames.h>
 #include <runs/units.h>
 
@@ -106,9 +105,7 @@ class DetailComparison {
             ranks, 1,
             [&](std::size_t) {
                 isTimed = true;
-                ranks::OneProcess alone;
-                runs::TimedRanks timed(alone);
-                m_frames.run(timed, m_options.frames, step, [&](std::size_t mode, std::uint32_t frame) {
+                m_frames.runAlone(m_options.frames, step, [&](std::size_t mode, std::uint32_t frame) {
                     return m_renderers[mode]->draw(cameraOf(frame));
                 });
                 return m_frames.packedSamples();

@@ -110,9 +110,6 @@ output::Columns<experiments::FlickerPair> pairColumns() {
 
 std::vector<depth::NamedTechnique> techniquesOf(const FlickerArguments& arguments) {
     std::vector<depth::NamedTechnique> techniques = arguments.options.techniques;
-    if (techniques.empty()) {
-        techniques.assign(depth::presets().begin(), depth::presets().end());
-    }
     if (arguments.moved) {
         const auto moved = experiments::movedBoundaries();
         techniques.insert(techniques.end(), moved.begin(), moved.end());

@@ -274,20 +274,16 @@ class Flicker {
 
 std::vector<FlickerResult> runFlicker(const gpu::Device& device, const FlickerOptions& options,
                                       const FlickerHooks& hooks) {
-    FlickerOptions complete = options;
-    if (complete.techniques.empty()) {
-        complete.techniques.assign(depth::presets().begin(), depth::presets().end());
-    }
-    if (complete.frames < 1 || complete.flipEvery < 1) {
+    if (options.frames < 1 || options.flipEvery < 1) {
         throw base::InputError("flicker: there must be at least one frame, and FLIP of every first or more");
     }
     ranks::OneProcess alone;
     ranks::Ranks& ranks = hooks.ranks != nullptr ? *hooks.ranks : alone;
     std::optional<FlickerStateFile> file;
-    if (complete.state && ranks.isFirst()) {
-        file.emplace(*complete.state, complete, device.info());
+    if (options.state && ranks.isFirst()) {
+        file.emplace(*options.state, options, device.info());
     }
-    return Flicker(device, complete, hooks).run(file ? &*file : nullptr, ranks);
+    return Flicker(device, options, hooks).run(file ? &*file : nullptr, ranks);
 }
 
 std::vector<depth::NamedTechnique> movedBoundaries() {

@@ -28,7 +28,7 @@ struct FlickerOptions {
     std::size_t threads = 1;
     std::uint64_t seed = 2013;
     std::uint32_t snapBits = 0; ///< render::RenderOptions::snapBits; rivals are not snapped
-    std::vector<depth::NamedTechnique> techniques;  ///< all presets when empty
+    std::vector<depth::NamedTechnique> techniques{depth::presets().begin(), depth::presets().end()};
     std::vector<rivals::NamedRival> rivalsBeside{}; ///< measured as the techniques are, behind them
     /// Puts a tiny object beside the camera (scene afc-near), so that fitting near and far does not help.
     bool nearObject = false;

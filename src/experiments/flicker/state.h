@@ -43,7 +43,7 @@ FlickerState unsummedState(const nlohmann::json& json, const FlickerRun& run, co
 /// Keeps a run's state in a file from frame to frame, written whole or not at all.
 class FlickerStateFile {
   public:
-    /// @param options techniques filled in. Everything in them that bears on the results, with the program's
+    /// @param options everything in them that bears on the results, with the program's
     /// version and commit and the device, is what a state belongs to.
     FlickerStateFile(std::filesystem::path path, const FlickerOptions& options,
                      const gpu::DeviceInfo& device);

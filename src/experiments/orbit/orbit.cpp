@@ -135,12 +135,8 @@ std::vector<std::uint32_t> zoomFrames(std::uint32_t length, std::uint32_t count)
     return frames;
 }
 
-OrbitRun runOrbit(const gpu::Device& device, const scene::SceneSetup& setup, const OrbitOptions& given,
+OrbitRun runOrbit(const gpu::Device& device, const scene::SceneSetup& setup, const OrbitOptions& options,
                   const NamedProgress& progress, ranks::Ranks& ranks) {
-    OrbitOptions options = given;
-    if (options.techniques.empty()) {
-        options.techniques.assign(depth::presets().begin(), depth::presets().end());
-    }
     Zoom zoom(device, setup, options);
     OrbitRun run;
     runs::forEachUnit(

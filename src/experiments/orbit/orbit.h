@@ -23,7 +23,7 @@ struct OrbitOptions {
     std::uint32_t frames = 25; ///< spread evenly over the path, its last among them
     std::size_t threads = 1;
     std::uint32_t snapBits = 0; ///< render::RenderOptions::snapBits; rivals are not snapped
-    std::vector<depth::NamedTechnique> techniques;  ///< all presets when empty
+    std::vector<depth::NamedTechnique> techniques{depth::presets().begin(), depth::presets().end()};
     std::vector<rivals::NamedRival> rivalsBeside{}; ///< measured as the techniques are, behind them
 };
 
@@ -51,7 +51,7 @@ std::vector<std::uint32_t> zoomFrames(std::uint32_t length, std::uint32_t count)
 /// Frames are units of the ranks.
 /// @param setup the scene; other scenes with a path do as well. With rivals one that rivals::Contender draws.
 /// base::InputError for a rival that the device cannot draw, and for such a scene.
-OrbitRun runOrbit(const gpu::Device& device, const scene::SceneSetup& setup, const OrbitOptions& given,
+OrbitRun runOrbit(const gpu::Device& device, const scene::SceneSetup& setup, const OrbitOptions& options,
                   const NamedProgress& progress, ranks::Ranks& ranks);
 
 /// A gnuplot script: wrong pixels over the lens, a line per technique.

@@ -13,7 +13,6 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <span>
 
 namespace cdr::cli {
 
@@ -67,9 +66,9 @@ void writePictures(const PictureFolder& folder, const std::vector<experiments::P
 }
 
 /// Which files of a folder may be one of the pictures, by their names. What scenes are called is not known yet.
-std::function<bool(const std::string& name)> writtenBy(std::span<const depth::NamedTechnique> techniques) {
+std::function<bool(const std::string& name)> writtenBy(const std::vector<depth::NamedTechnique>& techniques) {
     std::vector<std::string> ends;
-    for (const depth::NamedTechnique& technique : techniques.empty() ? depth::presets() : techniques) {
+    for (const depth::NamedTechnique& technique : techniques) {
         ends.push_back(PictureFolder::nameInFolder("_" + technique.name + ".png"));
         ends.push_back(PictureFolder::nameInFolder("_" + technique.name + "_wrong.png"));
     }

@@ -78,11 +78,7 @@ std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOpt
 } // namespace
 
 std::vector<PictureResult> runPictures(const gpu::Device& device, std::vector<scene::SceneSetup> scenes,
-                                       const PicturesOptions& given, const NamedProgress& progress) {
-    PicturesOptions options = given;
-    if (options.techniques.empty()) {
-        options.techniques.assign(depth::presets().begin(), depth::presets().end());
-    }
+                                       const PicturesOptions& options, const NamedProgress& progress) {
     std::size_t all = 0;
     for (const scene::SceneSetup& scene : scenes) {
         all += options.techniques.size() * framesOf(scene, options);

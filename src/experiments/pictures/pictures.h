@@ -20,8 +20,8 @@ struct PicturesOptions {
     std::uint32_t height = 720;
     std::uint32_t frames = 3; ///< spread evenly over each scene's camera path; a still scene has one
     std::size_t threads = 1;
-    std::uint64_t seed = 2013;                              ///< of the scenes
-    std::vector<depth::NamedTechnique> techniques;          ///< all presets when empty
+    std::uint64_t seed = 2013; ///< of the scenes
+    std::vector<depth::NamedTechnique> techniques{depth::presets().begin(), depth::presets().end()};
     std::uint32_t snapBits = 0;                             ///< as render::RenderOptions has it
     render::Snapping snapping = render::Snapping::byDevice; ///< likewise
 };
@@ -39,7 +39,7 @@ struct PictureResult {
 };
 
 std::vector<PictureResult> runPictures(const gpu::Device& device, std::vector<scene::SceneSetup> scenes,
-                                       const PicturesOptions& given, const NamedProgress& progress);
+                                       const PicturesOptions& options, const NamedProgress& progress);
 
 /// All pictures over their heat maps with captions, one column per technique, two rows per scene.
 image::ImageRgba8 makeContactSheet(const std::vector<PictureResult>& results, const std::string& title);

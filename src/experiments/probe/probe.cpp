@@ -65,9 +65,6 @@ class Prober {
         : m_device(device),
           m_options(options),
           m_workers(options.threads) {
-        if (m_options.techniques.empty()) {
-            m_options.techniques.assign(depth::presets().begin(), depth::presets().end());
-        }
         if (m_options.formats.empty()) {
             m_options.formats = device.info().depthFormats;
         }
@@ -155,7 +152,7 @@ class Prober {
 
   private:
     const gpu::Device& m_device;
-    ProbeOptions m_options; ///< with what was left to the presets and the device
+    ProbeOptions m_options; ///< with what was left to the device
     platform::WorkerPool m_workers;
 };
 

@@ -22,7 +22,7 @@ namespace cdr::experiments {
 /// units all of it shrinks, cubes, grid and separations alike, to a thousandth of the distance per unit.
 struct ProbeOptions {
     std::vector<double> distancesView{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
-    std::vector<depth::NamedTechnique> techniques;  ///< all presets when empty
+    std::vector<depth::NamedTechnique> techniques{depth::presets().begin(), depth::presets().end()};
     std::vector<rivals::NamedRival> rivalsBeside{}; ///< measured as the techniques are, behind them
     std::optional<double> nearView;
     std::optional<double>

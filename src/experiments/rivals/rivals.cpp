@@ -74,7 +74,8 @@ class RivalsRun {
           m_progress(progress),
           m_workers(options.threads),
           m_baseline(findBaseline(options)),
-          m_steps(scenes.size() * 2 * options.frames + options.distancesView.size() * 2 * kLadders) {
+          m_steps(scenes.size() * (2 * options.frames + runs::InterleavedFrames::kWarmUp) +
+                  options.distancesView.size() * 2 * kLadders) {
         for (const double distanceView : options.distancesView) {
             probeLadder(distanceView); // an unusable one ends here, before any work
         }
@@ -167,20 +168,12 @@ class RivalsRun {
              .technique = std::get<depth::Technique>(m_options.contenders[m_baseline].competing),
              .threads = m_options.threads});
         runs::InterleavedFrames timings(whole + 1, m_options.seed);
-        for (std::uint32_t i = 0; i < runs::InterleavedFrames::kWarmUp + m_options.frames; ++i) {
-            if (i == runs::InterleavedFrames::kWarmUp) {
-                timings.forget();
-            }
-            if (i >= runs::InterleavedFrames::kWarmUp) {
-                step(fmt::format("{} timed", results.front().scene));
-            }
-            const scene::Camera camera = field.setup().path.at(frames[i % frames.size()]);
-            timings.draw([&](std::size_t mode) {
-                return runs::timed([&] {
-                    return mode == whole ? renderer.draw(camera) : field.contender(mode).draw(camera);
-                });
+        timings.runAlone(
+            m_options.frames, [&] { step(fmt::format("{} timed", results.front().scene)); },
+            [&](std::size_t mode, std::uint32_t frame) {
+                const scene::Camera camera = field.setup().path.at(frames[frame % frames.size()]);
+                return mode == whole ? renderer.draw(camera) : field.contender(mode).draw(camera);
             });
-        }
         for (std::size_t i = 0; i < results.size(); ++i) {
             const std::vector<double> ratios = timings.ratios(i, m_baseline, &runs::FrameSample::frameMs);
             results[i].frameMs = timings.median(i, &runs::FrameSample::frameMs);

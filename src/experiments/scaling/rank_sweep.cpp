@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <program/sha256.h>
 #include <runs/part_frames.h>
+#include <runs/units.h>
 
 #include <algorithm>
 #include <memory>
@@ -25,16 +26,14 @@ void meet(ranks::Ranks& ranks) {
     ranks.merge([] { return platform::Bytes(); }, [](const platform::Bytes&) {});
 }
 
-/// What all ranks give, in their order; on the other ranks less.
-output::Json gathered(ranks::Ranks& ranks, output::Json mine) {
-    output::Json all = output::Json::array({std::move(mine)});
-    ranks.merge([&] { return output::Json::to_cbor(all); },
+/// Those of all ranks, in their order; on the other ranks less.
+std::vector<RankShare> gathered(ranks::Ranks& ranks, std::vector<RankShare> shares) {
+    ranks.merge([&]() -> platform::Bytes { return runs::packed(shares).get_binary(); },
                 [&](const platform::Bytes& later) {
-                    for (output::Json& each : output::Json::from_cbor(later)) {
-                        all.push_back(std::move(each));
-                    }
+                    const auto theirs = runs::unpacked<RankShare>(output::Json::binary(later));
+                    shares.insert(shares.end(), theirs.begin(), theirs.end());
                 });
-    return all;
+    return shares;
 }
 
 output::Json jsonOf(const RankShare& share) {
@@ -42,13 +41,6 @@ output::Json jsonOf(const RankShare& share) {
             {"draw_ms", share.drawMs},
             {"bytes_sent", share.bytesSent},
             {"device_bytes", share.deviceBytes}};
-}
-
-RankShare shareFrom(const output::Json& json) {
-    return {.rank = json.at("rank").get<std::size_t>(),
-            .drawMs = json.at("draw_ms").get<double>(),
-            .bytesSent = json.at("bytes_sent").get<std::size_t>(),
-            .deviceBytes = json.at("device_bytes").get<std::uint64_t>()};
 }
 
 /// This rank's part of a frame that so many ranks draw; the others look on.
@@ -92,13 +84,15 @@ class RankPart {
                                  program::sha256Of(m_frame.gbuffer.pixels));
     }
 
-    /// Null where it takes no part.
-    output::Json share(std::size_t rank) const {
-        return m_takesPart ? jsonOf(RankShare{.rank = rank,
-                                              .drawMs = measure::median(m_drawMs),
-                                              .bytesSent = m_bytesSent,
-                                              .deviceBytes = m_deviceBytes})
-                           : output::Json();
+    /// Empty where it takes no part.
+    std::vector<RankShare> share(std::size_t rank) const {
+        if (!m_takesPart) {
+            return {};
+        }
+        return {{.rank = rank,
+                 .drawMs = measure::median(m_drawMs),
+                 .bytesSent = m_bytesSent,
+                 .deviceBytes = m_deviceBytes}};
     }
 
   private:
@@ -112,16 +106,6 @@ class RankPart {
     std::size_t m_bytesSent = 0;
     std::uint64_t m_deviceBytes = 0;
 };
-
-std::vector<RankShare> sharesOf(const output::Json& gatheredShares) {
-    std::vector<RankShare> shares;
-    for (const output::Json& share : gatheredShares) {
-        if (!share.is_null()) {
-            shares.push_back(shareFrom(share));
-        }
-    }
-    return shares;
-}
 
 render::RenderOptions sweptOptions(const SweptSize& size, unsigned cascades) {
     depth::Technique technique = depth::parseTechnique("cdr");
@@ -161,7 +145,7 @@ std::vector<RankPoint> sweepRanks(const gpu::Device& device, const RankSweepOpti
         point.frameInterval = measure::bootstrapMedian(times[i], options.seed);
         point.speedUp = measure::median(ratios);
         point.speedUpInterval = measure::bootstrapMedian(ratios, options.seed);
-        point.shares = sharesOf(gathered(ranks, parts[i]->share(ranks.place().index)));
+        point.shares = gathered(ranks, parts[i]->share(ranks.place().index));
         point.sameImage = !ranks.isFirst() || parts[i]->hash() == parts.front()->hash();
         points.push_back(std::move(point));
     }

@@ -13,11 +13,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
-#include <system_error>
 #include <utility>
 
 namespace cdr::experiments {
@@ -25,27 +21,6 @@ namespace cdr::experiments {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder of its own, removed with all that is in it.
-class RunFolder {
-  public:
-    RunFolder() : m_path((fs::temp_directory_path() / "cdr-timing-XXXXXX").string()) {
-        if (mkdtemp(m_path.data()) == nullptr) {
-            throw base::RunError(m_path + ": cannot be made: " + std::strerror(errno));
-        }
-    }
-    ~RunFolder() {
-        std::error_code ignored;
-        fs::remove_all(m_path, ignored);
-    }
-    RunFolder(const RunFolder&) = delete;
-    RunFolder& operator=(const RunFolder&) = delete;
-
-    fs::path file() const { return fs::path(m_path) / "timing.json"; }
-
-  private:
-    std::string m_path;
-};
 
 double childCpuUs() {
     rusage usage{};
@@ -62,12 +37,7 @@ struct Run {
     double cpuUs = 0.0;
 };
 
-/// What a program wrote, if it did.
 TimingDocument documentIn(const fs::path& json, const fs::path& program) {
-    std::error_code error; // readFile() says what is wrong with a file that is there
-    if (!fs::exists(json, error)) {
-        throw base::InputError(program.string() + " wrote no timing results");
-    }
     const platform::Bytes bytes = platform::readFile(json, kMaxTimingBytes);
     return readTimingDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, program.string());
 }
@@ -76,7 +46,8 @@ Run runOnce(const fs::path& program, const AgainstOptions& options, const fs::pa
     std::vector<std::string> arguments{program.string()};
     arguments.insert(arguments.end(), options.arguments.begin(), options.arguments.end());
     arguments.insert(arguments.end(), {"--json", json.string()});
-    fs::remove(json); // of the run before
+    platform::writeText(json,
+                        ""); // over the results of the run before; no results, where the program writes none
     const double before = childCpuUs();
     program::ChildProcess(arguments, {}).finish();
     Run run{.document = {}, .cpuUs = childCpuUs() - before};
@@ -153,7 +124,7 @@ AgainstReport runAgainst(const AgainstOptions& options, const Progress& progress
     if (!program::isInstalled(options.against.string())) {
         throw base::InputError(options.against.string() + " is not installed");
     }
-    const RunFolder folder;
+    const platform::PendingFile json(fs::temp_directory_path() / "cdr-timing.json"); // never committed
     runs::ShuffledOrder order(kRuns, options.seed);
     AgainstReport report;
     std::vector<BuildTimes> times;
@@ -162,7 +133,7 @@ AgainstReport runAgainst(const AgainstOptions& options, const Progress& progress
         std::size_t done = round * kRuns;
         for (const std::size_t run : order.next()) {
             progress(done++, options.rounds * kRuns);
-            runs[run] = runOnce(run == 1 ? options.against : options.here, options, folder.file());
+            runs[run] = runOnce(run == 1 ? options.against : options.here, options, json.temporary());
         }
         requireSameDevice(runs[0], runs[1], options.against);
         if (round == 0) {

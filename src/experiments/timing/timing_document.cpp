@@ -1,6 +1,7 @@
 #include "timing_document.h"
 
 #include <cdr/base/format_error.h>
+#include <cdr/platform/json_text.h>
 
 #include <nlohmann/json.hpp>
 
@@ -49,17 +50,6 @@ std::pair<std::string, double> modeOf(const nlohmann::json& row) {
     return {name, us->get<double>()};
 }
 
-/// Discarded where the text is no JSON.
-nlohmann::json parseBounded(std::string_view text) {
-    const auto isShallow = [](int depth, nlohmann::json::parse_event_t, const nlohmann::json&) {
-        if (depth > kDeepestDocument) {
-            throw base::InputError("its values are nested too deep");
-        }
-        return true;
-    };
-    return nlohmann::json::parse(text, isShallow, false);
-}
-
 TimingDocument documentOf(const nlohmann::json& json) {
     const nlohmann::json& device = json.at("device");
     const nlohmann::json& results = json.at("results");
@@ -84,12 +74,14 @@ TimingDocument readTimingDocument(std::string_view text, const std::string& prog
         if (text.size() > kMaxTimingBytes) {
             throw base::inputError("they have more than {} MiB", kMaxTimingBytes >> 20u);
         }
-        const nlohmann::json json = parseBounded(text);
+        const auto json =
+            platform::parseShallow<nlohmann::json>(text, kDeepestDocument, "its values are nested too deep");
         if (json.is_object() && json.contains("results") && json.contains("device")) {
             return documentOf(json);
         }
     } catch (const base::InputError& error) {
         throw base::inputError("{} wrote timing results that cannot be used: {}", program, error.what());
+    } catch (const nlohmann::json::exception&) { // no JSON
     }
     throw base::InputError(program + " wrote no timing results");
 }

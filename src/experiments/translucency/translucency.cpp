@@ -2,18 +2,17 @@
 
 #include <cdr/base/error.h>
 #include <cdr/gpu/memory.h>
-#include <cdr/measure/statistics/statistics.h>
 #include <cdr/render/renderer.h>
 #include <cdr/visibility/blended.h>
 
 #include <fmt/format.h>
 #include <output/frame_notes.h>
+#include <runs/interleaved_frames.h>
 #include <runs/units.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -113,23 +112,20 @@ TranslucencyResult unpackedResult(const output::Json& made) {
 /// The median time of each, in milliseconds; all are alive, so that they take turns.
 std::vector<double> timeInTurns(const gpu::Device& device, const scene::SceneSetup& setup,
                                 const render::GpuScene& gpuScene,
-                                const std::vector<render::RenderOptions>& pairs, std::size_t repeats,
-                                const std::function<void(std::size_t done)>& step) {
+                                const std::vector<render::RenderOptions>& pairs,
+                                const TranslucencyExperiment& experiment, const std::function<void()>& step) {
     const scene::Camera camera = setup.path.at(0);
     std::vector<std::unique_ptr<render::Renderer>> renderers;
     for (const render::RenderOptions& options : pairs) {
         renderers.push_back(std::make_unique<render::Renderer>(device, setup.scene, gpuScene, options));
-        renderers.back()->draw(camera); // lists grow, pipelines warm up
     }
-    std::vector<std::vector<double>> executeMs(pairs.size());
-    for (std::size_t repeat = 0; repeat < repeats; ++repeat) {
-        for (std::size_t i = 0; i < pairs.size(); ++i) {
-            step(repeat * pairs.size() + i);
-            executeMs[i].push_back(renderers[i]->draw(camera).times.executeMs);
-        }
-    }
+    runs::InterleavedFrames frames(pairs.size(), experiment.seed);
+    frames.runAlone(static_cast<std::uint32_t>(experiment.repeats), step,
+                    [&](std::size_t pair, std::uint32_t) { return renderers[pair]->draw(camera); });
     std::vector<double> medians;
-    std::transform(executeMs.begin(), executeMs.end(), std::back_inserter(medians), measure::median);
+    for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
+        medians.push_back(frames.median(pair, &runs::FrameSample::executeMs));
+    }
     return medians;
 }
 
@@ -152,7 +148,9 @@ TranslucencyResults runTranslucency(const gpu::Device& device, const scene::Scen
     const measure::LayeredTruth truth =
         measure::castLayers(setup.scene, setup.path.at(0), experiment.width, experiment.height, workers);
     TranslucencyResults all{.truth = measure::pictureOf(truth), .results = {}};
-    const std::size_t steps = pairs.size() * (1 + experiment.repeats);
+    const std::size_t turns =
+        experiment.repeats > 0 ? runs::InterleavedFrames::kWarmUp + experiment.repeats : 0;
+    const std::size_t steps = pairs.size() * (1 + turns);
     runs::forEachUnit(
         ranks, pairs.size(),
         [&](std::size_t unit) {
@@ -167,9 +165,9 @@ TranslucencyResults runTranslucency(const gpu::Device& device, const scene::Scen
         runs::forEachUnitOnFirst(
             ranks, 1,
             [&](std::size_t) {
-                return runs::packed(
-                    timeInTurns(device, setup, gpuScene, pairs, experiment.repeats,
-                                [&](std::size_t done) { progress(pairs.size() + done, steps); }));
+                std::size_t done = 0;
+                return runs::packed(timeInTurns(device, setup, gpuScene, pairs, experiment,
+                                                [&] { progress(done += pairs.size(), steps); }));
             },
             [&](std::size_t, const output::Json& made) {
                 const auto medians = runs::unpacked<double>(made, pairs.size());
