@@ -158,8 +158,8 @@ const Writer kWriters[]{
     {"precision --quiet --curve c.csv --json p.json", "Precision", 5},
     {"pictures --quiet --scenes cubes --techniques log --size 16x16 --frames 1 --out p --json p.json",
      "Pictures", 5},
-    {"flicker --quiet --frames 2 --size 16x16 --techniques cdr --state s.json --tga t --json f.json",
-     "Flicker", 5},
+    {"flicker --quiet --frames 2 --size 16x16 --techniques cdr --state s --tga t --json f.json", "Flicker",
+     5},
     {"flicker --quiet --frames 2 --size 16x16 --techniques cdr,log --videos v", "Videos", 7},
     {"timing --quiet --frames 1 --size 16x16 --modes log --csv t.csv --trace t.json --json j.json", "Timing",
      5},
@@ -255,7 +255,7 @@ std::uniform_real_distribution<> momentsOf(const std::string& command, const Tem
 /// Interrupted at random moments, a run goes on to the results of one that was not.
 TEST(Signals, ARunThatIsInterruptedEndsAsOneThatIsNot) {
     const std::string command =
-        "flicker --quiet --frames 12 --size 64x36 --techniques cdr,log --state s.json --json f.json";
+        "flicker --quiet --frames 12 --size 64x36 --techniques cdr,log --state s --json f.json";
     const TemporaryFolder whole;
     std::uniform_real_distribution<> seconds = momentsOf(command, whole);
     const nlohmann::json wanted = nlohmann::json::parse(readText(whole.path() / "f.json")).at("results");
@@ -272,7 +272,7 @@ TEST(Signals, ARunThatIsInterruptedEndsAsOneThatIsNot) {
             result = runProgram(command, folder.path(),
                                 "timeout --signal=" + signal + " " + std::to_string(seconds(random)));
             interrupted += result.status != 0 ? 1 : 0;
-            const bool isKept = std::filesystem::exists(folder.path() / "s.json");
+            const bool isKept = std::filesystem::exists(folder.path() / "s");
             goneOn += result.status != 0 && isKept ? 1 : 0;
             expectWholeFiles(folder, signal == "KILL");
         }
