@@ -182,12 +182,12 @@ fuzz_rooms() { # ROOM...
             scene) parsers+=(gltf camera_path words) ;;
             image) parsers+=(image) ;;
             runs) parsers+=(unit_state kept_frame) ;;
-            experiments) parsers+=(state timing) ;;
+            experiments) parsers+=(timing) ;;
             cli) parsers+=(kept_frame) ;;
             scenes | visibility) parsers+=(words) ;;
             report) parsers+=(manifest) ;;
             viewer) parsers+=(script) ;;
-            fuzz) parsers=(gltf camera_path words image state unit_state timing kept_frame manifest script) && break ;;
+            fuzz) parsers=(gltf camera_path words image unit_state timing kept_frame manifest script) && break ;;
         esac
     done
     if ((${#parsers[@]})); then

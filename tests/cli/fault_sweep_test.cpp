@@ -189,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(
         Swept{"render cubes --size 16x16 --antialias edges --occlusion 1 --fog 1e5 -o a.exr", "Effects"},
         Swept{"pictures --scenes cubes --techniques log --size 16x16 --frames 1 --out p --json p.json",
               "Pictures", Sample::oneError},
-        Swept{"flicker --frames 2 --size 16x16 --techniques cdr --state s.json --json f.json", "Flicker",
+        Swept{"flicker --frames 2 --size 16x16 --techniques cdr --state s --json f.json", "Flicker",
               Sample::oneError},
         Swept{"timing --frames 1 --size 16x16 --modes log --in-flight 2 --csv t.csv", "Timing",
               Sample::oneError},

@@ -158,8 +158,8 @@ const Writer kWriters[]{
     {"precision --quiet --curve c.csv --json p.json", "Precision", 5},
     {"pictures --quiet --scenes cubes --techniques log --size 16x16 --frames 1 --out p --json p.json",
      "Pictures", 5},
-    {"flicker --quiet --frames 2 --size 16x16 --techniques cdr --state s.json --tga t --json f.json",
-     "Flicker", 5},
+    {"flicker --quiet --frames 2 --size 16x16 --techniques cdr --state s --tga t --json f.json", "Flicker",
+     5},
     {"flicker --quiet --frames 2 --size 16x16 --techniques cdr,log --videos v", "Videos", 7},
     {"timing --quiet --frames 1 --size 16x16 --modes log --csv t.csv --trace t.json --json j.json", "Timing",
      5},
@@ -281,7 +281,7 @@ bool goesOn(int run, int found) {
 /// Interrupted at random moments, a run goes on to the results of one that was not.
 TEST(Signals, ARunThatIsInterruptedEndsAsOneThatIsNot) {
     const std::string command =
-        "flicker --quiet --frames 12 --size 64x36 --techniques cdr,log --state s.json --json f.json";
+        "flicker --quiet --frames 12 --size 64x36 --techniques cdr,log --state s --json f.json";
     const TemporaryFolder whole;
     Moments moments(command, whole, 17);
     const nlohmann::json wanted = nlohmann::json::parse(readText(whole.path() / "f.json")).at("results");
@@ -297,7 +297,7 @@ TEST(Signals, ARunThatIsInterruptedEndsAsOneThatIsNot) {
                                 "timeout --signal=" + signal + " " + std::to_string(moments.next()));
             const bool isInterrupted = result.status != 0;
             const bool isFirst = !isKept;
-            isKept = std::filesystem::exists(folder.path() / "s.json");
+            isKept = std::filesystem::exists(folder.path() / "s");
             if (isFirst) {
                 moments.follow(isInterrupted, isKept);
             }

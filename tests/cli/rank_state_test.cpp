@@ -120,6 +120,11 @@ const std::vector<Kept> kAllKept{
 class RankStateFile : public RankState {};
 
 INSTANTIATE_TEST_SUITE_P(Commands, RankState, testing::ValuesIn(kAllKept));
+/// Its pictures are not kept, and it takes a folder as a state.
+INSTANTIATE_TEST_SUITE_P(Flicker, RankState,
+                         testing::Values(Kept{
+                             "flicker --frames 4 --size 96x54 --techniques standard,anchored --tga out", 4, 1,
+                             0}));
 INSTANTIATE_TEST_SUITE_P(Commands, RankStateFile,
                          testing::ValuesIn(takesAllCases() ? kAllKept : std::vector<Kept>{kProbe, kDetail}));
 

@@ -149,7 +149,7 @@ TEST_F(RivalsBeside, FlickerCountsWhatTheyGetWrongAndKeepsIt) {
     EXPECT_TRUE(std::filesystem::exists(at("tga/reversed/0002.tga")));
     EXPECT_FALSE(std::filesystem::exists(at("tga/object-anchors")));
 
-    EXPECT_EQ(run(command + kRivals + " --state s").at("results"), with.at("results"));
+    EXPECT_EQ(run(command + kRivals + " --tga tga --state s").at("results"), with.at("results"));
     expectRefusal(command + " --rivals object-anchors --state s", "other options");
 }
 

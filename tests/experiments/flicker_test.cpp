@@ -1,18 +1,13 @@
-#include "../support/refusal.h"
 #include "../support/shared_device.h"
 #include "../support/temporary_folder.h"
 
-#include <cdr/base/error.h>
-#include <cdr/platform/file.h>
 #include <experiments/flicker/flicker.h>
 #include <experiments/flicker/pairs.h>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-#include <program/sha256.h>
+#include <ranks/one_process.h>
+#include <runs/kept_ranks.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -20,13 +15,18 @@
 
 namespace {
 
-namespace fs = std::filesystem;
 using namespace cdr;
 using namespace cdr::experiments;
 
 class FlickerTest : public cdr::test::DeviceTest {
   protected:
-    fs::path state() const { return m_folder.path() / "state.json"; }
+    /// A start of a run that keeps its results.
+    std::vector<FlickerResult> startKept(const FlickerOptions& options,
+                                         const NamedProgress& progress = {}) const {
+        ranks::OneProcess alone;
+        runs::KeptRanks kept(alone, m_folder.path() / "s", "run");
+        return runFlicker(device(), options, {.progress = progress, .ranks = &kept});
+    }
 
   private:
     cdr::test::TemporaryFolder m_folder;
@@ -59,61 +59,37 @@ struct Interrupted : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Hooks that note a hash of every picture, and fail before step `last` of the run.
-struct Watcher {
-    std::size_t last = 1000;
-    std::map<std::uint32_t, std::vector<std::string>> pictures{};
-
-    FlickerHooks hooks() {
-        return {.progress =
-                    [this](std::size_t done, std::size_t, const std::string&) {
-                        if (done == last) {
-                            throw Interrupted("here");
-                        }
-                    },
-                .pictures =
-                    [this](std::uint32_t frame, const std::vector<image::ImageRgba8>& shown) {
-                        for (const image::ImageRgba8& picture : shown) {
-                            pictures[frame].push_back(program::sha256Of(picture.pixels));
-                        }
-                    }};
-    }
-};
-
-/// Interrupted twice, once between two techniques of a frame: the same figures, the same pictures.
-TEST_F(FlickerTest, ARunThatIsInterruptedEndsAsOneThatIsNot) {
-    FlickerOptions options = smallRun();
-    Watcher whole;
-    const auto expected = runFlicker(device(), options, whole.hooks());
-    EXPECT_GT(expected[0].flips.compared, 0u);
-    EXPECT_GT(expected[0].flipSum, 0.0);
-
-    options.state = state();
-    for (const std::size_t step : {std::size_t{5}, std::size_t{8}}) {
-        Watcher cut{.last = step};
-        EXPECT_THROW(runFlicker(device(), options, cut.hooks()), Interrupted);
-        EXPECT_TRUE(fs::exists(state()));
-    }
-    Watcher rest;
-    expectSame(runFlicker(device(), options, rest.hooks()), expected);
-    EXPECT_EQ(rest.pictures, whole.pictures);
-    // A finished run gives the same results again, also without pictures.
-    expectSame(runFlicker(device(), options), expected);
+NamedProgress interruptedAt(std::size_t step) {
+    return [step](std::size_t done, std::size_t, const std::string&) {
+        if (done == step) {
+            throw Interrupted("here");
+        }
+    };
 }
 
-/// Another run by its figures and by its state.
-TEST_F(FlickerTest, RoundedVerticesAreAnotherRun) {
+/// Interrupted twice, once between two techniques of a frame.
+TEST_F(FlickerTest, ARunThatIsInterruptedEndsAsOneThatIsNot) {
+    const FlickerOptions options = smallRun();
+    const auto expected = runFlicker(device(), options);
+    EXPECT_GT(expected[0].flips.compared, 0u);
+    EXPECT_GT(expected[0].flipSum, 0.0);
+    for (const std::size_t step : {std::size_t{5}, std::size_t{8}}) {
+        EXPECT_THROW(startKept(options, interruptedAt(step)), Interrupted);
+    }
+    // It goes on behind what is kept, and then has nothing to make.
+    expectSame(startKept(options, interruptedAt(1)), expected);
+    expectSame(startKept(options, interruptedAt(11)), expected);
+}
+
+TEST_F(FlickerTest, RoundedVerticesAreWrongAtMoreEdges) {
     if (device().info().subPixelBits <= 4) {
         GTEST_SKIP() << "the device itself rounds vertices to so few bits";
     }
     FlickerOptions options = smallRun();
     options.frames = 1;
     options.techniques = {depth::namedTechnique("anchored")};
-    options.state = state();
     const FlickerResult exact = runFlicker(device(), options).at(0);
     options.snapBits = 2;
-    EXPECT_THROW(runFlicker(device(), options), base::InputError);
-    options.state.reset();
     EXPECT_GT(runFlicker(device(), options).at(0).wrong.edgeWrong, exact.wrong.edgeWrong);
 }
 
@@ -131,80 +107,10 @@ TEST_F(FlickerTest, AResumedRunRemembersWhatFittedSplitsDo) {
                             .format = depth::DepthFormat::d16}}};
     const auto expected = runFlicker(device(), options);
     EXPECT_GT(expected[0].wrong.wrong, 0u);
-    options.state = state();
     for (const std::size_t step : {std::size_t{4}, std::size_t{9}, std::size_t{17}}) {
-        Watcher cut{.last = step};
-        EXPECT_THROW(runFlicker(device(), options, {.progress = cut.hooks().progress, .pictures = {}}),
-                     Interrupted);
+        EXPECT_THROW(startKept(options, interruptedAt(step)), Interrupted);
     }
-    expectSame(runFlicker(device(), options), expected);
-}
-
-TEST_F(FlickerTest, AStateOfAnotherRunIsRefused) {
-    FlickerOptions options = smallRun();
-    options.frames = 1;
-    options.state = state();
-    runFlicker(device(), options);
-    const auto refused = [&](const FlickerOptions& other) {
-        const std::string said = cdr::test::inputErrorOf([&] { runFlicker(device(), other); });
-        return said.find("other options, another version or device") != std::string::npos &&
-               said.find('\n') == std::string::npos;
-    };
-    const auto with = [&](auto change) {
-        FlickerOptions other = options;
-        change(other);
-        return other;
-    };
-    EXPECT_TRUE(refused(with([](auto& o) { o.frames = 2; })));
-    EXPECT_TRUE(refused(with([](auto& o) { o.seed = 1; })));
-    EXPECT_TRUE(refused(with([](auto& o) { o.width = 322; })));
-    EXPECT_TRUE(refused(with([](auto& o) { o.nearObject = true; })));
-    EXPECT_TRUE(refused(with([](auto& o) { o.techniques.pop_back(); })));
-    EXPECT_TRUE(refused(with([](auto& o) { o.rivalsBeside = {rivals::parseRival("atomic-log")}; })));
-    EXPECT_TRUE(refused(with([](auto& o) { o.techniques[0].technique.format = depth::DepthFormat::d16; })));
-    EXPECT_FALSE(refused(with([](auto& o) { o.threads = 2; }))); // which changes nothing
-}
-
-TEST_F(FlickerTest, ADamagedStateIsRefused) {
-    FlickerOptions options = smallRun();
-    options.frames = 1;
-    options.state = state();
-    runFlicker(device(), options);
-    const platform::Bytes whole = platform::readFile(state(), 1 << 20);
-    const std::string text(whole.begin(), whole.end());
-    for (const std::string& damaged : {text.substr(0, text.size() / 2), std::string("[]"), std::string(),
-                                       std::string(2 << 20, ' '), std::string("{\"digest\": 3}")}) {
-        platform::writeText(state(), damaged);
-        EXPECT_THROW(runFlicker(device(), options), base::InputError) << damaged.substr(0, 40);
-    }
-}
-
-/// Numbers that the run cannot have come to; else any would be averaged in. They are refused as such, before the sum of the state
-/// is compared. No frame bounds the sum of duplications.
-TEST_F(FlickerTest, AlteredCountsAreRefused) {
-    FlickerOptions options = smallRun();
-    options.frames = 2;
-    options.state = state();
-    runFlicker(device(), options);
-    const platform::Bytes whole = platform::readFile(state(), 1 << 20);
-    const auto json = nlohmann::json::parse(whole);
-    for (const auto& [name, value] : json.at("results").at(0).items()) {
-        if (value.is_string()) {
-            continue;
-        }
-        for (const char* wrong : {"-1", "1e300", "18446744073709551615", "\"1\"", "-0.5"}) {
-            nlohmann::json altered = json;
-            altered["results"][0][name] = nlohmann::json::parse(wrong);
-            platform::writeText(state(), altered.dump());
-            const std::string said = cdr::test::inputErrorOf([&] { runFlicker(device(), options); });
-            EXPECT_NE(said, "") << name << " " << wrong;
-            const nlohmann::json& now = altered["results"][0][name];
-            const bool hasNoBound = name == "duplication_sum" && now.is_number() && now.get<double>() > 0.0;
-            EXPECT_EQ(said.find("is damaged") != std::string::npos, hasNoBound) << name << ": " << said;
-        }
-    }
-    platform::writeText(state(), std::string(whole.begin(), whole.end()));
-    EXPECT_NO_THROW(runFlicker(device(), options));
+    expectSame(startKept(options), expected);
 }
 
 TEST_F(FlickerTest, ThreadsDoNotChangeTheFigures) {
@@ -253,8 +159,7 @@ TEST_F(FlickerTest, RivalsHaveFiguresAndNoPictures) {
     options.frames = 2;
     const auto without = runFlicker(device(), options);
     options.rivalsBeside = {rivals::parseRival("object-anchors")};
-    Watcher watcher;
-    auto with = runFlicker(device(), options, watcher.hooks());
+    auto with = runFlicker(device(), options);
     ASSERT_EQ(with.size(), 3u);
     const FlickerResult rival = with.back();
     EXPECT_TRUE(rival.isRival());
@@ -262,11 +167,15 @@ TEST_F(FlickerTest, RivalsHaveFiguresAndNoPictures) {
     EXPECT_EQ(rival.wrong.pixels, with.front().wrong.pixels);
     EXPECT_EQ(rival.wrong.wrong, with[1].wrong.wrong); // as anchored
     EXPECT_EQ(rival.duplication(), 1.0);
-    for (const auto& [frame, pictures] : watcher.pictures) {
-        EXPECT_EQ(pictures.size(), 2u) << frame;
-    }
     with.pop_back();
     expectSame(with, without);
+    std::uint32_t next = 0;
+    showFlicker(device(), options, {},
+                [&](std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures) {
+                    EXPECT_EQ(frame, next++);
+                    EXPECT_EQ(pictures.size(), 2u);
+                });
+    EXPECT_EQ(next, options.frames);
 }
 
 FlickerResult resultOf(const std::string& technique, std::uint64_t flips) {

@@ -29,6 +29,7 @@ struct FlickerArguments {
     bool fittedRange = false;
     std::optional<std::filesystem::path> videos;
     std::optional<std::filesystem::path> tga;
+    std::filesystem::path state;
 };
 
 output::Columns<experiments::FlickerResult> flickerColumns() {
@@ -133,23 +134,20 @@ std::vector<experiments::FlickerResult> measure(Command& command, const FlickerA
     if (arguments.videos && command.ranks().isFirst()) {
         videos.emplace(*arguments.videos, names, options.width, options.height, options.frames);
     }
-    experiments::FlickerHooks hooks;
-    hooks.progress = command.progress();
-    hooks.ranks = &command.ranks();
-    hooks.resumes = [&](std::uint32_t frames) {
-        command.console().line(fmt::format("results kept in {}: {}", options.state->string(), frames));
+    auto results = experiments::runFlicker(command.device(), options,
+                                           {.progress = command.progress(), .ranks = &command.ranks()});
+    const auto write = [&](std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures) {
+        if (videos) {
+            videos->add(pictures);
+        }
+        if (arguments.tga) {
+            experiments::writeTgaFrames(*arguments.tga, names, frame, pictures);
+        }
     };
-    if (arguments.videos || arguments.tga) {
-        hooks.pictures = [&](std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures) {
-            if (videos) {
-                videos->add(pictures);
-            }
-            if (arguments.tga) {
-                experiments::writeTgaFrames(*arguments.tga, names, frame, pictures);
-            }
-        };
+    if (arguments.videos || arguments.tga) { // by ranks that keep nothing: pictures would fill a state
+        experiments::showFlicker(command.device(), options,
+                                 {.progress = command.progress(), .ranks = command.global().ranks}, write);
     }
-    auto results = experiments::runFlicker(command.device(), options, hooks);
     command.endProgress();
     if (videos) {
         videos->finish();
@@ -182,12 +180,8 @@ void run(Command& command, FlickerArguments& arguments) {
     options.techniques = techniquesOf(arguments);
     requireDistinct(options.techniques);
     std::error_code error; // a path that cannot be looked at is refused below
-    if (options.state && std::filesystem::is_directory(*options.state, error)) {
-        *options.state /= "flicker_state.json";
-    }
-    if (options.state) {
-        command.files().writes("--state", *options.state);
-        command.sayKept(*options.state);
+    if (std::filesystem::is_directory(arguments.state, error)) {
+        arguments.state /= "flicker_state.json";
     }
     if (arguments.videos) {
         command.files().writesFolder("--videos", *arguments.videos, PictureFolder::oneOf(videoFiles()));
@@ -195,6 +189,7 @@ void run(Command& command, FlickerArguments& arguments) {
     if (arguments.tga) {
         noteTgaFolders(command.files(), arguments);
     }
+    command.keepUnits(arguments.state);
     const auto results = measure(command, arguments);
     if (!command.ranks().isFirst()) {
         return;
@@ -246,7 +241,7 @@ void addOptions(CLI::App& command, FlickerArguments& arguments) {
              "Interval of the frames for which FLIP is computed; 1 is every frame")
         ->check(CLI::Range(1u, kMaxFrames));
     addThreads(command, options.threads);
-    options::addFile(command, "--state", options.state, std::string(kStateHelp) + ". FILE may be a folder");
+    options::addFile(command, "--state", arguments.state, std::string(kStateHelp) + ". FILE may be a folder");
     options::addFolder(command, "--videos", arguments.videos,
                        "Folder for the six videos of the thesis (needs ffmpeg)");
     options::addFolder(command, "--tga", arguments.tga, "Folder for a TGA file of each frame");

@@ -1,7 +1,5 @@
 #include "flicker.h"
 
-#include "state.h"
-
 #include <cdr/base/error.h>
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/measure/truth/truth_shading.h>
@@ -9,7 +7,6 @@
 #include <experiments/rivals/drawer.h>
 #include <scenes/open_scene.h>
 
-#include <fmt/format.h>
 #include <ranks/one_process.h>
 #include <runs/units.h>
 
@@ -41,10 +38,12 @@ struct Figures {
     measure::WrongPixels wrong{};
     measure::FlipCount flips{};
     double flip = 0.0;           ///< mean FLIP, where it is taken
-    std::uint32_t flipTaken = 0; ///< 1 where it is
+    std::uint64_t flipTaken = 0; ///< 1 where it is
     double duplication = 1.0;
-    std::size_t cascades = 0;
+    std::uint64_t cascades = 0;
 };
+// Padding may hold anything, and states of equal runs are equal.
+static_assert(sizeof(Figures) == 11 * sizeof(std::uint64_t));
 
 void add(const Figures& figures, FlickerResult& result) {
     result.wrong += figures.wrong;
@@ -54,7 +53,7 @@ void add(const Figures& figures, FlickerResult& result) {
         ++result.flipFrames;
     }
     result.duplicationSum += figures.duplication;
-    result.cascades = std::max(result.cascades, figures.cascades);
+    result.cascades = std::max<std::size_t>(result.cascades, figures.cascades);
     ++result.frames;
 }
 
@@ -63,6 +62,7 @@ class Flicker {
   public:
     Flicker(const gpu::Device& device, const FlickerOptions& options, const FlickerHooks& hooks)
         : m_options(options),
+          m_rangeLength(std::clamp(options.frames / 32, 1u, 8u)),
           m_hooks(hooks),
           m_workers(options.threads),
           m_setup(scenes::openScene(options.nearObject ? "afc-near" : "afc", options.seed).setup),
@@ -84,37 +84,30 @@ class Flicker {
         }
     }
 
-    std::vector<FlickerResult> run(const FlickerStateFile* file, ranks::Ranks& ranks) {
-        if (file != nullptr) {
-            file->load(m_state);
-            if (m_hooks.resumes && m_state.framesDone > 0) {
-                m_hooks.resumes(m_state.framesDone);
-            }
-        }
-        const std::uint32_t done = runs::sharedOf(ranks, std::vector{m_state.framesDone})[0];
-        const std::uint32_t begin = m_hooks.pictures ? 0 : done;
-        // A range begins with the frame before it, which flips need, so the ranges of several ranks have some length.
-        const auto rangesOfEach = 4 * static_cast<std::uint32_t>(ranks.place().count);
-        const std::uint32_t length =
-            ranks.isAlone() ? 1 : std::clamp((m_options.frames - begin) / rangesOfEach, 1u, 8u);
-        const auto makeRange = [&](std::size_t unit) {
-            output::Json range = output::Json::array();
-            const std::uint32_t first = begin + static_cast<std::uint32_t>(unit) * length;
-            for (std::uint32_t frame = first; frame < std::min(first + length, m_options.frames); ++frame) {
-                range.push_back(frame < done ? showFrame(frame) : measureFrame(frame));
-            }
-            return range;
-        };
-        runs::forEachUnit(ranks, (m_options.frames - begin + length - 1) / length, makeRange,
-                          [&](std::size_t unit, const output::Json& range) {
-                              takeRange(begin + static_cast<std::uint32_t>(unit) * length, range, file);
-                          });
-        return m_state.results;
+    std::vector<FlickerResult> run(ranks::Ranks& ranks) {
+        runs::forEachUnit(
+            ranks, (m_options.frames + m_rangeLength - 1) / m_rangeLength,
+            [&](std::size_t unit) { return measureRange(unit); },
+            [&](std::size_t unit, const output::Json& range) { takeRange(unit, range); });
+        return m_results;
+    }
+
+    void show(ranks::Ranks& ranks, const FlickerPictures& take) {
+        runs::forEachUnit(
+            ranks, m_options.frames,
+            [&](std::size_t frame) { return picturesOf(static_cast<std::uint32_t>(frame)); },
+            [&](std::size_t frame, const output::Json& packed) {
+                std::vector<image::ImageRgba8> pictures;
+                for (const output::Json& picture : packed) {
+                    pictures.push_back(runs::unpackedPicture(picture));
+                }
+                take(static_cast<std::uint32_t>(frame), pictures);
+            });
     }
 
   private:
     void addLane(const std::string& name, std::optional<depth::DepthFormat> format, Drawer drawer) {
-        FlickerResult& result = m_state.results.emplace_back();
+        FlickerResult& result = m_results.emplace_back();
         result.scene = m_setup.scene.name;
         result.technique = name;
         result.format = format;
@@ -129,11 +122,11 @@ class Flicker {
     void step(std::uint32_t frame, std::size_t lane) const {
         if (m_hooks.progress) {
             m_hooks.progress(frame * m_lanes.size() + lane, m_options.frames * m_lanes.size(),
-                             m_state.results[lane].technique);
+                             m_results[lane].technique);
         }
     }
 
-    /// Past the frames that other ranks or an earlier run rendered, which fitted splits remember.
+    /// Past the frames that other ranks or an earlier run drew, which fitted splits remember.
     DrawnFrame render(std::uint32_t frame, std::size_t lane) {
         step(frame, lane);
         Lane& own = m_lanes[lane];
@@ -144,20 +137,32 @@ class Flicker {
         return own.drawer.render(cameraAt(frame));
     }
 
-    /// A frame that an earlier run has measured.
-    output::Json showFrame(std::uint32_t frame) {
-        std::vector<image::ImageRgba8> pictures;
+    output::Json picturesOf(std::uint32_t frame) {
+        output::Json pictures = output::Json::array();
         for (std::size_t i = 0; i < m_lanes.size(); ++i) {
-            DrawnFrame drawn = render(frame, i);
-            m_lanes[i].idsBefore = std::move(drawn.ids);
-            addPicture(std::move(drawn), i, pictures);
+            pictures.push_back(runs::packedPicture(render(frame, i).color));
         }
-        return wireOf({}, pictures);
+        return pictures;
     }
 
-    void addPicture(DrawnFrame drawn, std::size_t lane, std::vector<image::ImageRgba8>& pictures) const {
-        if (m_lanes[lane].drawer.shades()) {
-            pictures.push_back(std::move(drawn.color));
+    /// The first frame of a range, or behind the last range the number of frames.
+    std::uint32_t beginOf(std::size_t range) const {
+        return static_cast<std::uint32_t>(std::min<std::size_t>(range * m_rangeLength, m_options.frames));
+    }
+
+    output::Json measureRange(std::size_t range) {
+        std::vector<Figures> figures;
+        for (std::uint32_t frame = beginOf(range); frame < beginOf(range + 1); ++frame) {
+            measureFrame(frame, figures);
+        }
+        return runs::packed(figures);
+    }
+
+    void takeRange(std::size_t range, const output::Json& measured) {
+        const std::size_t frames = beginOf(range + 1) - beginOf(range);
+        const auto figures = runs::unpacked<Figures>(measured, frames * m_lanes.size());
+        for (std::size_t i = 0; i < figures.size(); ++i) {
+            add(figures[i], m_results[i % m_lanes.size()]);
         }
     }
 
@@ -167,9 +172,7 @@ class Flicker {
             return;
         }
         for (std::size_t i = 0; i < m_lanes.size(); ++i) {
-            if (m_lanes[i].next < frame) { // else its ids are there
-                m_lanes[i].idsBefore = render(frame - 1, i).ids;
-            }
+            m_lanes[i].idsBefore = render(frame - 1, i).ids;
         }
         m_truthBefore = truthAt(frame - 1);
     }
@@ -188,23 +191,19 @@ class Flicker {
 
     bool takesFlip(std::uint32_t frame) const { return frame % m_options.flipEvery == 0; }
 
-    output::Json measureFrame(std::uint32_t frame) {
+    void measureFrame(std::uint32_t frame, std::vector<Figures>& figures) {
         bringBefore(frame);
         TruthFrame truth = truthAt(frame);
         image::Raster<std::uint8_t> steady;
         if (frame > 0) {
             steady = measure::steadyMask(m_truthBefore.truth, m_truthBefore.inner, truth.truth, truth.inner);
         }
-        std::vector<Figures> figures;
-        std::vector<image::ImageRgba8> pictures;
         for (std::size_t i = 0; i < m_lanes.size(); ++i) {
             DrawnFrame drawn = render(frame, i);
             figures.push_back(measure(drawn, truth, steady, m_lanes[i]));
-            addPicture(std::move(drawn), i, pictures);
         }
         m_truthBefore = std::move(truth);
         m_truthFrame = frame;
-        return wireOf(figures, pictures);
     }
 
     /// Moves the ids to the lane.
@@ -226,38 +225,10 @@ class Flicker {
         return figures;
     }
 
-    output::Json wireOf(const std::vector<Figures>& figures,
-                        const std::vector<image::ImageRgba8>& pictures) const {
-        output::Json wire{{"figures", runs::packed(figures)}, {"pictures", output::Json::array()}};
-        if (m_hooks.pictures) {
-            for (const image::ImageRgba8& picture : pictures) {
-                wire["pictures"].push_back(runs::packedPicture(picture));
-            }
-        }
-        return wire;
-    }
-
-    void takeRange(std::uint32_t frame, const output::Json& range, const FlickerStateFile* file) {
-        for (const output::Json& wire : range) {
-            if (m_hooks.pictures) {
-                std::vector<image::ImageRgba8> pictures;
-                for (const output::Json& picture : wire.at("pictures")) {
-                    pictures.push_back(runs::unpackedPicture(picture));
-                }
-                m_hooks.pictures(frame, pictures);
-            }
-            const std::vector<Figures> figures = runs::unpacked<Figures>(wire.at("figures"));
-            for (std::size_t i = 0; i < figures.size(); ++i) {
-                add(figures[i], m_state.results[i]);
-            }
-            m_state.framesDone = std::max(m_state.framesDone, ++frame);
-        }
-        if (file != nullptr && frame == m_state.framesDone) {
-            file->save(m_state);
-        }
-    }
-
     const FlickerOptions& m_options;
+    /// A range begins with the frame before it, which flips need, so it has some length. With any number of ranks it has the
+    /// same, since they may go on from one state.
+    std::uint32_t m_rangeLength;
     const FlickerHooks& m_hooks;
     platform::WorkerPool m_workers;
     scene::SceneSetup m_setup;
@@ -265,7 +236,7 @@ class Flicker {
     measure::TruthCaster m_caster;
     measure::FlipDifference m_flip;
     std::vector<Lane> m_lanes;
-    FlickerState m_state;
+    std::vector<FlickerResult> m_results; ///< by lane
     TruthFrame m_truthBefore;
     std::optional<std::uint32_t> m_truthFrame; ///< that it is of
 };
@@ -278,12 +249,15 @@ std::vector<FlickerResult> runFlicker(const gpu::Device& device, const FlickerOp
         throw base::InputError("flicker: there must be at least one frame, and FLIP of every first or more");
     }
     ranks::OneProcess alone;
-    ranks::Ranks& ranks = hooks.ranks != nullptr ? *hooks.ranks : alone;
-    std::optional<FlickerStateFile> file;
-    if (options.state && ranks.isFirst()) {
-        file.emplace(*options.state, options, device.info());
-    }
-    return Flicker(device, options, hooks).run(file ? &*file : nullptr, ranks);
+    return Flicker(device, options, hooks).run(hooks.ranks != nullptr ? *hooks.ranks : alone);
+}
+
+void showFlicker(const gpu::Device& device, const FlickerOptions& options, const FlickerHooks& hooks,
+                 const FlickerPictures& take) {
+    FlickerOptions shown = options;
+    shown.rivalsBeside.clear(); // they have no pictures
+    ranks::OneProcess alone;
+    Flicker(device, shown, hooks).show(hooks.ranks != nullptr ? *hooks.ranks : alone, take);
 }
 
 std::vector<depth::NamedTechnique> movedBoundaries() {

@@ -12,7 +12,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -33,8 +32,6 @@ struct FlickerOptions {
     /// Puts a tiny object beside the camera (scene afc-near), so that fitting near and far does not help.
     bool nearObject = false;
     std::uint32_t flipEvery = 1; ///< FLIP is taken of every so-many-th frame; at least 1
-    /// Where the state is kept, a file; a run that finds one goes on from there, to the same results.
-    std::optional<std::filesystem::path> state;
 };
 
 /// One technique or rival over all frames.
@@ -56,23 +53,26 @@ struct FlickerResult {
     double duplication() const { return frames ? duplicationSum / frames : 1.0; }
 };
 
-/// What a caller may do while the frames go by. Each may be empty; whether `pictures` is must be alike on all ranks.
+/// What a caller may do while the frames go by. Each may be empty.
 struct FlickerHooks {
     /// Called before each frame with how many of all are done.
     NamedProgress progress;
-    /// Receives every frame's pictures in the techniques' order, from the first frame on also where a run
-    /// resumes. Rivals have none.
-    std::function<void(std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures)> pictures;
-    /// Called before the first frame where a run resumes, on the first rank, with how many frames are done.
-    std::function<void(std::uint32_t frames)> resumes{};
-    /// That share the frames; null where the process is alone. The first one has results and pictures, and keeps the state.
+    /// That share the frames; null where the process is alone. The first one has results and pictures.
     ranks::Ranks* ranks = nullptr;
 };
 
-/// One result per technique, then per rival, in their order. base::InputError for unusable options, a rival that the
-/// device cannot draw, and a state that belongs to another run.
+/// Takes a frame's pictures, in the techniques' order.
+using FlickerPictures =
+    std::function<void(std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures)>;
+
+/// One result per technique, then per rival, in their order. base::InputError for unusable options, and a rival that the
+/// device cannot draw.
 std::vector<FlickerResult> runFlicker(const gpu::Device& device, const FlickerOptions& options,
                                       const FlickerHooks& hooks = {});
+
+/// Draws the frames that runFlicker() measures, in order, by the techniques that are named. Rivals have no pictures.
+void showFlicker(const gpu::Device& device, const FlickerOptions& options, const FlickerHooks& hooks,
+                 const FlickerPictures& take);
 
 /// cdr with its last boundary moved off the field, which it straddles: `cdr-before` cuts nearer than the
 /// field, `cdr-behind` farther.
