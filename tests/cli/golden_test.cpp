@@ -97,9 +97,8 @@ TEST_P(GoldenPicture, IsRenderedStill) {
     if (GetParam().scene.starts_with("ASSETS/") && !fs::exists(scene)) {
         GTEST_SKIP() << scene << " is absent";
     }
-    const ProgramResult result = run("--validate render '" + scene.string() + "' " + GetParam().arguments +
-                                     " --size 320x180 -o render.png");
-    ASSERT_EQ(result.status, 0) << result.err;
+    succeed("--validate render '" + scene.string() + "' " + GetParam().arguments +
+            " --size 320x180 -o render.png");
     const fs::path golden = kFolder / (GetParam().name + ".png");
     if (snapReach() > 0.0) {
         const std::size_t apart = countApart(readPicture(golden), readPicture(at("render.png")));

@@ -84,9 +84,14 @@ ProgramResult runProgram(const std::string& arguments, const fs::path& folder,
     return result;
 }
 
-nlohmann::json documentOf(const std::string& arguments, const fs::path& folder) {
-    const ProgramResult result = runProgram(arguments + " --json document.json", folder);
+ProgramResult succeed(const std::string& arguments, const fs::path& folder, const std::string& environment) {
+    ProgramResult result = runProgram(arguments, folder, environment);
     EXPECT_EQ(result.status, 0) << arguments << ": " << result.err;
+    return result;
+}
+
+nlohmann::json documentOf(const std::string& arguments, const fs::path& folder) {
+    const ProgramResult result = succeed(arguments + " --json document.json", folder);
     return result.status == 0 ? nlohmann::json::parse(readText(folder / "document.json")) : nlohmann::json();
 }
 

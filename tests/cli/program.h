@@ -27,6 +27,10 @@ struct ProgramResult {
 ProgramResult runProgram(const std::string& arguments, const std::filesystem::path& folder,
                          const std::string& environment = "");
 
+/// Runs the program, which has to succeed.
+ProgramResult succeed(const std::string& arguments, const std::filesystem::path& folder,
+                      const std::string& environment = "");
+
 /// Runs the program, which has to succeed, with `--json`. @return the document; null where it fails.
 nlohmann::json documentOf(const std::string& arguments, const std::filesystem::path& folder);
 
@@ -73,6 +77,9 @@ class FolderTest : public testing::Test {
 
     ProgramResult run(const std::string& arguments, const std::string& environment = "") const {
         return runProgram(arguments, folder(), environment);
+    }
+    ProgramResult succeed(const std::string& arguments, const std::string& environment = "") const {
+        return cli_test::succeed(arguments, folder(), environment);
     }
     nlohmann::json documentOf(const std::string& arguments) const {
         return cli_test::documentOf(arguments, folder());
