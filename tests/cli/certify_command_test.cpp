@@ -21,9 +21,7 @@ using CertifyCommand = FolderTest;
 constexpr const char* kCertify = "render afc --technique anchored --size 320x180 --certify c.json ";
 
 TEST_F(CertifyCommand, WritesPicturesThatAreRightAndTheirCertificate) {
-    const ProgramResult result =
-        run(std::string(kCertify) + "--frames 2 --aov wrong --json a.json -o p%04d.png");
-    ASSERT_EQ(result.status, 0) << result.err;
+    succeed(std::string(kCertify) + "--frames 2 --aov wrong --json a.json -o p%04d.png");
     EXPECT_TRUE(std::filesystem::exists(at("p0001.png")));
     const json rows = jsonIn("a.json").at("results");
     const json certificate = jsonIn("c.json");

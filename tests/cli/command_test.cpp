@@ -38,8 +38,7 @@ void expectEnvelope(const json& document, const std::string& command) {
 }
 
 TEST_F(Commands, DevicesListsAUsableOne) {
-    const ProgramResult result = run("devices --json d.json");
-    EXPECT_EQ(result.status, 0) << result.err;
+    const ProgramResult result = succeed("devices --json d.json");
     const json document = jsonIn("d.json");
     expectEnvelope(document, "devices");
     ASSERT_FALSE(document["results"].empty());
@@ -80,15 +79,13 @@ TEST_F(Commands, DevicesFindsPortabilityDrivers) {
         {"ICD", {{"library_path", library}, {"api_version", "1.3.0"}, {"is_portability_driver", true}}}};
     std::ofstream(at("driver.json")) << manifest;
     const ProgramResult result =
-        run("render cubes --size 64x36",
-            "VK_ICD_FILENAMES=\"$PWD/driver.json\" VK_DRIVER_FILES=\"$PWD/driver.json\"");
-    EXPECT_EQ(result.status, 0) << result.err;
+        succeed("render cubes --size 64x36",
+                "VK_ICD_FILENAMES=\"$PWD/driver.json\" VK_DRIVER_FILES=\"$PWD/driver.json\"");
     EXPECT_NE(result.out.find("llvmpipe"), std::string::npos) << result.out;
 }
 
 TEST_F(Commands, PrecisionReproducesAll16CellsOfTable41) {
-    const ProgramResult result = run("precision --json --curve c.csv");
-    EXPECT_EQ(result.status, 0) << result.err;
+    const ProgramResult result = succeed("precision --json --curve c.csv");
     const json document = json::parse(result.out);
     expectEnvelope(document, "precision");
     int cells = 0;
@@ -154,8 +151,7 @@ TEST_F(Commands, ProbeFindsWhatEachTechniqueResolves) {
 /// Not asked for formats, probe takes those there are and says which are absent.
 TEST_F(Commands, ProbeTakesTheFormatsThereAre) {
     const ProgramResult result =
-        run("probe --distances 10 --techniques anchored --size 160x90 --json p.json");
-    EXPECT_EQ(result.status, 0) << result.err;
+        succeed("probe --distances 10 --techniques anchored --size 160x90 --json p.json");
     const json document = jsonIn("p.json");
     const std::size_t has = deviceInfo().depthFormats.size();
     EXPECT_EQ(document["results"].size(), has);
@@ -198,11 +194,10 @@ TEST_F(Commands, PicturesSnapVertices) {
 
 TEST_F(Commands, AdviseCountsSnapping) {
     const std::string question = "advise --separation 0.5 --far 1e5 --json a.json";
-    const ProgramResult plain = run(question);
-    ASSERT_EQ(plain.status, 0) << plain.err;
+    const ProgramResult plain = succeed(question);
     EXPECT_NE(plain.out.find("If vertices snap to 8 sub-pixel bits"), std::string::npos) << plain.out;
     EXPECT_TRUE(jsonIn("a.json")["options"]["sub_pixel_bits"].is_null());
-    ASSERT_EQ(run(question + " --sub-pixel-bits 8").status, 0);
+    succeed(question + " --sub-pixel-bits 8");
     const json document = jsonIn("a.json");
     EXPECT_EQ(document["options"]["sub_pixel_bits"], 8);
     EXPECT_TRUE(document["simplest"].is_null());
@@ -217,9 +212,8 @@ TEST_F(Commands, AdviseCountsSnapping) {
 
 TEST_F(Commands, AdviseMeasures) {
     const ProgramResult result =
-        run("--validate advise --separation 0.01 --at 1e6 --far 2e6 --fov 0.002 --format d32f --measured "
-            "--frames 2 --json a.json");
-    EXPECT_EQ(result.status, 0) << result.err;
+        succeed("--validate advise --separation 0.01 --at 1e6 --far 2e6 --fov 0.002 --format d32f --measured "
+                "--frames 2 --json a.json");
     EXPECT_NE(result.out.find("time over standard"), std::string::npos);
     EXPECT_NE(result.out.find("was measured to resolve"), std::string::npos) << result.out;
     const json document = jsonIn("a.json");
@@ -251,8 +245,7 @@ TEST_F(Commands, AdviseMeasuresTheTechniquesAskedForInPicturesAskedFor) {
 }
 
 TEST_F(Commands, AdviseSaysWhenReversedIsEnough) {
-    const ProgramResult result = run("advise --separation 0.5 --at 5000 --json a.json");
-    EXPECT_EQ(result.status, 0) << result.err;
+    const ProgramResult result = succeed("advise --separation 0.5 --at 5000 --json a.json");
     EXPECT_NE(result.out.find("reversed with d32f in one cascade is enough"), std::string::npos)
         << result.out;
     const json document = jsonIn("a.json");
@@ -267,9 +260,8 @@ TEST_F(Commands, RenderWritesEveryOutputInEveryFormat) {
     for (const char* aov : {"color", "linear", "id", "distance", "normal", "cascade", "wrong"}) {
         for (const char* extension : {"png", "tga", "exr"}) {
             const std::string file = std::string(aov) + "." + extension;
-            const ProgramResult result = run("--quiet render cubes --size 64x36 --technique cdr --aov " +
-                                             std::string(aov) + " -o " + file);
-            EXPECT_EQ(result.status, 0) << result.err;
+            const ProgramResult result = succeed("--quiet render cubes --size 64x36 --technique cdr --aov " +
+                                                 std::string(aov) + " -o " + file);
             EXPECT_EQ(result.out, "");
             EXPECT_GT(fs::file_size(at(file)), 100u) << file;
         }
@@ -282,9 +274,8 @@ TEST_F(Commands, NamesOfPicturesEndInEitherCase) {
     const std::string render = "--quiet render cubes --size 64x36 -o ";
     for (const auto& [upper, lower] :
          {std::pair("A.PNG", "a.png"), std::pair("A.Tga", "a.tga"), std::pair("A.EXR", "a.exr")}) {
-        const ProgramResult result = run(render + upper);
-        EXPECT_EQ(result.status, 0) << result.err;
-        EXPECT_EQ(run(render + lower).status, 0);
+        succeed(render + upper);
+        succeed(render + lower);
         EXPECT_EQ(textIn(upper), textIn(lower)) << upper;
     }
 }
@@ -305,8 +296,7 @@ TEST_F(Commands, RenderDrawsTrafficWithoutAWrongPixel) {
 
 TEST_F(Commands, RenderCountsWrongPixelsAsPicturesDoes) {
     const ProgramResult rendered =
-        run("render cubes --size 320x180 --technique standard --aov wrong -o w.png --json r.json");
-    ASSERT_EQ(rendered.status, 0) << rendered.err;
+        succeed("render cubes --size 320x180 --technique standard --aov wrong -o w.png --json r.json");
     const json row = jsonIn("r.json")["results"][0];
     const json expected =
         documentOf("pictures --scenes cubes --techniques standard --size 320x180 --frames 1")["results"][0];
@@ -328,7 +318,7 @@ TEST_F(Commands, RenderCountsWrongPixelsAsPicturesDoes) {
 }
 
 TEST_F(Commands, RenderIdIsObjectIndexPlusOneInThreeBytes) {
-    ASSERT_EQ(run("render cubes --size 320x180 --aov id -o id.png").status, 0);
+    succeed("render cubes --size 320x180 --aov id -o id.png");
     const auto picture = readPicture(at("id.png"));
     std::set<unsigned> ids;
     for (const auto& p : picture.pixels) {
@@ -342,8 +332,7 @@ TEST_F(Commands, RenderIdIsObjectIndexPlusOneInThreeBytes) {
 
 TEST_F(Commands, RenderSequencesNumberTheirFrames) {
     const ProgramResult result =
-        run("render afc --size 160x90 --frame 7 --frames 3 -o f_%04d.png --hash --json r.json");
-    EXPECT_EQ(result.status, 0) << result.err;
+        succeed("render afc --size 160x90 --frame 7 --frames 3 -o f_%04d.png --hash --json r.json");
     for (const char* name : {"f_0007.png", "f_0008.png", "f_0009.png"}) {
         EXPECT_TRUE(fs::exists(at(name))) << name;
     }
@@ -377,10 +366,8 @@ TEST_F(Commands, RenderSaysWhichTargetsAndHowManyLayers) {
 void expectRecognisable(const fs::path& asset, const std::string& options = "") {
     SCOPED_TRACE(asset);
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram("--validate render '" + fs::absolute(asset).string() +
-                                                "' --size 640x360 -o m.png " + options,
-                                            folder.path());
-    ASSERT_EQ(result.status, 0) << result.err;
+    succeed("--validate render '" + fs::absolute(asset).string() + "' --size 640x360 -o m.png " + options,
+            folder.path());
     const auto picture = readPicture(folder.path() / "m.png");
     std::map<unsigned, int> colors;
     for (const auto& p : picture.pixels) {

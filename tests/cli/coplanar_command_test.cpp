@@ -15,9 +15,8 @@ using CoplanarCommand = FolderTest;
 
 TEST_F(CoplanarCommand, CountsWhichOfTwoFacesIsSeen) {
     const ProgramResult result =
-        run("--validate coplanar --frames 2 --search-views 1 --size 160x90 --techniques "
-            "reversed,anchored --out pictures --json c.json");
-    ASSERT_EQ(result.status, 0) << result.err;
+        succeed("--validate coplanar --frames 2 --search-views 1 --size 160x90 --techniques "
+                "reversed,anchored --out pictures --json c.json");
     const json document = jsonIn("c.json");
     EXPECT_EQ(document.at("command"), "coplanar");
     std::vector<std::string> methods;
@@ -47,15 +46,14 @@ TEST_F(CoplanarCommand, CountsWhichOfTwoFacesIsSeen) {
 TEST_F(CoplanarCommand, SearchesTheSettingsThatAreGiven) {
     const std::string command =
         "coplanar --frames 1 --search-views 1 --size 64x36 --techniques reversed --json c.json --slopes ";
-    const ProgramResult result = run("--validate " + command + "0 --constants 0");
-    ASSERT_EQ(result.status, 0) << result.err;
+    const ProgramResult result = succeed("--validate " + command + "0 --constants 0");
     EXPECT_NE(result.out.find("the best of 1 settings"), std::string::npos) << result.out;
     const json document = jsonIn("c.json");
     EXPECT_EQ(document.at("options").at("slopes"), json::array({0.0}));
     const json& rows = document.at("results");
     EXPECT_GT(rows.at(0).at("wrong").get<int>(), 0);
     EXPECT_EQ(rows.at(1).at("wrong"), rows.at(0).at("wrong"));
-    ASSERT_EQ(run(command + "0.25,0.5 --constants 0,4").status, 0);
+    succeed(command + "0.25,0.5 --constants 0,4");
     const json chosen = jsonIn("c.json").at("results").at(1);
     EXPECT_LT(chosen.at("wrong"), rows.at(0).at("wrong"));
     EXPECT_GE(chosen.at("slope_factor"), 0.25);

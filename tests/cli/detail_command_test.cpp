@@ -14,9 +14,8 @@ using nlohmann::json;
 using DetailCommand = FolderTest;
 
 TEST_F(DetailCommand, ComparesEveryModeWithNone) {
-    const ProgramResult result =
-        run("--validate detail boulders --frames 1 --size 96x54 --threads 2 --out pictures --json d.json");
-    ASSERT_EQ(result.status, 0) << result.err;
+    const ProgramResult result = succeed(
+        "--validate detail boulders --frames 1 --size 96x54 --threads 2 --out pictures --json d.json");
     const json document = jsonIn("d.json");
     EXPECT_EQ(document.at("command"), "detail");
     EXPECT_EQ(document.at("options").at("split"), "count:5");

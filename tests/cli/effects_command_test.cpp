@@ -45,11 +45,9 @@ TEST_F(EffectsCommand, OcclusionPerLayerDrawsShinyScenesMattAndSaysSo) {
     const std::string render =
         "--validate render '" CDR_SOURCE_DIR "/tests/golden/spheres.gltf' --size 64x36 ";
     const std::string saying = "not drawn as requested: surfaces are matt";
-    const ProgramResult perLayer = run(render + "--targets accumulate --occlusion 1:layers");
-    ASSERT_EQ(perLayer.status, 0) << perLayer.err;
+    const ProgramResult perLayer = succeed(render + "--targets accumulate --occlusion 1:layers");
     EXPECT_NE(perLayer.out.find(saying), std::string::npos) << perLayer.out;
-    const ProgramResult whole = run(render + "--occlusion 1");
-    ASSERT_EQ(whole.status, 0) << whole.err;
+    const ProgramResult whole = succeed(render + "--occlusion 1");
     EXPECT_EQ(whole.out.find(saying), std::string::npos) << whole.out;
 }
 

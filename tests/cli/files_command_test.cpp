@@ -65,7 +65,7 @@ TEST_F(Files, NoOutputIsALaterPictureOfASequence) {
             EXPECT_FALSE(fs::exists(at("d/f0.png"))) << other;
         }
     }
-    EXPECT_EQ(run(frames + "--trace d/f3.png").status, 0);
+    succeed(frames + "--trace d/f3.png");
 }
 
 /// Its buffers and pictures too, and by any picture of a sequence.
@@ -90,7 +90,7 @@ TEST_F(Files, AnOutputNeverReplacesWhatAModelIsMadeOf) {
           "pictures --scenes m.gltf --techniques log --size 8x8 --out .",
           "detail m.gltf --frames 1 --size 32x18 --out .", "effects m.gltf --frames 1 --size 32x18 --out .",
           "focus m.gltf --frames 1 --cameras 1 --size 32x18 --out ."}) {
-        EXPECT_EQ(run(arguments).status, 0) << arguments;
+        succeed(arguments);
         EXPECT_EQ(textIn("t_0003.png"), before) << arguments;
     }
 }
@@ -173,9 +173,8 @@ TEST_F(Files, NoOutputIsAFileInTheFolderOfAnother) {
                   "both --tga and --json would write it");
     expectRefusal("coplanar --frames 1 --size 16x16 --out v --json v/anchored_polygon_offset.png",
                   "both --out and --json would write it");
-    const ProgramResult other = run("coplanar --frames 1 --search-views 1 --size 16x16 --techniques log "
-                                    "--slopes 0 --constants 0 --out v --json v/cdr_none.png");
-    EXPECT_EQ(other.status, 0) << other.err;
+    succeed("coplanar --frames 1 --search-views 1 --size 16x16 --techniques log "
+            "--slopes 0 --constants 0 --out v --json v/cdr_none.png");
     fs::create_directory(at("elsewhere"));
     std::ofstream(at("elsewhere/y")) << "y";
     fs::create_directory(at("out"));
@@ -243,12 +242,10 @@ TEST_F(Files, ABudgetShrinksTexturesAndSaysSo) {
                                   "--texture-memory 1 render m.gltf --size 16x16 -o b.png",
                                   "inspect m.gltf --size 16x16 --texture-memory 1",
                                   "effects m.gltf --frames 1 --size 16x16 --texture-memory 1"}) {
-        const ProgramResult result = run(arguments);
-        EXPECT_EQ(result.status, 0) << arguments << result.err;
+        const ProgramResult result = succeed(arguments);
         EXPECT_NE(result.out.find(said), std::string::npos) << arguments << result.out;
     }
-    const ProgramResult whole = run("render m.gltf --size 16x16 -o c.png");
-    EXPECT_EQ(whole.status, 0) << whole.err;
+    const ProgramResult whole = succeed("render m.gltf --size 16x16 -o c.png");
     EXPECT_EQ(whole.out.find("shown smaller"), std::string::npos) << whole.out;
 }
 
@@ -262,8 +259,7 @@ TEST_F(Files, ARadiusOfPointsChangesThePicture) {
                                          "models " + survey + "--points 0.2 --out thick",
                                          "render sheets --size 64x36 --points 0.2 -o sheets.png"};
     for (const std::string& arguments : lines) {
-        const ProgramResult result = run(arguments);
-        EXPECT_EQ(result.status, 0) << arguments << result.err;
+        succeed(arguments);
     }
     EXPECT_NE(textIn("plain.png"), textIn("behind.png"));
     EXPECT_EQ(textIn("before.png"), textIn("behind.png"));
@@ -271,8 +267,7 @@ TEST_F(Files, ARadiusOfPointsChangesThePicture) {
 }
 
 TEST_F(Files, DevicesTakeSeveralOutputs) {
-    const ProgramResult result = run("precision --json /dev/null --curve /dev/null");
-    EXPECT_EQ(result.status, 0) << result.err;
+    succeed("precision --json /dev/null --curve /dev/null");
 }
 
 class NotesTest : public FolderTest, public testing::WithParamInterface<const char*> {};
@@ -281,8 +276,7 @@ class NotesTest : public FolderTest, public testing::WithParamInterface<const ch
 TEST_P(NotesTest, AreSaidEverywhere) {
     writeNotedModel(at("m.gltf"));
     const std::string arguments = std::string(GetParam()) + " --size 32x18 --json r.json";
-    const ProgramResult loud = run(arguments);
-    ASSERT_EQ(loud.status, 0) << loud.err;
+    const ProgramResult loud = succeed(arguments);
     EXPECT_NE(loud.out.find("m.gltf: ignored: KHR_nobody_has_this: extension not used"), std::string::npos)
         << loud.out;
     const json document = jsonIn("r.json");
@@ -310,8 +304,7 @@ TEST_F(Notes, SayWhichFileTheyAreAbout) {
     for (const char* arguments :
          {"models first.gltf whole.gltf second.gltf",
           "pictures --scenes first.gltf,whole.gltf,second.gltf --frames 1 --techniques log"}) {
-        const ProgramResult result = run(arguments + std::string(" --size 16x16 --json r.json"));
-        ASSERT_EQ(result.status, 0) << arguments << result.err;
+        const ProgramResult result = succeed(arguments + std::string(" --size 16x16 --json r.json"));
         const json document = jsonIn("r.json");
         ASSERT_EQ(document.at("notes").size(), document.at("noted_files").size()) << arguments;
         const json& files = document["noted_files"];
@@ -341,11 +334,9 @@ TEST_F(Driver, AMissingOneIsNamedWithItsPackage) {
 /// Names of files may hold any byte.
 TEST_F(Files, NotesAndTablesHaveANameOnOneLine) {
     writeNotedModel(at("a\nb.gltf"));
-    const ProgramResult result = run("render 'a\nb.gltf' --size 16x16 -o a.png");
-    EXPECT_EQ(result.status, 0) << result.err;
+    const ProgramResult result = succeed("render 'a\nb.gltf' --size 16x16 -o a.png");
     EXPECT_NE(result.out.find("a b.gltf: ignored: "), std::string::npos) << result.out;
-    const ProgramResult table = run("models 'a\nb.gltf' --size 16x16");
-    EXPECT_EQ(table.status, 0) << table.err;
+    const ProgramResult table = succeed("models 'a\nb.gltf' --size 16x16");
     EXPECT_NE(table.out.find("\na b  "), std::string::npos) << table.out;
 }
 

@@ -18,8 +18,7 @@ using FlickerCommand = FolderTest;
 
 /// The result to reproduce: in wrong pixels, not in flips.
 TEST_F(FlickerCommand, WrongPixelsComeInTheThesisOrder) {
-    const ProgramResult result = run("flicker --frames 12 --size 640x360 --threads 2 --json f.json");
-    ASSERT_EQ(result.status, 0) << result.err;
+    const ProgramResult result = succeed("flicker --frames 12 --size 640x360 --threads 2 --json f.json");
     const json document = jsonIn("f.json");
     EXPECT_EQ(document.at("command"), "flicker");
     std::vector<std::string> order;
@@ -60,8 +59,7 @@ TEST_F(FlickerCommand, WrongPixelsComeInTheThesisOrder) {
 
 TEST_F(FlickerCommand, SharesOfNothingAreNullAndBlank) {
     const ProgramResult result =
-        run("flicker --frames 2 --size 64x36 --techniques standard,log --json f.json");
-    ASSERT_EQ(result.status, 0) << result.err;
+        succeed("flicker --frames 2 --size 64x36 --techniques standard,log --json f.json");
     const json document = jsonIn("f.json");
     for (const json& row : document.at("results")) {
         EXPECT_EQ(row.at("pixels"), 0) << "the cubes are too small here to have pixels off edges";
@@ -92,8 +90,7 @@ TEST_F(FlickerCommand, WritesVideosFramesAndStateAndGoesOnFromIt) {
     EXPECT_EQ(frame.size(), 18u + 3 * 128 * 72);
     fs::remove_all(at("frames"));
 
-    const ProgramResult again = run(arguments + "b.json");
-    ASSERT_EQ(again.status, 0) << again.err;
+    const ProgramResult again = succeed(arguments + "b.json");
     EXPECT_NE(again.out.find("results kept in ./flicker_state.json: 3\n"), std::string::npos) << again.out;
     EXPECT_EQ(first.out.find("results kept"), std::string::npos) << first.out;
     EXPECT_EQ(textIn("a.json"), textIn("b.json"));

@@ -4,10 +4,8 @@
 #include <cdr/image/codec.h>
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -60,10 +58,8 @@ fs::path scenePath(const std::string& scene) {
 
 /// golden_compare's exit status.
 int compareFiles(const fs::path& golden, const fs::path& render) {
-    const std::string command =
-        "'" GOLDEN_COMPARE "' '" + golden.string() + "' '" + render.string() + "' >/dev/null 2>&1";
-    const int status = std::system(command.c_str());
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return test::statusOf("'" GOLDEN_COMPARE "' '" + golden.string() + "' '" + render.string() +
+                          "' >/dev/null 2>&1");
 }
 
 /// Pixels with a channel that does not lie between those of the golden pixels around it, within the usual tolerance. That
@@ -97,9 +93,8 @@ TEST_P(GoldenPicture, IsRenderedStill) {
     if (GetParam().scene.starts_with("ASSETS/") && !fs::exists(scene)) {
         GTEST_SKIP() << scene << " is absent";
     }
-    const ProgramResult result = run("--validate render '" + scene.string() + "' " + GetParam().arguments +
-                                     " --size 320x180 -o render.png");
-    ASSERT_EQ(result.status, 0) << result.err;
+    succeed("--validate render '" + scene.string() + "' " + GetParam().arguments +
+            " --size 320x180 -o render.png");
     const fs::path golden = kFolder / (GetParam().name + ".png");
     if (snapReach() > 0.0) {
         const std::size_t apart = countApart(readPicture(golden), readPicture(at("render.png")));

@@ -69,9 +69,8 @@ TEST_F(TimingCommand, HelpNamesWhatItsOptionsExclude) {
 /// Never the times themselves, only what must hold of any.
 TEST_F(TimingCommand, ReportsEveryModeOverStandard) {
     const ProgramResult result =
-        run("--validate timing --frames 7 --size 64x36 --threads 2 --modes cdr-2,logcdr-5 --json t.json "
-            "--csv t.csv --trace trace.json");
-    ASSERT_EQ(result.status, 0) << result.err;
+        succeed("--validate timing --frames 7 --size 64x36 --threads 2 --modes cdr-2,logcdr-5 --json t.json "
+                "--csv t.csv --trace trace.json");
     const json document = jsonIn("t.json");
     EXPECT_EQ(document.at("command"), "timing");
     EXPECT_EQ(document.at("options").at("frames"), 7);
@@ -105,8 +104,8 @@ TEST_F(TimingCommand, ReportsEveryModeOverStandard) {
 
 /// They could not be more than the smallest and the largest, which miss the median more often than one in 20.
 TEST_F(TimingCommand, FewFramesHaveNoIntervals) {
-    const ProgramResult result = run("timing --frames 5 --size 16x16 --modes log --json t.json --csv t.csv");
-    ASSERT_EQ(result.status, 0) << result.err;
+    const ProgramResult result =
+        succeed("timing --frames 5 --size 16x16 --modes log --json t.json --csv t.csv");
     const json document = jsonIn("t.json");
     EXPECT_TRUE(document.at("noise_floor_pct").is_number());
     EXPECT_TRUE(document.at("noise_floor_ci95").is_null());
@@ -336,9 +335,7 @@ TEST_F(RenderCommand, HowDrawsAreSubmittedChangesNoHash) {
 }
 
 TEST_F(RenderCommand, TracesWorkersCascadesAndTheDevice) {
-    const ProgramResult result =
-        run("render rotation --size 64x36 --split count:3 --threads 2 --frames 2 --trace trace.json");
-    ASSERT_EQ(result.status, 0) << result.err;
+    succeed("render rotation --size 64x36 --split count:3 --threads 2 --frames 2 --trace trace.json");
     const auto tracks = tracksOf(jsonIn("trace.json"));
     EXPECT_EQ(tracks.at("frames"), 2);
     EXPECT_EQ(tracks.at("stages"), 2 * 4); // cull, split, bin, record
@@ -353,9 +350,8 @@ TEST_F(RenderCommand, TracesWorkersCascadesAndTheDevice) {
 
 /// A list of techniques is divided at commas, but not where a split has some.
 TEST_F(ProbeCommand, TakesTechniquesWhoseNamesHaveCommas) {
-    const ProgramResult result = run("probe --distances 1000 --size 64x36 --formats d32f --techniques "
-                                     "standard/at:1,2,anchored/fitted:1px,max=2,reversed --json p.json");
-    ASSERT_EQ(result.status, 0) << result.err;
+    const ProgramResult result = succeed("probe --distances 1000 --size 64x36 --formats d32f --techniques "
+                                         "standard/at:1,2,anchored/fitted:1px,max=2,reversed --json p.json");
     EXPECT_NE(result.out.find("no pixel tells"), std::string::npos) << result.out;
     std::vector<std::string> names;
     const json document = jsonIn("p.json");

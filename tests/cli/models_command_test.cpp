@@ -100,7 +100,7 @@ TEST_F(ModelsCommand, AModelThatBlendsAloneIsCovered) {
 
 /// Whose sheet would be shrunk by more than they are high.
 TEST_F(ModelsCommand, TakesLowWidePictures) {
-    EXPECT_EQ(run("models " + kAssets + "well.gltf --size 640x1 --out m").status, 0);
+    succeed("models " + kAssets + "well.gltf --size 640x1 --out m");
     EXPECT_TRUE(std::filesystem::exists(at("m/models_sheet.png")));
 }
 

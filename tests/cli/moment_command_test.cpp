@@ -34,10 +34,9 @@ TEST_P(StillCommand, ShowsTheChosenMomentCameraAndLights) {
     const Still& still = GetParam();
     const auto pictureOf = [&](const std::string& choice) {
         const TemporaryFolder folder;
-        const ProgramResult result =
-            runProgram(still.command + (kStage + std::string(still.options)) + " --json s.json " + choice,
-                       folder.path());
-        EXPECT_EQ(result.status, 0) << choice << result.err;
+        const ProgramResult result = cli_test::succeed(still.command + (kStage + std::string(still.options)) +
+                                                           " --json s.json " + choice,
+                                                       folder.path());
         if (result.status != 0) {
             return std::string();
         }

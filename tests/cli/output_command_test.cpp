@@ -34,13 +34,12 @@ TEST_F(Outputs, AFullStandardErrorChangesNoStatus) {
 }
 
 TEST_F(Outputs, GoIntoDescriptorsAndWhatALinkPointsAt) {
-    const ProgramResult result = run("--quiet precision --json /dev/fd/1");
-    EXPECT_EQ(result.status, 0) << result.err;
+    const ProgramResult result = succeed("--quiet precision --json /dev/fd/1");
     EXPECT_EQ(nlohmann::json::parse(result.out).at("command"), "precision");
     EXPECT_EQ(runRedirected("precision --json /dev/fd/3", "3>/dev/full", folder()).err,
               "cdr: /dev/fd/3: write failed: No space left on device\n");
     fs::create_symlink("to.json", at("link.json"));
-    EXPECT_EQ(run("precision --json link.json").status, 0);
+    succeed("precision --json link.json");
     EXPECT_TRUE(fs::is_symlink(at("link.json")));
     EXPECT_EQ(jsonIn("to.json").at("command"), "precision");
 }
@@ -48,8 +47,7 @@ TEST_F(Outputs, GoIntoDescriptorsAndWhatALinkPointsAt) {
 TEST_F(Advise, EndsForTheSmallestNumbers) {
     for (const char* arguments : {"advise --separation 4.9e-324", "advise --separation 1e-310",
                                   "advise --separation 1 --fov 1e-28"}) {
-        const ProgramResult result = run(arguments);
-        EXPECT_EQ(result.status, 0) << arguments << ": " << result.err;
+        const ProgramResult result = succeed(arguments);
         EXPECT_FALSE(result.out.empty()) << arguments;
     }
 }

@@ -6,25 +6,16 @@
 #include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <regex>
 #include <sstream>
 
 namespace cdr::cli_test {
 
 namespace fs = std::filesystem;
-
-std::string readText(const fs::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    return text.str();
-}
 
 std::vector<std::string> linesIn(const fs::path& path) {
     std::vector<std::string> lines;
@@ -75,8 +66,7 @@ ProgramResult runProgram(const std::string& arguments, const fs::path& folder,
     const std::string log = folder.string() + ".log";
     const std::string command = "cd '" + folder.string() + "' && " + environment + " '" CDR_PROGRAM "' " +
                                 arguments + " >'" + log + ".out' 2>'" + log + ".err' </dev/null";
-    const int status = std::system(command.c_str());
-    ProgramResult result{.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+    ProgramResult result{.status = test::statusOf(command),
                          .out = readText(log + ".out"),
                          .err = test::withoutWarningsOfEvents(readText(log + ".err"))};
     fs::remove(log + ".out");
@@ -84,9 +74,14 @@ ProgramResult runProgram(const std::string& arguments, const fs::path& folder,
     return result;
 }
 
-nlohmann::json documentOf(const std::string& arguments, const fs::path& folder) {
-    const ProgramResult result = runProgram(arguments + " --json document.json", folder);
+ProgramResult succeed(const std::string& arguments, const fs::path& folder, const std::string& environment) {
+    ProgramResult result = runProgram(arguments, folder, environment);
     EXPECT_EQ(result.status, 0) << arguments << ": " << result.err;
+    return result;
+}
+
+nlohmann::json documentOf(const std::string& arguments, const fs::path& folder) {
+    const ProgramResult result = succeed(arguments + " --json document.json", folder);
     return result.status == 0 ? nlohmann::json::parse(readText(folder / "document.json")) : nlohmann::json();
 }
 

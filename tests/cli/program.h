@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../support/all_cases.h"
+#include "../support/shell.h"
 #include "../support/temporary_folder.h"
 
 #include <cdr/gpu/device.h>
@@ -16,16 +17,16 @@
 
 namespace cdr::cli_test {
 
-struct ProgramResult {
-    int status = -1;
-    std::string out;
-    std::string err;
-};
+using ProgramResult = test::ShellResult;
 
 /// Runs the cdr program in a shell with `arguments` as typed, in `folder`.
 /// @param environment assignments for the program alone, as typed before it.
 ProgramResult runProgram(const std::string& arguments, const std::filesystem::path& folder,
                          const std::string& environment = "");
+
+/// Runs the program, which has to succeed.
+ProgramResult succeed(const std::string& arguments, const std::filesystem::path& folder,
+                      const std::string& environment = "");
 
 /// Runs the program, which has to succeed, with `--json`. @return the document; null where it fails.
 nlohmann::json documentOf(const std::string& arguments, const std::filesystem::path& folder);
@@ -57,10 +58,9 @@ constexpr const char* kNoPage = "built without the report's page: tools/setup.sh
 constexpr const char* kNoD24 = "left out: d24, which the device lacks";
 constexpr const char* kNoGpuDriven = "left out: gpu-driven submission, which the device lacks";
 
+using test::readText;
 using test::takesAllCases;
 using test::TemporaryFolder;
-
-std::string readText(const std::filesystem::path& path);
 
 /// A test in a folder of its own, where the program runs.
 class FolderTest : public testing::Test {
@@ -73,6 +73,9 @@ class FolderTest : public testing::Test {
 
     ProgramResult run(const std::string& arguments, const std::string& environment = "") const {
         return runProgram(arguments, folder(), environment);
+    }
+    ProgramResult succeed(const std::string& arguments, const std::string& environment = "") const {
+        return cli_test::succeed(arguments, folder(), environment);
     }
     nlohmann::json documentOf(const std::string& arguments) const {
         return cli_test::documentOf(arguments, folder());

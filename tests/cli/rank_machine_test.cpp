@@ -47,10 +47,9 @@ struct TimedRun {
 
 TimedRun timeAs(const std::string& launcher, const std::string& option = "") {
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        "--share-machine " + option + " timing --frames 9 --modes anchored --size 64x36 --json a.json",
-        folder.path(), launcher);
-    EXPECT_EQ(result.status, 0) << result.err;
+    const ProgramResult result = succeed("--share-machine " + option +
+                                             " timing --frames 9 --modes anchored --size 64x36 --json a.json",
+                                         folder.path(), launcher);
     const auto document = nlohmann::json::parse(readText(folder.path() / "a.json"));
     TimedRun run{.choice = document.at("cpu_choice"),
                  .line = result.out.substr(0, result.out.find('\n')),
@@ -89,9 +88,9 @@ TEST_F(RankMachine, RanksThatAreNotBoundShareItsProcessors) {
 /// A machine has more CPUs than a job may use.
 TEST_F(RankMachine, WhatTheRanksMayNotUseIsNotDivided) {
     const std::string last = std::to_string(platform::allowedCpus().back());
-    const ProgramResult result = run("--bind render cubes --size 32x18 --json a.json",
-                                     "taskset --cpu-list " + last + " env " + test::launched(CDR_MPIEXEC, 3));
-    ASSERT_EQ(result.status, 0) << result.err;
+    const ProgramResult result =
+        succeed("--bind render cubes --size 32x18 --json a.json",
+                "taskset --cpu-list " + last + " env " + test::launched(CDR_MPIEXEC, 3));
     EXPECT_EQ(
         result.out.substr(0, result.out.find('\n')),
         "3 ranks, 3 of them on this machine; lavapipe draws with 1 thread in each; they share 1 processor, "
@@ -138,9 +137,7 @@ TEST_F(RankMachine, JsonOfTimesCountsTheProcessorsOfTheRankThatTimed) {
     }
     const std::string first = std::to_string(platform::allowedCpus().front());
     for (const char* command : {"detail cubes --frames 1", "translucency --cascades 1 --repeats 1"}) {
-        const ProgramResult result =
-            run(std::string(command) + " --size 64x36 --json a.json", boundTo(first, first));
-        ASSERT_EQ(result.status, 0) << result.err;
+        succeed(std::string(command) + " --size 64x36 --json a.json", boundTo(first, first));
         EXPECT_EQ(jsonIn("a.json").at("host").at("cpus"), 1);
     }
 }
@@ -172,8 +169,7 @@ TEST_F(RankMachine, BoundRanksLeaveTheBytesOfOneProcess) {
         "render afc --technique anchored --size 64x36 --frames 4 -o f%d.png --json a.json";
     const auto filesOf = [&](const std::string& launcher, const std::string& option) {
         const TemporaryFolder folder;
-        const ProgramResult result = runProgram(option + " " + render, folder.path(), launcher);
-        EXPECT_EQ(result.status, 0) << result.err;
+        cli_test::succeed(option + " " + render, folder.path(), launcher);
         std::map<std::string, std::string> files;
         for (const fs::directory_entry& entry : fs::directory_iterator(folder.path())) {
             files[entry.path().filename().string()] =

@@ -34,8 +34,7 @@ std::vector<int> usualCounts() {
 void expectSameFiles(const std::string& arguments, std::size_t fileCount,
                      const std::vector<int>& counts = usualCounts()) {
     const TemporaryFolder alone;
-    const ProgramResult one = runProgram(arguments, alone.path());
-    ASSERT_EQ(one.status, 0) << one.err;
+    cli_test::succeed(arguments, alone.path());
     const auto expected = filesIn(alone.path());
     EXPECT_EQ(expected.size(), fileCount);
     for (const int ranks : counts) {
@@ -87,7 +86,7 @@ TEST_F(RanksCommand, CascadesAreLaidOverEachOther) {
     expectSameFiles("render --ranks cascades" + fitted, 4, {4});
     const TemporaryFolder frames;
     const TemporaryFolder cascades;
-    ASSERT_EQ(runProgram("render --ranks frames" + fitted, frames.path()).status, 0);
+    cli_test::succeed("render --ranks frames" + fitted, frames.path());
     ASSERT_EQ(runAsRanks(3, "render --ranks cascades" + fitted, cascades.path()).status, 0);
     EXPECT_EQ(filesIn(frames.path()), filesIn(cascades.path()));
     expectSameFiles(
@@ -205,7 +204,7 @@ TEST_F(RanksCommand, TranslucencyComparesWhatOneProcessDoes) {
     const std::string refused =
         "translucency --size 320x180 --cascades 3 --repeats 0 --translucency-memory 1 --json all.json";
     const TemporaryFolder alone;
-    EXPECT_EQ(runProgram(refused, alone.path()).status, 0);
+    cli_test::succeed(refused, alone.path());
     EXPECT_NE(runAsRanks(3, refused, folder()).out.find("\n3 cascades drawn weighted: "), std::string::npos);
     EXPECT_EQ(filesIn(folder()), filesIn(alone.path()));
 }
@@ -287,8 +286,7 @@ TEST_F(RanksCommand, WhatMeasuresTimeSharesNoMachineUnlessTold) {
 void expectTimedByAll(const std::string& arguments, const std::string& units, std::size_t count) {
     const TemporaryFolder folder;
     const std::string command = arguments + " --size 64x36 --json all.json";
-    const ProgramResult one = runProgram(command, folder.path());
-    ASSERT_EQ(one.status, 0) << one.err;
+    succeed(command, folder.path());
     const auto alone = nlohmann::json::parse(readText(folder.path() / "all.json"));
     EXPECT_FALSE(alone.contains("measured_by"));
     const ProgramResult two = runAsRanks(2, "--share-machine " + command, folder.path());

@@ -96,7 +96,7 @@ TEST_F(RenderState, MakesOnlyWhatIsMissing) {
 }
 
 TEST_F(RenderState, IsOfOneRun) {
-    ASSERT_EQ(run(kRender).status, 0);
+    succeed(kRender);
     const std::string other =
         std::string("s: is the state of a run with other options or files, another version or device") +
         kElsewhere;
@@ -108,7 +108,7 @@ TEST_F(RenderState, IsOfOneRun) {
     expectRefused(std::string("--points 0.5 ") + kRender, other);
     // What changes nothing of a frame.
     for (const char* option : {"--json b.json", "--threads 1", "--aov color"}) {
-        EXPECT_EQ(run(std::string("--quiet --validate --bind ") + kRender + option).status, 0) << option;
+        succeed(std::string("--quiet --validate --bind ") + kRender + option);
     }
     EXPECT_EQ(linesIn(at("s")).size(), 6u);
 }
@@ -120,7 +120,7 @@ TEST_F(RenderState, IsOfTheFilesThatWereRead) {
         fs::copy_file(assets / name, at(name));
     }
     const std::string render = "render well.gltf --size 32x18 --frames 2 -o f%d.png --state s";
-    ASSERT_EQ(run(render).status, 0);
+    succeed(render);
     EXPECT_EQ(run(render).out.substr(0, 11), "2 of 2 fram");
     std::string buffer = textIn("well.bin");
     buffer.back() = static_cast<char>(buffer.back() ^ 1);
@@ -171,7 +171,7 @@ std::vector<Strange> strangeCertificates() {
 TEST_F(RenderState, RefusesWhatIsNoCertificate) {
     const std::string render =
         "render cubes --technique anchored --size 16x9 -o f.png --certify c.json --state s";
-    ASSERT_EQ(run(render).status, 0);
+    succeed(render);
     const std::vector<std::string> lines = linesIn(at("s"));
     ASSERT_EQ(lines.size(), 2u);
     for (const auto& [place, value] : strangeCertificates()) {
@@ -186,12 +186,12 @@ TEST_F(RenderState, RefusesWhatIsNoCertificate) {
 TEST_F(RenderState, TakesSceneNamesOfAnyBytes) {
     fs::copy_file(CDR_SOURCE_DIR "/tests/fuzz/seeds/gltf/triangle.gltf", at("odd\xff\tname.gltf"));
     const std::string render = "render 'odd\xff\tname.gltf' --size 16x9 -o f.png --state s";
-    ASSERT_EQ(run(render).status, 0);
+    succeed(render);
     EXPECT_EQ(run(render).out.substr(0, 11), "1 of 1 fram");
 }
 
 TEST_F(RenderState, RefusesWhatIsNoStateOfItsOwn) {
-    ASSERT_EQ(run(kRender).status, 0);
+    succeed(kRender);
     const std::vector<std::string> lines = linesIn(at("s"));
     const auto withRecord = [&](const nlohmann::ordered_json& made) {
         const std::string json = nlohmann::ordered_json{{"unit", 1}, {"made", made}}.dump();
@@ -202,7 +202,7 @@ TEST_F(RenderState, RefusesWhatIsNoStateOfItsOwn) {
     const nlohmann::ordered_json good =
         nlohmann::ordered_json::parse(lines[2].substr(lines[2].find(' '))).at("made");
     withRecord(good);
-    EXPECT_EQ(run(kRender).status, 0);
+    succeed(kRender);
     for (const char* field : {"notes", "row", "cells", "certificate", "picture"}) {
         auto made = good;
         made[field] = 7;
@@ -249,7 +249,7 @@ TEST_F(RenderState, GoesOnWithACertificate) {
     const std::string render =
         "render afc --technique anchored --size 160x90 --frames 3 --aov wrong -o f%d.png --json a.json "
         "--certify c.json --state s";
-    ASSERT_EQ(run(render).status, 0);
+    succeed(render);
     auto whole = files();
     whole.erase("s");
     for (const char* name : {"f1.png", "a.json", "c.json"}) {

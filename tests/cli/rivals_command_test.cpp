@@ -18,8 +18,7 @@ using RivalsCommand = FolderTest;
 
 TEST_F(RivalsCommand, WritesWhatEachResolvesCostsAndNeeds) {
     const ProgramResult result =
-        run("--validate rivals mixed afc --frames 2 --size 160x90 --distances 1000 --json r.json");
-    ASSERT_EQ(result.status, 0) << result.err;
+        succeed("--validate rivals mixed afc --frames 2 --size 160x90 --distances 1000 --json r.json");
     const json document = jsonIn("r.json");
     EXPECT_EQ(document.at("command"), "rivals");
     EXPECT_EQ(document.at("options").at("baseline"), "anchored");

@@ -16,8 +16,7 @@ namespace {
 using ShellCommands = FolderTest;
 
 TEST_F(ShellCommands, NothingAskedForShowsHelp) {
-    const ProgramResult bare = run("");
-    EXPECT_EQ(bare.status, 0);
+    const ProgramResult bare = succeed("");
     EXPECT_EQ(bare.out, run("--help").out);
     EXPECT_NE(bare.out.find("\nMeasure:\n"), std::string::npos) << bare.out;
     const ProgramResult missing = run("--quiet");
@@ -89,8 +88,7 @@ TEST_F(ShellCommands, EveryShellAndTheManualNameEveryCommand) {
     const std::vector<std::string> names = commandNames(); // as fish completes them
     ASSERT_GE(names.size(), 18u);
     for (const char* what : {"completions bash", "completions zsh", "manual"}) {
-        const ProgramResult result = run(what);
-        EXPECT_EQ(result.status, 0) << result.err;
+        const ProgramResult result = succeed(what);
         for (const std::string& name : names) {
             EXPECT_TRUE(std::regex_search(result.out, std::regex("[^-]\\b" + name + "\\b")))
                 << what << ": " << name;

@@ -49,8 +49,7 @@ TEST_F(TranslucencyCommand, ComparesAMomentOfAnAnimation) {
     std::set<std::string> truths;
     for (const std::string& moment : {std::string(), std::string("--time 0.7"), std::string("--time 2"),
                                       std::string("--animation rest --time 0.7")}) {
-        const ProgramResult result = run(common + moment);
-        ASSERT_EQ(result.status, 0) << result.err;
+        succeed(common + moment);
         const json document = jsonIn("t.json");
         EXPECT_EQ(document["options"].contains("time"), !moment.empty());
         EXPECT_EQ(document["options"].contains("animation"), moment.find("rest") != std::string::npos);
@@ -75,8 +74,7 @@ TEST_F(TranslucencyCommand, RefusesAMomentThatThereIsNot) {
 TEST_F(TranslucencyCommand, RenderTakesTheMethodAndItsMemory) {
     const std::string common = "--validate render sheets --size 320x180 --depth anchored --split count:3 ";
     const auto drawn = [&](const std::string& arguments) {
-        const ProgramResult result = run(common + arguments + " --hash --json r.json");
-        EXPECT_EQ(result.status, 0) << result.err;
+        const ProgramResult result = succeed(common + arguments + " --hash --json r.json");
         return std::pair(result.out, jsonIn("r.json")["results"][0]);
     };
     const json weighted = drawn("").second;
@@ -91,8 +89,7 @@ TEST_F(TranslucencyCommand, RenderTakesTheMethodAndItsMemory) {
 }
 
 TEST_F(TranslucencyCommand, CoverageIsAnOutput) {
-    const ProgramResult result = run("--validate render sheets --size 160x90 --aov coverage -o c.png");
-    ASSERT_EQ(result.status, 0) << result.err;
+    succeed("--validate render sheets --size 160x90 --aov coverage -o c.png");
     const image::ImageRgba8 picture = image::decodeImage(platform::readFile(at("c.png"), 1 << 20), "c.png");
     std::set<int> greys;
     for (const image::Rgba8& pixel : picture.pixels) {
@@ -106,16 +103,14 @@ TEST_F(TranslucencyCommand, CoverageIsAnOutput) {
 TEST_F(TranslucencyCommand, CoverageOfNothingIsHashedByPixels) {
     std::set<std::string> hashes;
     for (const std::string size : {"16x16", "32x32"}) {
-        const ProgramResult result = run("render afc --aov coverage --hash --json r.json --size " + size);
-        ASSERT_EQ(result.status, 0) << result.err;
+        succeed("render afc --aov coverage --hash --json r.json --size " + size);
         hashes.insert(jsonIn("r.json")["results"][0]["hash"].get<std::string>());
     }
     EXPECT_EQ(hashes.size(), 2u);
 }
 
 TEST_F(TranslucencyCommand, WhatIsNotTimedHasNoTime) {
-    const ProgramResult result = run("translucency --size 16x16 --cascades 1 --repeats 0 --json t.json");
-    ASSERT_EQ(result.status, 0) << result.err;
+    succeed("translucency --size 16x16 --cascades 1 --repeats 0 --json t.json");
     EXPECT_TRUE(jsonIn("t.json")["results"][0].at("execute_ms").is_null());
 }
 

@@ -47,8 +47,7 @@ class ViewCommand : public FolderTest {
     json pictureOf(const viewer::ReproducedView& view) const {
         const std::string line = viewer::renderCommand(view);
         EXPECT_EQ(line.find("cdr "), 0u);
-        const ProgramResult result = run(line.substr(4) + " --json r.json");
-        EXPECT_EQ(result.status, 0) << line << "\n" << result.err;
+        const ProgramResult result = succeed(line.substr(4) + " --json r.json");
         EXPECT_TRUE(std::filesystem::remove(at("view.png")));
         return result.status == 0 ? jsonIn("r.json")["results"][0] : json();
     }
@@ -137,15 +136,15 @@ TEST_F(ViewCommand, RendersARecordedPath) {
     scene::writeRecording(at("p.json"), recording);
     const std::string render = "render afc --technique reversed --size 320x180 ";
     // As recorded, each camera is a frame of the scene's own path.
-    ASSERT_EQ(run(render + "--path p.json --json a.json").status, 0);
+    succeed(render + "--path p.json --json a.json");
     const json frames = jsonIn("a.json")["results"];
     ASSERT_EQ(frames.size(), 3u);
     for (std::uint32_t i = 0; i < 3; ++i) {
-        ASSERT_EQ(run(render + "--json b.json --frame " + std::to_string(20 * i)).status, 0);
+        succeed(render + "--json b.json --frame " + std::to_string(20 * i));
         EXPECT_EQ(frames[i]["hash"], jsonIn("b.json")["results"][0]["hash"]);
     }
     // And spread over more frames, the ends stay.
-    ASSERT_EQ(run(render + "--path p.json --frames 5 -o f%02d.png --json c.json").status, 0);
+    succeed(render + "--path p.json --frames 5 -o f%02d.png --json c.json");
     const json spread = jsonIn("c.json")["results"];
     ASSERT_EQ(spread.size(), 5u);
     EXPECT_EQ(spread[0]["hash"], frames[0]["hash"]);

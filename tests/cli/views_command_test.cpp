@@ -16,9 +16,7 @@ constexpr const char* kRig = " --eye-distance 0.4 --converge 12";
 class ViewsCommand : public FolderTest {
   protected:
     json row(const std::string& options, const std::string& size = "160x90") {
-        const ProgramResult result =
-            run("--validate render alley --size " + size + " --json r.json " + options);
-        EXPECT_EQ(result.status, 0) << result.err;
+        succeed("--validate render alley --size " + size + " --json r.json " + options);
         m_document = jsonIn("r.json");
         return m_document["results"][0];
     }

@@ -16,17 +16,11 @@ using namespace cdr::gpu;
 
 /// What an owner says that its device was created with.
 struct NamedFeatures {
-    VkPhysicalDeviceVulkan13Features v13{};
-    VkPhysicalDeviceVulkan12Features v12{};
-    VkPhysicalDeviceFeatures2 features{};
+    VkPhysicalDeviceVulkan13Features v13 = vk::PhysicalDeviceVulkan13Features{};
+    VkPhysicalDeviceVulkan12Features v12 = vk::PhysicalDeviceVulkan12Features{.pNext = &v13};
+    VkPhysicalDeviceFeatures2 features = vk::PhysicalDeviceFeatures2{.pNext = &v12};
 
-    NamedFeatures() {
-        v13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
-        v12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
-        v12.pNext = &v13;
-        features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-        features.pNext = &v12;
-    }
+    NamedFeatures() = default;
     NamedFeatures(const NamedFeatures&) = delete;
     NamedFeatures& operator=(const NamedFeatures&) = delete;
 };
@@ -93,8 +87,8 @@ TEST_F(BorrowedDevices, HaveTheNumbersOfShadersThatTheirOwnerNames) {
 
 TEST_F(BorrowedDevices, RenderConditionallyWhereTheirOwnerNamesTheFeature) {
     EXPECT_FALSE(Device(lent()).info().hasConditionalRendering);
-    VkPhysicalDeviceConditionalRenderingFeaturesEXT conditional{};
-    conditional.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT;
+    VkPhysicalDeviceConditionalRenderingFeaturesEXT conditional =
+        vk::PhysicalDeviceConditionalRenderingFeaturesEXT{};
     NamedFeatures named;
     named.v13.pNext = &conditional;
     const BorrowedDevice borrowed = lentWith(named.features);

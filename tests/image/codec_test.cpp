@@ -1,4 +1,5 @@
 #include "../support/refusal.h"
+#include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
 #include <cdr/image/codec.h>
@@ -60,19 +61,14 @@ std::vector<std::uint8_t> withPngSize(std::vector<std::uint8_t> png, std::uint32
 
 class Folder : public testing::Test {
   protected:
-    void SetUp() override {
-        m_path = fs::temp_directory_path() / ("cdr_image_" + std::to_string(std::random_device{}()));
-        fs::create_directories(m_path);
-    }
-    void TearDown() override { fs::remove_all(m_path); }
-    fs::path file(const std::string& name) const { return m_path / name; }
+    fs::path file(const std::string& name) const { return m_folder.path() / name; }
     std::size_t filesInside() const {
         return static_cast<std::size_t>(
-            std::distance(fs::directory_iterator(m_path), fs::directory_iterator()));
+            std::distance(fs::directory_iterator(m_folder.path()), fs::directory_iterator()));
     }
 
   private:
-    fs::path m_path;
+    test::TemporaryFolder m_folder;
 };
 
 TEST(Png, ComesBackAsItWas) {

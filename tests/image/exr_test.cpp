@@ -1,3 +1,5 @@
+#include "../support/temporary_folder.h"
+
 #include <cdr/base/error.h>
 #include <cdr/image/codec.h>
 #include <cdr/platform/file.h>
@@ -11,7 +13,6 @@
 #include <bit>
 #include <filesystem>
 #include <limits>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -22,12 +23,11 @@ namespace fs = std::filesystem;
 
 class Exr : public testing::Test {
   protected:
-    void SetUp() override {
-        m_folder = fs::temp_directory_path() / ("cdr_exr_" + std::to_string(std::random_device{}()));
-        fs::create_directories(m_folder);
-    }
-    void TearDown() override { fs::remove_all(m_folder); }
-    fs::path m_folder;
+    fs::path file(const std::string& name) const { return m_folder.path() / name; }
+    bool folderIsEmpty() const { return m_folder.isEmpty(); }
+
+  private:
+    test::TemporaryFolder m_folder;
 };
 
 ExrChannel ramp(const std::string& name, std::uint32_t width, std::uint32_t height, float step) {
@@ -56,7 +56,7 @@ void writeExr(const fs::path& path, const std::vector<ExrChannel>& channels) {
 }
 
 TEST_F(Exr, ChannelsComeBackBitForBit) {
-    const fs::path path = m_folder / "a.exr";
+    const fs::path path = file("a.exr");
     std::vector<ExrChannel> channels{ramp("R", 37, 21, 1.0f / 3.0f), ramp("distance", 37, 21, 1e7f)};
     channels[1].values.at(5, 7) = std::numeric_limits<float>::infinity();
     channels[1].values.at(6, 7) = std::numeric_limits<float>::denorm_min();
@@ -74,7 +74,7 @@ TEST_F(Exr, ChannelsComeBackBitForBit) {
 }
 
 TEST_F(Exr, IsZipCompressedFloat32) {
-    const fs::path path = m_folder / "a.exr";
+    const fs::path path = file("a.exr");
     writeExr(path, std::vector{ramp("Z", 64, 64, 1.0f)});
     const Imf::InputFile file(path.c_str());
     EXPECT_EQ(file.header().compression(), Imf::ZIP_COMPRESSION);
@@ -84,20 +84,19 @@ TEST_F(Exr, IsZipCompressedFloat32) {
 }
 
 TEST_F(Exr, IsTheSameBytesEachTime) {
-    writeExr(m_folder / "a.exr", std::vector{ramp("Z", 64, 64, 0.7f)});
-    writeExr(m_folder / "b.exr", std::vector{ramp("Z", 64, 64, 0.7f)});
-    EXPECT_EQ(platform::readFile(m_folder / "a.exr", 1u << 20),
-              platform::readFile(m_folder / "b.exr", 1u << 20));
+    writeExr(file("a.exr"), std::vector{ramp("Z", 64, 64, 0.7f)});
+    writeExr(file("b.exr"), std::vector{ramp("Z", 64, 64, 0.7f)});
+    EXPECT_EQ(platform::readFile(file("a.exr"), 1u << 20), platform::readFile(file("b.exr"), 1u << 20));
 }
 
 TEST_F(Exr, RefusesWhatItCannotWriteAndLeavesNothing) {
-    const fs::path path = m_folder / "a.exr";
+    const fs::path path = file("a.exr");
     EXPECT_THROW(writeExr(path, {}), base::InputError);
     EXPECT_THROW(writeExr(path, std::vector{ramp("Z", 0, 0, 1.0f)}), base::InputError);
     EXPECT_THROW(writeExr(path, std::vector{ramp("", 2, 2, 1.0f)}), base::InputError);
     EXPECT_THROW(writeExr(path, std::vector{ramp("Z", 2, 2, 1.0f), ramp("Z", 2, 2, 1.0f)}), base::InputError);
     EXPECT_THROW(writeExr(path, std::vector{ramp("Y", 2, 2, 1.0f), ramp("Z", 2, 3, 1.0f)}), base::InputError);
-    EXPECT_TRUE(fs::is_empty(m_folder));
+    EXPECT_TRUE(folderIsEmpty());
 }
 
 } // namespace

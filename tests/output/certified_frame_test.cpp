@@ -1,6 +1,6 @@
+#include "../support/refusal.h"
 #include "certified_test.h"
 
-#include <cdr/base/error.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <scenes/boulders.h>
 #include <scenes/cubes.h>
@@ -236,12 +236,7 @@ TEST_F(CertifiedFrameTest, RepairsColoursWithinTwoSteps) {
 
 TEST(CertifiedFrame, NamesWhatItCannotFollow) {
     const auto saysOf = [](const render::RenderOptions& options) {
-        try {
-            requireCertifiable(options);
-        } catch (const base::InputError& error) {
-            return std::string(error.what());
-        }
-        return std::string();
+        return test::inputErrorOf([&] { requireCertifiable(options); });
     };
     EXPECT_EQ(saysOf(smallPicture("anchored")), "");
     render::RenderOptions levels = smallPicture("anchored");

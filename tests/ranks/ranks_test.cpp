@@ -1,17 +1,15 @@
 #include "../support/all_cases.h"
 #include "../support/launched.h"
+#include "../support/shell.h"
 #include "../support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <ranks/join.h>
 #include <ranks/unit_order.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,29 +17,17 @@
 namespace cdr::ranks {
 namespace {
 
-struct Outcome {
-    int status = -1;
-    std::string out;
-    std::string err;
-};
-
-std::string textIn(const std::filesystem::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
+using Outcome = test::ShellResult;
 
 Outcome runAs(int ranks, const std::string& arguments) {
     const test::TemporaryFolder folder;
     const std::string out = (folder.path() / "out").string();
     const std::string err = (folder.path() / "err").string();
-    const int status =
-        std::system(("timeout 1200 env " + test::launched(CDR_MPIEXEC, ranks) + " '" RANK_PROGRAM "' " +
-                     arguments + " >'" + out + "' 2>'" + err + "' </dev/null")
-                        .c_str());
-    return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-            .out = textIn(out),
-            .err = test::withoutWarningsOfEvents(textIn(err))};
+    return {.status = test::statusOf("timeout 1200 env " + test::launched(CDR_MPIEXEC, ranks) +
+                                     " '" RANK_PROGRAM "' " + arguments + " >'" + out + "' 2>'" + err +
+                                     "' </dev/null"),
+            .out = test::readText(out),
+            .err = test::withoutWarningsOfEvents(test::readText(err))};
 }
 
 std::string whatOneProcessPrints(std::size_t count) {

@@ -123,12 +123,7 @@ TEST_F(AnchoredTest, OneObjectAroundTheCameraAndToTheHorizonHasNoCracks) {
     if (!drawsToTheHorizon(device())) {
         return leaveOut("floors to the horizon");
     }
-    scene::Scene scene = boxScene();
-    addBox(scene, {0.0, -2.5, 0.0}, glm::mat3(2e5f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 2e5f));
-    for (int i = 0; i < 40; ++i) {
-        const double w = 3.0 * std::pow(1.25, i);
-        addBox(scene, {0.1 * w * std::sin(i), -2.0, -w}, glm::mat3(static_cast<float>(0.05 * w + 0.5)));
-    }
+    const scene::Scene scene = boxesOnAFloor(2e5f);
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.01, .farView = 1e6};
     for (const depth::Mapping mapping : depth::kMappings) {
         const auto wrong = wrongIn(draw(scene, camera, smallOptions(technique(mapping))), scene, camera);

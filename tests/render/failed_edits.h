@@ -29,14 +29,7 @@ inline std::size_t expectEditOutlivesFailures(const gpu::Device& device, std::st
         SoleRenderer renderer(device, world, options);
         renderer.draw(camera);
         edit(world);
-        {
-            const FailingCall failing(call, failures);
-            try {
-                renderer.draw(camera);
-            } catch (const std::exception&) {
-            }
-            hasFailed = FailingCall::hasFailed();
-        }
+        hasFailed = failsAt(call, failures, [&] { renderer.draw(camera); });
         EXPECT_EQ(hashOf(renderer.render(camera)), wanted) << call << " " << failures;
     }
     return failures;

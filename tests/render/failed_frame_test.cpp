@@ -224,12 +224,7 @@ TEST_F(FailedFrameTest, ASizeThatIsNotMadeOfAllViewsLeavesTheLastFrames) {
     const std::array last{renderer.surfaces(0), renderer.surfaces(1)};
     std::size_t failures = 0;
     for (bool hasFailed = true; hasFailed; failures += hasFailed ? 1 : 0) {
-        const FailingCall failing("vkCreateFence", failures);
-        try {
-            renderer.resize(32, 32);
-        } catch (const std::exception&) {
-        }
-        hasFailed = FailingCall::hasFailed();
+        hasFailed = failsAt("vkCreateFence", failures, [&] { renderer.resize(32, 32); });
         if (hasFailed) {
             EXPECT_EQ(renderer.options(), options());
             expectSame(renderer.surfaces(0), last[0]);
@@ -312,14 +307,7 @@ TEST_F(FailedFrameTest, MeshesOutliveAnUploadWithoutMemory) {
             scene::World world(m_scene);
             render::GpuScene onDevice(device(), world);
             const scene::MeshHandle mesh = world.addMesh(scene::makeBox(glm::vec3(1.0f)));
-            {
-                const FailingCall failing("vkCreateBuffer", failures);
-                try {
-                    onDevice.update();
-                } catch (const base::RunError&) {
-                }
-                hasFailed = FailingCall::hasFailed();
-            }
+            hasFailed = failsAt<base::RunError>("vkCreateBuffer", failures, [&] { onDevice.update(); });
             if (goes) {
                 world.removeMesh(mesh);
             }
@@ -361,14 +349,7 @@ TEST_F(FailedFrameTest, LightsThatFindNoRoomLeaveWhatSlotsRead) {
         for (int i = 0; i < 3; ++i) {
             added.push_back(world.addLight({.position = {-5.0, 10.0, 0.0}}));
         }
-        {
-            const FailingCall failing("vkCreateBuffer", failures);
-            try {
-                renderer.draw(camera);
-            } catch (const base::RunError&) {
-            }
-            hasFailed = FailingCall::hasFailed();
-        }
+        hasFailed = failsAt<base::RunError>("vkCreateBuffer", failures, [&] { renderer.draw(camera); });
         for (const scene::LightHandle light : added) {
             world.removeLight(light);
         }
@@ -387,14 +368,7 @@ TEST_F(FailedFrameTest, LayersOfALensOutliveDescriptorsWithoutMemory) {
         std::size_t failures = 0;
         for (bool hasFailed = true; hasFailed; failures += hasFailed ? 1 : 0) {
             render::Renderer renderer(device(), m_scene, *m_onDevice, chosen);
-            {
-                const FailingCall failing(call, failures);
-                try {
-                    renderer.draw(cameraAt(0.0));
-                } catch (const std::exception&) {
-                }
-                hasFailed = FailingCall::hasFailed();
-            }
+            hasFailed = failsAt(call, failures, [&] { renderer.draw(cameraAt(0.0)); });
             EXPECT_EQ(hashOf(renderer.render(cameraAt(0.0))), wanted) << call << " " << failures;
         }
         EXPECT_GE(failures, 3u) << call; // for merging, composing and lighting a layer

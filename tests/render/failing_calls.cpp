@@ -63,33 +63,40 @@ struct Failable<name, VkResult(VKAPI_PTR*)(Parameters...)> {
 
 /// The same for any of them; what was found itself where the name is another's.
 PFN_vkVoidFunction failableOf(std::string_view name, PFN_vkVoidFunction found) {
-    if (name == kAllocateDescriptorSets) {
-        return Failable<kAllocateDescriptorSets, PFN_vkAllocateDescriptorSets>::standIn(found);
-    }
-    if (name == kCreateBuffer) {
-        return Failable<kCreateBuffer, PFN_vkCreateBuffer>::standIn(found);
-    }
-    if (name == kCreateDescriptorPool) {
-        return Failable<kCreateDescriptorPool, PFN_vkCreateDescriptorPool>::standIn(found);
-    }
-    if (name == kCreateFence) {
-        return Failable<kCreateFence, PFN_vkCreateFence>::standIn(found);
-    }
-    if (name == kCreateSampler) {
-        return Failable<kCreateSampler, PFN_vkCreateSampler>::standIn(found);
-    }
-    if (name == kQueueSubmit2) {
-        return Failable<kQueueSubmit2, PFN_vkQueueSubmit2>::standIn(found);
-    }
-    if (name == kGetQueryPoolResults) {
-        return Failable<kGetQueryPoolResults, PFN_vkGetQueryPoolResults>::standIn(found);
+    struct Call {
+        std::string_view name;
+        PFN_vkVoidFunction (*standIn)(PFN_vkVoidFunction);
+    };
+    static constexpr Call kCalls[] = {
+        {kAllocateDescriptorSets, Failable<kAllocateDescriptorSets, PFN_vkAllocateDescriptorSets>::standIn},
+        {kCreateBuffer, Failable<kCreateBuffer, PFN_vkCreateBuffer>::standIn},
+        {kCreateDescriptorPool, Failable<kCreateDescriptorPool, PFN_vkCreateDescriptorPool>::standIn},
+        {kCreateFence, Failable<kCreateFence, PFN_vkCreateFence>::standIn},
+        {kCreateSampler, Failable<kCreateSampler, PFN_vkCreateSampler>::standIn},
+        {kQueueSubmit2, Failable<kQueueSubmit2, PFN_vkQueueSubmit2>::standIn},
+        {kGetQueryPoolResults, Failable<kGetQueryPoolResults, PFN_vkGetQueryPoolResults>::standIn},
+    };
+    for (const Call& call : kCalls) {
+        if (name == call.name) {
+            return call.standIn(found);
+        }
     }
     return found;
 }
 
-std::optional<std::uint64_t>& heapBytes() {
-    static std::optional<std::uint64_t> most;
-    return most;
+/// What Vulkan says in the place of what it would say.
+struct Said {
+    std::optional<std::uint64_t> heapBytes;
+    std::optional<std::uint32_t> storageBuffers;
+    std::optional<std::uint32_t> mostIndices;
+    std::optional<std::uint64_t> bufferBytes;
+    std::optional<VkFormat> withheldFormat;
+    std::optional<std::uint32_t> firstCount;
+};
+
+Said& said() {
+    static Said only;
+    return only;
 }
 
 PFN_vkGetPhysicalDeviceMemoryProperties realMemory = nullptr;
@@ -98,13 +105,8 @@ void VKAPI_PTR memoryOf(VkPhysicalDevice physical, VkPhysicalDeviceMemoryPropert
     realMemory(physical, memory);
     for (std::uint32_t heap = 0; heap < memory->memoryHeapCount; ++heap) {
         VkDeviceSize& size = memory->memoryHeaps[heap].size;
-        size = std::min<VkDeviceSize>(size, heapBytes().value_or(size));
+        size = std::min<VkDeviceSize>(size, said().heapBytes.value_or(size));
     }
-}
-
-std::optional<std::uint32_t>& storageBuffers() {
-    static std::optional<std::uint32_t> most;
-    return most;
 }
 
 PFN_vkGetPhysicalDeviceProperties realProperties = nullptr;
@@ -112,17 +114,7 @@ PFN_vkGetPhysicalDeviceProperties realProperties = nullptr;
 void VKAPI_PTR propertiesOf(VkPhysicalDevice physical, VkPhysicalDeviceProperties* properties) {
     realProperties(physical, properties);
     std::uint32_t& most = properties->limits.maxPerStageDescriptorStorageBuffers;
-    most = std::min(most, storageBuffers().value_or(most));
-}
-
-std::optional<std::uint32_t>& mostIndices() {
-    static std::optional<std::uint32_t> most;
-    return most;
-}
-
-std::optional<std::uint64_t>& bufferBytes() {
-    static std::optional<std::uint64_t> most;
-    return most;
+    most = std::min(most, said().storageBuffers.value_or(most));
 }
 
 PFN_vkGetPhysicalDeviceProperties2 realProperties2 = nullptr;
@@ -130,33 +122,23 @@ PFN_vkGetPhysicalDeviceProperties2 realProperties2 = nullptr;
 void VKAPI_PTR properties2Of(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties) {
     realProperties2(physical, properties);
     std::uint32_t& last = properties->properties.limits.maxDrawIndexedIndexValue;
-    last = mostIndices() ? std::min(last, *mostIndices() - 1) : last;
+    last = said().mostIndices ? std::min(last, *said().mostIndices - 1) : last;
     for (auto* next = static_cast<VkBaseOutStructure*>(properties->pNext); next != nullptr;
          next = next->pNext) {
-        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES && bufferBytes()) {
-            reinterpret_cast<VkPhysicalDeviceVulkan13Properties*>(next)->maxBufferSize = *bufferBytes();
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES && said().bufferBytes) {
+            reinterpret_cast<VkPhysicalDeviceVulkan13Properties*>(next)->maxBufferSize = *said().bufferBytes;
         }
     }
-}
-
-std::optional<VkFormat>& withheldFormat() {
-    static std::optional<VkFormat> only;
-    return only;
 }
 
 PFN_vkGetPhysicalDeviceFormatProperties realFormat = nullptr;
 
 void VKAPI_PTR formatOf(VkPhysicalDevice physical, VkFormat format, VkFormatProperties* properties) {
     realFormat(physical, format, properties);
-    if (format == withheldFormat()) {
+    if (format == said().withheldFormat) {
         properties->optimalTilingFeatures &=
             ~VkFormatFeatureFlags{VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT};
     }
-}
-
-std::optional<std::uint32_t>& firstCount() {
-    static std::optional<std::uint32_t> first;
-    return first;
 }
 
 PFN_vkCmdFillBuffer realFill = nullptr;
@@ -164,7 +146,7 @@ PFN_vkCmdFillBuffer realFill = nullptr;
 void VKAPI_PTR fillFrom(VkCommandBuffer commands, VkBuffer buffer, VkDeviceSize offset, VkDeviceSize bytes,
                         std::uint32_t data) {
     const bool isCounter = bytes == sizeof(std::uint32_t) && data == 0;
-    realFill(commands, buffer, offset, bytes, isCounter ? firstCount().value_or(0) : data);
+    realFill(commands, buffer, offset, bytes, isCounter ? said().firstCount.value_or(0) : data);
 }
 
 PFN_vkGetDeviceProcAddr realDeviceLoader = nullptr;
@@ -223,27 +205,27 @@ bool FailingCall::hasFailed() {
 }
 
 StandIn<std::uint64_t> smallHeaps(std::uint64_t bytes) {
-    return {heapBytes(), bytes};
+    return {said().heapBytes, bytes};
 }
 
 StandIn<std::uint32_t> fewStorageBuffers(std::uint32_t most) {
-    return {storageBuffers(), most};
+    return {said().storageBuffers, most};
 }
 
 StandIn<std::uint32_t> fewIndices(std::uint32_t most) {
-    return {mostIndices(), most};
+    return {said().mostIndices, most};
 }
 
 StandIn<std::uint64_t> smallBuffers(std::uint64_t bytes) {
-    return {bufferBytes(), bytes};
+    return {said().bufferBytes, bytes};
 }
 
 StandIn<VkFormat> noDepthFormat(VkFormat format) {
-    return {withheldFormat(), format};
+    return {said().withheldFormat, format};
 }
 
 StandIn<std::uint32_t> counterFrom(std::uint32_t first) {
-    return {firstCount(), first};
+    return {said().firstCount, first};
 }
 
 } // namespace cdr::render_test

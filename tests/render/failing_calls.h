@@ -1,9 +1,11 @@
 #pragma once
 
+#include <gtest/gtest.h>
 #include <vulkan/vulkan_core.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <optional>
 #include <string_view>
 
@@ -24,6 +26,19 @@ class FailingCall {
     /// Whether it has failed.
     static bool hasFailed();
 };
+
+/// Whether an action makes more than `after` calls of this name: the next one fails. Nothing else may throw, and that throws no
+/// other error.
+template <typename Error = std::exception>
+bool failsAt(std::string_view call, std::size_t after, const auto& action) {
+    const FailingCall failing(call, after);
+    try {
+        action();
+    } catch (const Error& error) {
+        EXPECT_TRUE(FailingCall::hasFailed()) << error.what();
+    }
+    return FailingCall::hasFailed();
+}
 
 /// While it lives, Vulkan says something else, as the functions below set it.
 template <typename Value>

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <program/sha256.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,16 @@ class RenderTest : public test::DeviceTest {
     measure::WrongPixels wrongIn(const render::Frame& frame, const scene::Scene& scene,
                                  const scene::Camera& camera) {
         return measure::countWrong(frame.ids(), truthOf(scene, camera, frame.width(), frame.height()));
+    }
+};
+
+/// Skipped where the device deforms nothing.
+class DeformTest : public RenderTest {
+  protected:
+    void SetUp() override {
+        if (!device().info().deformMissing.empty()) {
+            GTEST_SKIP() << "the device lacks " << device().info().deformMissing.front();
+        }
     }
 };
 
@@ -143,6 +154,17 @@ inline scene::Scene boxScene() {
 inline void addBox(scene::Scene& scene, const glm::dvec3& position,
                    const glm::mat3& basis = glm::mat3(1.0f)) {
     scene::addInstance(scene, 0, 0, static_cast<std::uint32_t>(scene.instances.size()), position, basis);
+}
+
+/// A floor from behind the camera to the horizon, so large, with boxes half sunk into it: both compete for the pixels around.
+inline scene::Scene boxesOnAFloor(float size) {
+    scene::Scene scene = boxScene();
+    addBox(scene, {0.0, -2.5, 0.0}, glm::mat3(size, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, size));
+    for (int i = 0; i < 40; ++i) {
+        const double w = 3.0 * std::pow(1.25, i);
+        addBox(scene, {0.1 * w * std::sin(i), -2.0, -w}, glm::mat3(static_cast<float>(0.05 * w + 0.5)));
+    }
+    return scene;
 }
 
 } // namespace cdr::render_test

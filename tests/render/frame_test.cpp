@@ -255,13 +255,9 @@ TEST_F(FrameTest, ABorrowedAllocatorIsUsedAndStays) {
 
 /// A device without a feature that it is borrowed with is refused by the feature's name.
 TEST_F(FrameTest, ABorrowedDeviceIsRefusedByTheNameOfWhatItLacks) {
-    VkPhysicalDeviceVulkan13Features v13{};
-    v13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
-    VkPhysicalDeviceVulkan12Features v12{};
-    v12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
-    VkPhysicalDeviceFeatures2 features{};
-    features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-    features.pNext = &v12;
+    VkPhysicalDeviceVulkan13Features v13 = vk::PhysicalDeviceVulkan13Features{};
+    VkPhysicalDeviceVulkan12Features v12 = vk::PhysicalDeviceVulkan12Features{};
+    VkPhysicalDeviceFeatures2 features = vk::PhysicalDeviceFeatures2{.pNext = &v12};
     EXPECT_THROW(gpu::enableFeatures(instance().handle(), device().physical(), features), base::InputError);
     v12.pNext = &v13;
     gpu::enableFeatures(instance().handle(), device().physical(), features);

@@ -2,12 +2,21 @@
 
 #include <cdr/image/image.h>
 #include <cdr/measure/truth/layered_truth.h>
+#include <cdr/platform/worker_pool.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 
 namespace cdr::render_test {
+
+/// The truth with all its layers, cast by two threads.
+inline measure::LayeredTruth layersOf(const scene::Scene& scene, const scene::Camera& camera,
+                                      std::uint32_t width, std::uint32_t height) {
+    platform::WorkerPool workers(2);
+    return measure::castLayers(scene, camera, width, height, workers);
+}
 
 /// The largest difference of a channel, in 8-bit steps.
 inline int largestStep(const image::Rgba8& a, const image::Rgba8& b) {

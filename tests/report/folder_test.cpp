@@ -1,3 +1,4 @@
+#include "../support/shell.h"
 #include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
@@ -13,7 +14,6 @@
 #include <cstring>
 #include <fstream>
 #include <set>
-#include <sstream>
 #include <string>
 
 namespace cdr::report_test {
@@ -40,12 +40,6 @@ class PendingFolderTest : public testing::Test {
 
 void write(const fs::path& file, const std::string& text) {
     std::ofstream(file) << text;
-}
-
-std::string read(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
 }
 
 /// A report of two files.
@@ -78,7 +72,7 @@ TEST_F(PendingFolderTest, StaysWhenItCannotBePutInPlace) {
         write(path("r") / "foreign", "x");
         EXPECT_THROW(folder.commit(), base::InputError);
     }
-    EXPECT_EQ(read(kept / "data" / "a.json"), "hours of work");
+    EXPECT_EQ(test::readText(kept / "data" / "a.json"), "hours of work");
     EXPECT_EQ(namesIn("r"), std::set<std::string>{"foreign"});
 }
 
@@ -97,16 +91,16 @@ TEST_F(PendingFolderTest, TakesUpWhatAStateLeft) {
         PendingFolder folder(path("r"), "s");
         EXPECT_EQ(folder.temporary(), kept);
         EXPECT_TRUE(folder.isKept());
-        EXPECT_EQ(read(kept / "data" / "a.json"), "half a report");
+        EXPECT_EQ(test::readText(kept / "data" / "a.json"), "half a report");
         folder.commit();
     }
     EXPECT_EQ(namesIn("."), std::set<std::string>{"r"});
     {
         const PendingFolder folder(path("r"), "s");
-        EXPECT_EQ(read(folder.temporary() / "data" / "a.json"), "half a report");
+        EXPECT_EQ(test::readText(folder.temporary() / "data" / "a.json"), "half a report");
     }
     EXPECT_EQ(namesIn("."), std::set<std::string>{"r"});
-    EXPECT_EQ(read(path("r") / "data" / "a.json"), "half a report");
+    EXPECT_EQ(test::readText(path("r") / "data" / "a.json"), "half a report");
     {
         const PendingFolder folder(path("r"));
         EXPECT_TRUE(fs::is_empty(folder.temporary()));
@@ -131,7 +125,7 @@ TEST_F(PendingFolderTest, FillsTheCurrentFolder) {
     writeReport(folder.temporary(), "new");
     folder.keep();
     folder.commit();
-    EXPECT_EQ(read("data/a.json"), "new"); // as the process sees it, by the folder it stands in
+    EXPECT_EQ(test::readText("data/a.json"), "new"); // as the process sees it, by the folder it stands in
     fs::current_path("data");
     EXPECT_THROW(PendingFolder(".."), base::InputError);
     fs::current_path(before);
@@ -155,7 +149,7 @@ TEST_F(PendingFolderTest, FillsAMountPoint) {
         writeReport(folder.temporary(), text);
         folder.keep();
         folder.commit();
-        EXPECT_EQ(read(volume / "data" / "a.json"), text);
+        EXPECT_EQ(test::readText(volume / "data" / "a.json"), text);
         EXPECT_EQ(namesIn("a volume"), (std::set<std::string>{"data", kManifest}));
     }
     EXPECT_EQ(namesIn("."), std::set<std::string>{"a volume"});

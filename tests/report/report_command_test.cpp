@@ -15,6 +15,7 @@ namespace {
 using cli_test::ProgramResult;
 using cli_test::readText;
 using cli_test::runProgram;
+using cli_test::succeed;
 using test::TemporaryFolder;
 
 namespace fs = std::filesystem;
@@ -151,8 +152,7 @@ TEST_F(ReportCommand, ReplacesAnOlderReportWholeAndQuotesItsDevice) {
     copyReport();
     fs::remove(path("made/index.html"));
     fs::remove(path("manifest.json"));
-    const ProgramResult devices = runProgram("devices --json", path("."));
-    ASSERT_EQ(devices.status, 0) << devices.err;
+    const ProgramResult devices = succeed("devices --json", path("."));
     const std::string device = nameWithASpace(json::parse(devices.out).at("results"));
     const std::string option = device.empty() ? "" : "--device '" + device + "' ";
     // A slash more names the same folder. Lines come as sections end: two are there before the page is.

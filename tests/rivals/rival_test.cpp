@@ -1,3 +1,5 @@
+#include "../support/refusal.h"
+
 #include <cdr/base/error.h>
 
 #include <gtest/gtest.h>
@@ -25,12 +27,8 @@ TEST(Rivals, ANameWithAPrepassIsTheSameRivalBehindOne) {
 }
 
 TEST(Rivals, AnUnknownNameIsRefusedWithASuggestion) {
-    try {
-        parseRival("object-anchor");
-        FAIL() << "it was taken";
-    } catch (const base::InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("object-anchors"), std::string::npos) << error.what();
-    }
+    const std::string refusal = test::inputErrorOf([] { parseRival("object-anchor"); }, "taken");
+    EXPECT_NE(refusal.find("object-anchors"), std::string::npos) << refusal;
     EXPECT_THROW(parseRival("/prepass"), base::InputError);
 }
 

@@ -1,4 +1,5 @@
 #include "../support/refusal.h"
+#include "../support/shell.h"
 #include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
@@ -8,7 +9,6 @@
 #include <runs/unit_state.h>
 
 #include <fstream>
-#include <sstream>
 #include <string>
 
 namespace cdr::runs {
@@ -22,12 +22,6 @@ std::string wholeText() {
 
 std::string refusalOf(const std::string& text) {
     return test::inputErrorOf([&] { readUnitState(text, kRun, "s"); });
-}
-
-std::string stateTextIn(const std::filesystem::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    return text.str();
 }
 
 TEST(UnitState, HoldsWhatWasKept) {
@@ -94,11 +88,11 @@ TEST(UnitStateFile, GoesOnBehindWhatIsWhole) {
         UnitStateFile file(path, kRun);
         EXPECT_EQ(file.made().size(), 1u);
         file.keep(0, "zero");
-        EXPECT_EQ(stateTextIn(path), wholeText());
+        EXPECT_EQ(test::readText(path), wholeText());
     }
     platform::writeText(path, "");
     UnitStateFile(path, kRun).keep(1, 1);
-    EXPECT_EQ(stateTextIn(path), stateHeadOf(kRun) + stateLineOf(1, 1));
+    EXPECT_EQ(test::readText(path), stateHeadOf(kRun) + stateLineOf(1, 1));
 }
 
 /// A result that is kept again, since what it stands for was lost, replaces the one before.

@@ -86,12 +86,8 @@ TEST(DirectionalLight, RefusesWhatHasNoLengthOrIsNotFinite) {
     const glm::dvec3 down(0.0, -1.0, 0.0);
     const auto refuses = [](const glm::dvec3& direction, const glm::vec3& color, const glm::dvec3& centre,
                             double radius) {
-        try {
-            directionalLight(direction, color, centre, radius);
-        } catch (const base::InputError&) {
-            return true;
-        }
-        return false;
+        return cdr::test::inputErrorOf([&] { directionalLight(direction, color, centre, radius); },
+                                       "taken") != "taken";
     };
     const glm::vec3 white(1.0f);
     const glm::dvec3 origin(0.0);

@@ -138,12 +138,7 @@ TEST(WorldValues, RadiiOfInstancesAreFiniteAndNotNegative) {
     const auto refusalWith = [&](float radius) {
         Scene scene = world.scene();
         scene.instances.radius[0] = radius;
-        try {
-            World{std::move(scene)};
-        } catch (const base::InputError& error) {
-            return std::string(error.what());
-        }
-        return std::string("taken");
+        return cdr::test::inputErrorOf([&] { World{std::move(scene)}; }, "taken");
     };
     for (const float radius : {0.0f, 2.0f, kNoRadius}) {
         EXPECT_EQ(refusalWith(radius), "taken") << radius;

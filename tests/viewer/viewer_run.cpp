@@ -2,10 +2,7 @@
 
 #include <cdr/image/codec.h>
 
-#include <sys/wait.h>
-
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -13,16 +10,6 @@
 namespace cdr::viewer_test {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-std::string readText(const fs::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    return text.str();
-}
-
-} // namespace
 
 std::vector<std::string> RunResult::lines(const std::string& start) const {
     std::vector<std::string> found;
@@ -45,10 +32,9 @@ std::vector<std::string> RunResult::states(std::size_t count) const {
 RunResult runShell(const std::string& command, const fs::path& folder, const std::string& environment) {
     const std::string line = "cd '" + folder.string() + "' && export " + environment + " && " + command +
                              " >run.out 2>run.err </dev/null";
-    const int status = std::system(line.c_str());
-    return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-            .out = readText(folder / "run.out"),
-            .err = readText(folder / "run.err")};
+    return {{.status = test::statusOf(line),
+             .out = test::readText(folder / "run.out"),
+             .err = test::readText(folder / "run.err")}};
 }
 
 RunResult ViewerTest::play(const std::string& arguments, const std::string& script) {
@@ -72,7 +58,7 @@ image::ImageRgba8 ViewerTest::picture(const std::string& name) const {
 }
 
 image::ImageRgba8 readPicture(const fs::path& file) {
-    const std::string bytes = readText(file);
+    const std::string bytes = test::readText(file);
     return image::decodeImage({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()},
                               file.string());
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../support/shell.h"
 #include "../support/temporary_folder.h"
 #include "display.h"
 
@@ -12,11 +13,7 @@
 
 namespace cdr::viewer_test {
 
-struct RunResult {
-    int status = -1;
-    std::string out;
-    std::string err;
-
+struct RunResult : test::ShellResult {
     /// The printed lines that begin with `start`.
     std::vector<std::string> lines(const std::string& start) const;
     /// What its steps `state` printed. Expects, and returns, that many lines.

@@ -32,14 +32,10 @@ double megabytes(std::uint64_t bytes) {
 } // namespace
 
 Soak::Soak(double seconds, SoakOptions input)
-    : m_steps(
-          std::max<std::uint64_t>(static_cast<std::uint64_t>(std::llround(seconds * kStepsPerSecond)), 1)),
+    : m_steps(std::max<std::uint64_t>(static_cast<std::uint64_t>(std::llround(seconds / kStepSeconds)), 1)),
       m_measurements(seconds < kShortSeconds ? kShortMeasurements : kMeasurements),
       m_rest(seconds < kShortSeconds ? kShortRest : kRest),
-      m_input([&] {
-          input.seconds = 1.0 / kStepsPerSecond;
-          return std::move(input);
-      }()) {}
+      m_input(std::move(input)) {}
 
 void Soak::play(const PlayedViewer& viewer) {
     Window& window = viewer.window;

@@ -19,7 +19,6 @@ namespace cdr::viewer {
 /// made again for each measurement.
 class Soak : public Player {
   public:
-    static constexpr double kStepsPerSecond = 60.0;
     /// The share of the steps that warms up.
     static constexpr double kWarmUp = 0.25;
     /// Times the memory is measured after that, evenly apart, the last at the end. A soak of less than a minute measures
@@ -29,7 +28,7 @@ class Soak : public Player {
     /// The least of so many measurements counts at the beginning and at the end, since noise only adds.
     static constexpr std::ptrdiff_t kCompared = 4;
 
-    /// @param seconds' worth of input. Its frames take 1 / kStepsPerSecond, whatever `input` says.
+    /// @param seconds' worth of input.
     Soak(double seconds, SoakOptions input);
 
     /// Plays a step, if the renderer has taken the last one.

@@ -1,5 +1,7 @@
 #include "soak_input.h"
 
+#include <viewer/session/player.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -146,7 +148,7 @@ SoakStep SoakInput::next() {
     step.zooms = chance(0.5);
     moveMouse(step.input);
     step.input.keys = m_keys;
-    step.input.seconds = m_options.seconds;
+    step.input.seconds = Player::kStepSeconds;
     step.input.extent = m_extent;
     if (chance(0.02)) {
         const std::size_t x = pick(m_extent.width);

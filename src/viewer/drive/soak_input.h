@@ -29,7 +29,6 @@ struct SoakOptions {
     std::uint64_t seed = 2013;
     std::vector<std::string> scenes{"cubes", "afc", "rotation", "mixed"};
     std::size_t mostThreads = 4;
-    double seconds = 1.0 / 30.0;          ///< of a frame
     PictureExtent largest = kSoakLargest; ///< of the windows, at least 1x1
 };
 

@@ -30,15 +30,12 @@ constexpr ImU32 kProblem = IM_COL32(240, 120, 100, 255);
 /// The picture in Dear ImGui's coordinates.
 struct Canvas {
     ImDrawList& draw;
-    ImVec2 low;
-    ImVec2 high;
+    ImVec2 size;
 
     Canvas(const PictureArea& area, ImDrawList& list) : draw(list) {
         const auto units = [&](double pixels) { return static_cast<float>(pixels / area.pixelsPerUnit); };
-        low = {units(area.x), units(area.y)};
-        high = {low.x + units(area.extent.width), low.y + units(area.extent.height)};
+        size = {units(area.extent.width), units(area.extent.height)};
     }
-    float width() const { return high.x - low.x; }
 };
 
 float gap() {
@@ -91,10 +88,10 @@ void drawLabel(const Canvas& canvas, const PictureModel& picture, base::LengthUn
                             resolvesText(point->stepView, point->distanceView, unit));
     }
     const bool isSplit = picture.shown->sides.size() > 1;
-    const float y = canvas.low.y + gap();
+    const float y = gap();
     const bool isLeft = index == 0;
-    const float low = isLeft ? canvas.low.x : divider;
-    const float high = isLeft && isSplit ? divider : canvas.high.x;
+    const float low = isLeft ? 0.0f : divider;
+    const float high = isLeft && isSplit ? divider : canvas.size.x;
     const float room = high - low - 2.0f * gap();
     if (room > ImGui::GetFontSize() * 6.0f) {
         plate(canvas, {isLeft ? low + gap() : high - gap(), y}, isLeft ? PlateSide::right : PlateSide::left,
@@ -103,9 +100,8 @@ void drawLabel(const Canvas& canvas, const PictureModel& picture, base::LengthUn
 }
 
 void drawDivider(const Canvas& canvas, float x) {
-    canvas.draw.AddRectFilled({x - 1.0f, canvas.low.y}, {x + 1.0f, canvas.high.y},
-                              IM_COL32(236, 240, 246, 220));
-    const float middle = (canvas.low.y + canvas.high.y) / 2.0f;
+    canvas.draw.AddRectFilled({x - 1.0f, 0.0f}, {x + 1.0f, canvas.size.y}, IM_COL32(236, 240, 246, 220));
+    const float middle = canvas.size.y / 2.0f;
     const float radius = ImGui::GetFontSize() * 0.75f;
     canvas.draw.AddCircleFilled({x, middle}, radius, IM_COL32(236, 240, 246, 240));
     for (const float direction : {-1.0f, 1.0f}) {
@@ -124,15 +120,15 @@ std::optional<ImVec2> onCanvas(const Canvas& canvas, const scene::Camera& camera
     if (w < camera.nearView) {
         return std::nullopt;
     }
-    const double aspect = (canvas.high.x - canvas.low.x) / (canvas.high.y - canvas.low.y);
+    const double aspect = canvas.size.x / canvas.size.y;
     const scene::Frustum frustum = scene::frustumOf(camera, aspect, 1.0);
     const double x = (view.x / w - frustum.centre.x) / frustum.tanX;
     const double y = (view.y / w - frustum.centre.y) / frustum.tanY;
     if (std::abs(x) > 1.0 || std::abs(y) > 1.0) {
         return std::nullopt;
     }
-    return ImVec2(canvas.low.x + static_cast<float>((x + 1.0) / 2.0) * canvas.width(),
-                  canvas.low.y + static_cast<float>((1.0 - y) / 2.0) * (canvas.high.y - canvas.low.y));
+    return ImVec2(static_cast<float>((x + 1.0) / 2.0) * canvas.size.x,
+                  static_cast<float>((1.0 - y) / 2.0) * canvas.size.y);
 }
 
 void drawMeasuring(const Canvas& canvas, const PictureModel& picture) {
@@ -158,9 +154,9 @@ void drawMeasuring(const Canvas& canvas, const PictureModel& picture) {
 
 /// A line in the middle of the canvas, on a dark plate whose lower edge is at `low`. Returns its upper edge.
 float drawLine(const Canvas& canvas, float low, ImU32 ink, const std::string& text) {
-    const float wrap = std::max(canvas.width() - 4.0f * gap(), ImGui::GetFontSize());
+    const float wrap = std::max(canvas.size.x - 4.0f * gap(), ImGui::GetFontSize());
     const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
-    const ImVec2 at{(canvas.low.x + canvas.high.x - size.x) / 2.0f, low - size.y - 0.6f * gap()};
+    const ImVec2 at{(canvas.size.x - size.x) / 2.0f, low - size.y - 0.6f * gap()};
     const float top = at.y - 0.6f * gap();
     canvas.draw.AddRectFilled({at.x - gap(), top}, {at.x + size.x + gap(), low}, kPaper, 5.0f);
     canvas.draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, ink, text.c_str(), nullptr, wrap);
@@ -169,7 +165,7 @@ float drawLine(const Canvas& canvas, float low, ImU32 ink, const std::string& te
 
 /// From the picture's lower edge up: what was clicked, how much is wrong, then what there is to say.
 void drawLines(const Canvas& canvas, const ViewerModel& model) {
-    float low = canvas.high.y - gap();
+    float low = canvas.size.y - gap();
     const auto add = [&](ImU32 ink, const std::string& text) {
         if (!text.empty()) {
             low = drawLine(canvas, low, ink, text) - 0.5f * gap();
@@ -205,11 +201,11 @@ void drawLines(const Canvas& canvas, const ViewerModel& model) {
 
 void drawOverlay(const PictureArea& area, const ViewerModel& model) {
     const Canvas canvas(area, *ImGui::GetBackgroundDrawList());
-    if (canvas.width() < ImGui::GetFontSize() * 8.0f) {
+    if (canvas.size.x < ImGui::GetFontSize() * 8.0f) {
         return;
     }
     if (model.picture.shown != nullptr) {
-        const float divider = canvas.low.x + static_cast<float>(model.settings.divider) * canvas.width();
+        const float divider = static_cast<float>(model.settings.divider) * canvas.size.x;
         if (model.picture.shown->sides.size() > 1) {
             drawDivider(canvas, divider);
         }

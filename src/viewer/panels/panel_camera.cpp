@@ -90,14 +90,12 @@ void drawCameraPanel(const Widgets& widgets, ViewerModel& model) {
     if (widgets.toggle("orbit", onIf(model.camera.orbits))) {
         beginOrbit(model.camera, model.picture.measuring);
     }
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("lens");
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(-1.0f);
-    auto degrees = static_cast<float>(scene::degreesOf(model.camera.now.fovY));
-    if (ImGui::SliderFloat("##lens", &degrees, static_cast<float>(kNarrowestDegrees),
-                           static_cast<float>(kWidestDegrees), "%.4g degrees",
-                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp) &&
+    double degrees = scene::degreesOf(model.camera.now.fovY);
+    if (widgets.slider("lens", degrees,
+                       {.low = kNarrowestDegrees,
+                        .high = kWidestDegrees,
+                        .format = "%.4g degrees",
+                        .isLogarithmic = true}) &&
         model.camera.isThere) {
         model.camera.now = scene::canonical(setLens(model.camera.now, degrees));
     }

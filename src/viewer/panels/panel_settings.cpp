@@ -110,11 +110,10 @@ void drawViewPanel(const Widgets& widgets, ViewSettings& settings) {
 
 void drawRenderingPanel(const Widgets& widgets, ViewSettings& settings) {
     widgets.heading("Rendering");
-    const std::size_t targets =
-        widgets.combo("targets", nameOf(settings.targets.kind), render::kTargetsKinds.size(),
-                      [](std::size_t i) { return nameOf(render::kTargetsKinds[i]); });
-    if (targets < render::kTargetsKinds.size()) {
-        settings.targets = render::kTargetsKinds[targets];
+    render::TargetsKind targets = settings.targets.kind;
+    choose(widgets, "targets", render::kTargetsKinds, targets);
+    if (targets != settings.targets.kind) {
+        settings.targets = targets;
     }
     if (settings.targets.kind == render::TargetsKind::pool) {
         int layers = static_cast<int>(settings.targets.layers);
@@ -122,7 +121,6 @@ void drawRenderingPanel(const Widgets& widgets, ViewSettings& settings) {
             settings.targets = render::TargetsChoice::pool(static_cast<std::uint32_t>(layers));
         }
     }
-    widgets.sentence(explanationOf(settings.targets.kind));
     int threads = static_cast<int>(settings.threads);
     if (widgets.count("threads", threads, 1, kMaxThreads)) {
         settings.threads = static_cast<std::size_t>(std::clamp(threads, 1, kMaxThreads));

@@ -184,7 +184,7 @@ void Application::layOut() {
 void Application::present(image::ImageRgba8* capture, ImDrawData* drawn) {
     const PictureArea area = pictureArea();
     const PictureLayout layout{
-        .area = {{area.x, area.y}, {area.extent.width, area.extent.height}},
+        .extent = {area.extent.width, area.extent.height},
         .divider = m_model.settings.divider,
         .pictures = m_model.picture.shown != nullptr ? m_model.picture.shown->sides.size() : 1};
     const auto begin = Clock::now();

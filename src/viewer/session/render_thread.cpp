@@ -29,7 +29,6 @@ RenderResult answerOrExplain(SceneRenderer& renderer, const RenderRequest& reque
     // On the heap: GCC 12 takes part of one on the stack for uninitialised.
     const auto result = std::make_unique<RenderResult>();
     result->serial = request.serial;
-    result->sceneName = renderer.sceneName();
     result->failure = std::move(failure);
     return std::move(*result);
 }

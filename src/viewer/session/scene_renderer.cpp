@@ -24,6 +24,13 @@ bool suffices(visibility::DetailMode made, visibility::DetailMode needed) {
                                                                           (needed == DetailMode::perCluster));
 }
 
+/// Whether a scene that was opened with some settings shows what others ask for, but for the layers of its materials.
+bool isOpenedAlike(const ViewSettings& opened, const ViewSettings& asked) {
+    return asked.scene == opened.scene && asked.openings == opened.openings && asked.seed == opened.seed &&
+           asked.colours == opened.colours && asked.choice == opened.choice &&
+           asked.deform == opened.deform && suffices(opened.finish.detail.mode, asked.finish.detail.mode);
+}
+
 /// Of a scene in which something moves, or whose materials have other layers than its own; else null.
 std::unique_ptr<scenes::MovingScene> worldOf(const scene::SceneSetup& setup,
                                              const std::vector<scenes::LayerChoice>& layers,
@@ -52,9 +59,7 @@ scene::OpenedScene SceneRenderer::openNamed(const ViewSettings& settings) const 
 }
 
 void SceneRenderer::open(const ViewSettings& settings) {
-    if (m_scene != nullptr && settings.scene == m_sceneName && settings.openings == m_openings &&
-        settings.seed == m_seed && settings.colours == m_colours && settings.choice == m_choice &&
-        settings.deform == m_deform && suffices(m_detail, settings.finish.detail.mode)) {
+    if (m_scene != nullptr && isOpenedAlike(m_scene->settings, settings)) {
         followLayers(settings);
         return;
     }
@@ -67,20 +72,13 @@ void SceneRenderer::open(const ViewSettings& settings) {
     render::GpuScene onDevice = moving != nullptr ? render::GpuScene(m_device, moving->world())
                                                   : render::GpuScene(m_device, setup.scene);
     auto next = std::make_unique<OpenScene>(
-        OpenScene{.opened = opened,
+        OpenScene{.settings = settings,
+                  .opened = opened,
                   .obstacles = std::make_shared<const Obstacles>(setup.scene, workers),
                   .moving = std::move(moving),
                   .onDevice = std::move(onDevice)});
     dropRenderers();
     m_scene = std::move(next);
-    m_sceneName = settings.scene;
-    m_openings = settings.openings;
-    m_seed = settings.seed;
-    m_colours = settings.colours;
-    m_choice = settings.choice;
-    m_deform = settings.deform;
-    m_layers = settings.layers;
-    m_detail = settings.finish.detail.mode;
 }
 
 scenes::Deform SceneRenderer::deformer(const scene::SceneMotion& motion, const ViewSettings& settings) const {
@@ -92,7 +90,7 @@ scenes::Deform SceneRenderer::deformer(const scene::SceneMotion& motion, const V
 
 void SceneRenderer::followLayers(const ViewSettings& settings) {
     const std::vector<scenes::LayerChoice>& layers = settings.layers;
-    if (layers == m_layers) {
+    if (layers == m_scene->settings.layers) {
         return;
     }
     const scene::SceneSetup& setup = m_scene->opened->setup;
@@ -106,7 +104,7 @@ void SceneRenderer::followLayers(const ViewSettings& settings) {
         m_scene->moving = std::move(world);
         m_scene->onDevice = std::move(onDevice);
     }
-    m_layers = layers;
+    m_scene->settings.layers = layers;
 }
 
 void SceneRenderer::dropRenderers() {
@@ -208,7 +206,7 @@ RenderResult SceneRenderer::answer(const RenderRequest& request, const std::stop
         return std::chrono::duration<double, std::milli>(Clock::now() - from).count();
     };
     RenderResult result{.serial = request.serial,
-                        .sceneName = m_sceneName,
+                        .sceneName = m_scene->settings.scene,
                         .settings = request.settings,
                         .scene = m_scene->opened};
     result.frame = request.frame;

@@ -33,11 +33,10 @@ class SceneRenderer {
     /// @param stop ends it between two pictures, with none: a picture of a slow scene takes seconds.
     RenderResult answer(const RenderRequest& request, const std::stop_token& stop);
 
-    const std::string& sceneName() const { return m_sceneName; }
-
   private:
     using Clock = std::chrono::steady_clock;
     struct OpenScene {
+        ViewSettings settings; ///< that it was opened with, and the layers that it has now
         std::shared_ptr<const scene::OpenedScene> opened;
         std::shared_ptr<const Obstacles> obstacles;
         std::unique_ptr<scenes::MovingScene> moving; ///< null until something moves or changes its layer
@@ -63,15 +62,6 @@ class SceneRenderer {
 
     const gpu::Device& m_device;
     TellOpening m_tell;
-    std::string m_sceneName;
-    std::uint64_t m_openings = 0;
-    std::uint64_t m_seed = 0;
-    scenes::Colours m_colours = scenes::Colours::thesis;
-    scene::GltfChoice m_choice;
-    std::vector<scenes::LayerChoice> m_layers;
-    std::optional<scenes::Deform> m_deform; ///< as told
-    visibility::DetailMode m_detail =
-        visibility::DetailMode::none; ///< that prepareDetail() made something for
     std::unique_ptr<OpenScene> m_scene;
     std::array<SideRenderer, 2> m_sides;
     SideRenderer m_reference;

@@ -34,8 +34,8 @@ struct WorkerTimeline {
     std::vector<TimelineJob> jobs;     ///< by worker, each worker's in order
 };
 
-/// The last frame that a trace holds; empty when it holds none. On the thread that drives the frame, between
-/// frames. platform::Trace::forget() before each frame keeps a trace that is read this way small.
+/// All that a trace holds, which is one frame: platform::Trace::forget() goes before each. On the thread that drives the
+/// frame, between frames.
 WorkerTimeline timelineOf(const platform::Trace& trace);
 
 /// Draws of each cascade, counted from the jobs that recorded them. None where the device chooses them.

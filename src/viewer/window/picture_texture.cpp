@@ -68,7 +68,7 @@ void PictureTexture::recordUpload(vk::CommandBuffer commands, std::size_t slot) 
                                                    vk::ImageLayout::eTransferSrcOptimal)});
 }
 
-void PictureTexture::recordBlit(vk::CommandBuffer commands, vk::Image target, const vk::Rect2D& area,
+void PictureTexture::recordBlit(vk::CommandBuffer commands, vk::Image target, const vk::Extent2D& area,
                                 double left, double right) const {
     if (isEmpty()) {
         return;
@@ -79,8 +79,8 @@ void PictureTexture::recordBlit(vk::CommandBuffer commands, vk::Image target, co
     };
     const std::int32_t from = column(left, extent.width);
     const std::int32_t to = column(right, extent.width);
-    const std::int32_t targetFrom = area.offset.x + column(left, area.extent.width);
-    const std::int32_t targetTo = area.offset.x + column(right, area.extent.width);
+    const std::int32_t targetFrom = column(left, area.width);
+    const std::int32_t targetTo = column(right, area.width);
     if (from >= to || targetFrom >= targetTo) {
         return;
     }
@@ -89,10 +89,9 @@ void PictureTexture::recordBlit(vk::CommandBuffer commands, vk::Image target, co
         .srcOffsets = {{vk::Offset3D{from, 0, 0},
                         vk::Offset3D{to, static_cast<std::int32_t>(extent.height), 1}}},
         .dstSubresource = kLayers,
-        .dstOffsets = {
-            {vk::Offset3D{targetFrom, area.offset.y, 0},
-             vk::Offset3D{targetTo, area.offset.y + static_cast<std::int32_t>(area.extent.height), 1}}}};
-    const bool isExact = extent == area.extent;
+        .dstOffsets = {{vk::Offset3D{targetFrom, 0, 0},
+                        vk::Offset3D{targetTo, static_cast<std::int32_t>(area.height), 1}}}};
+    const bool isExact = extent == area;
     commands.blitImage(m_image.handle(), vk::ImageLayout::eTransferSrcOptimal, target,
                        vk::ImageLayout::eTransferDstOptimal, region,
                        isExact ? vk::Filter::eNearest : vk::Filter::eLinear);

@@ -29,8 +29,8 @@ class PictureTexture {
     /// Copies what was set, if anything; the slot's last frame must have finished.
     void recordUpload(vk::CommandBuffer commands, std::size_t slot);
     /// Blits columns [left, right) of the picture, as shares of its width, into an area of a transfer
-    /// destination. It is filtered if the sizes differ. Nothing is blitted without a picture.
-    void recordBlit(vk::CommandBuffer commands, vk::Image target, const vk::Rect2D& area, double left,
+    /// destination, from its top left corner. It is filtered if the sizes differ. Nothing is blitted without a picture.
+    void recordBlit(vk::CommandBuffer commands, vk::Image target, const vk::Extent2D& area, double left,
                     double right) const;
 
     bool isEmpty() const { return !m_image.handle(); }

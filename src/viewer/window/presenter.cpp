@@ -19,17 +19,6 @@ namespace {
 constexpr vk::ClearColorValue kBackground(std::array{0.066f, 0.071f, 0.082f, 1.0f});
 constexpr vk::ImageSubresourceRange kWhole{vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1};
 
-/// The part of an area that an image has: the surface may have shrunk since the area was laid out.
-vk::Rect2D within(const vk::Rect2D& area, vk::Extent2D extent) {
-    const auto x = static_cast<std::uint32_t>(std::max(area.offset.x, 0));
-    const auto y = static_cast<std::uint32_t>(std::max(area.offset.y, 0));
-    if (x >= extent.width || y >= extent.height) {
-        return {};
-    }
-    return {area.offset,
-            {std::min(area.extent.width, extent.width - x), std::min(area.extent.height, extent.height - y)}};
-}
-
 } // namespace
 
 Presenter::Presenter(UiDevice& ui, const Window& window, Pace pace)
@@ -168,7 +157,10 @@ void Presenter::record(vk::CommandBuffer commands, std::size_t slot, const Swapc
                                                        vk::ImageLayout::eTransferDstOptimal},
                                                       {PipelineStage::eAllTransfer, Access::eTransferWrite,
                                                        vk::ImageLayout::eTransferDstOptimal})});
-    const vk::Rect2D area = within(layout.area, m_swapchain->extent());
+    // The surface may have shrunk since the pictures were laid out.
+    const vk::Extent2D window = m_swapchain->extent();
+    const vk::Extent2D area{std::min(layout.extent.width, window.width),
+                            std::min(layout.extent.height, window.height)};
     const double divider = layout.pictures > 1 ? layout.divider : 1.0;
     m_pictures[0]->recordBlit(commands, target.image, area, 0.0, divider);
     m_pictures[1]->recordBlit(commands, target.image, area, divider, 1.0);

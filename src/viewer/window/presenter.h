@@ -16,8 +16,8 @@ namespace cdr::viewer {
 
 /// Where pictures go in the window.
 struct PictureLayout {
-    vk::Rect2D area;          ///< pixels of the window
-    double divider = 1.0;     ///< share of the area's width that the left picture has
+    vk::Extent2D extent;      ///< pixels of the window, from its top left corner
+    double divider = 1.0;     ///< share of this width that the left picture has
     std::size_t pictures = 1; ///< 1: the left one alone
 };
 

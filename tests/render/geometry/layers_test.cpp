@@ -1,3 +1,4 @@
+#include "../../support/refusal.h"
 #include "../fixture.h"
 #include "../snapping.h"
 
@@ -309,12 +310,9 @@ TEST_F(LayersTest, NeedAGBuffer) {
     const scene::SceneSetup setup = scenes::makeCoplanar();
     render::RenderOptions options = optionsFor(depth::parseTechnique("anchored"));
     options.surface = render::SurfacePath::visibility;
-    try {
-        draw(setup.scene, setup.path.at(0), options);
-        FAIL() << "no refusal";
-    } catch (const base::InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("a layer"), std::string::npos) << error.what();
-    }
+    const std::string refusal =
+        test::inputErrorOf([&] { draw(setup.scene, setup.path.at(0), options); }, "none");
+    EXPECT_NE(refusal.find("a layer"), std::string::npos) << refusal;
 }
 
 TEST_F(LayersTest, MustBeFinite) {

@@ -1,3 +1,4 @@
+#include "../../support/refusal.h"
 #include "../fixture.h"
 #include "host_side.h"
 
@@ -445,12 +446,7 @@ TEST_F(RecordTest, WhatCannotBeRecordedIntoIsRefused) {
         render::RenderOptions its = options;
         spoil(spoilt, its);
         render::Renderer renderer(device(), scene, gpuScene, its);
-        try {
-            renderer.record({}, spoilt);
-            return std::string("none");
-        } catch (const base::InputError& error) {
-            return std::string(error.what());
-        }
+        return test::inputErrorOf([&] { renderer.record({}, spoilt); }, "none");
     };
     using Frame = render::HostFrame;
     using Options = render::RenderOptions;

@@ -26,10 +26,8 @@ const scene::Camera kCamera = scene::lookAt({.fovY = 0.9}, {1.0, 2.0, 5.0}, glm:
 /// is cleared, and comes from the CPU.
 TEST_F(FinishTest, PicturesAreFinishedAsInFloat64) {
     const scene::Scene scene = brightScene();
-    platform::WorkerPool workers(2);
     render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
-    const measure::LayeredTruth truth =
-        measure::castLayers(scene, kCamera, options.width, options.height, workers);
+    const measure::LayeredTruth truth = layersOf(scene, kCamera, options.width, options.height);
     for (const double exposure : {-1.0, 0.0, 1.5}) {
         for (const render::ToneMap toneMap : {render::ToneMap::none, render::ToneMap::neutral}) {
             const measure::TruthFinish finish{.exposure = exposure,
@@ -77,11 +75,10 @@ TEST_F(FinishTest, SkiesLightAsInFloat64) {
     scene::Scene scene = brightScene();
     scene.lights.clear();
     scene.sky = scene::Sky{.up = glm::normalize(glm::dvec3(0.2, 1.0, 0.3))};
-    platform::WorkerPool workers(2);
     render::RenderOptions options = quarterOf(smallOptions(depth::parseTechnique("reversed")));
     options.effects.finish.toneMap = render::ToneMap::none;
     const auto expectAlike = [&](int most) {
-        const auto truth = measure::castLayers(scene, kCamera, options.width, options.height, workers);
+        const auto truth = layersOf(scene, kCamera, options.width, options.height);
         options.surface = render::SurfacePath::gbuffer;
         EXPECT_LE(largestStepTo(truth, {}, draw(scene, kCamera, options).color), most);
         options.surface = render::SurfacePath::visibility;
@@ -100,7 +97,6 @@ TEST_F(FinishTest, StrongEmissionIsCutOffAsInFloat64) {
     scene.lights.clear();
     scene.sky = scene::Sky{};
     scene.materials[0].detail.emission = glm::vec3(100.0f, 0.0f, 0.0f);
-    platform::WorkerPool workers(2);
     const render::RenderOptions options =
         withSorting(quarterOf(smallOptions(depth::parseTechnique("reversed"))));
     for (const bool unlit : {false, true}) {
@@ -108,7 +104,7 @@ TEST_F(FinishTest, StrongEmissionIsCutOffAsInFloat64) {
             scene.materials[0].unlit = unlit;
             scene.materials[0].alphaMode = alphaMode;
             scene.materials[0].baseColorFactor.a = 0.75f;
-            const auto truth = measure::castLayers(scene, kCamera, options.width, options.height, workers);
+            const auto truth = layersOf(scene, kCamera, options.width, options.height);
             EXPECT_LE(largestStepTo(truth, {.neutral = true}, draw(scene, kCamera, options).color), 3)
                 << "unlit: " << unlit << ", alpha mode: " << static_cast<int>(alphaMode);
         }

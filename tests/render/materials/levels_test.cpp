@@ -1,6 +1,7 @@
 #include "../../support/refusal.h"
 #include "../failing_calls.h"
 #include "../fixture.h"
+#include "../steps.h"
 
 #include <cdr/measure/truth/layered_truth.h>
 #include <scenes/sheets.h>
@@ -177,10 +178,8 @@ TEST_F(LevelsTest, LooksAsFloat64TruthFromNearToFar) {
     const scene::Camera camera =
         scene::lookAt({.fovY = 0.5, .nearView = 0.01, .farView = 100.0}, {0.0, -2.0, 0.25}, glm::dvec3(0.0));
     const render::Frame frame = draw(scene, camera, options());
-    platform::WorkerPool workers(2);
     const auto meanSteps = [&](const scene::Scene& of) {
-        const measure::LayeredTruth truth =
-            measure::castLayers(of, camera, frame.width(), frame.height(), workers);
+        const measure::LayeredTruth truth = layersOf(of, camera, frame.width(), frame.height());
         const image::ImageRgba8 wanted = measure::pictureOf(truth);
         double sum = 0.0;
         double count = 0.0;

@@ -1,4 +1,5 @@
 #include "../fixture.h"
+#include "../steps.h"
 
 #include <cdr/measure/truth/layered_truth.h>
 
@@ -60,9 +61,7 @@ class MaterialTest : public RenderTest {
   protected:
     /// The share of the picture's pixels, edges left out, that are off by more than two steps of 255.
     double offIn(const render::Frame& frame, const scene::Scene& scene) {
-        platform::WorkerPool workers(2);
-        const measure::LayeredTruth truth =
-            measure::castLayers(scene, kMaterialCamera, frame.width(), frame.height(), workers);
+        const measure::LayeredTruth truth = layersOf(scene, kMaterialCamera, frame.width(), frame.height());
         const image::ImageRgba8 wanted = measure::pictureOf(truth);
         std::size_t inner = 0;
         std::size_t off = 0;

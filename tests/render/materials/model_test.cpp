@@ -50,9 +50,8 @@ class ModelTest : public RenderTest {
 TEST_F(ModelTest, LooksAsFloat64TruthUnderLamps) {
     const scene::SceneSetup setup = model(scene::ModelLight::lamps);
     const render::Frame frame = draw(setup.scene, setup.path.at(0), options());
-    platform::WorkerPool workers(2);
     const measure::LayeredTruth truth =
-        measure::castLayers(setup.scene, setup.path.at(0), frame.width(), frame.height(), workers);
+        layersOf(setup.scene, setup.path.at(0), frame.width(), frame.height());
     const image::ImageRgba8 wanted = pictureOf(truth);
     EXPECT_LE(difference(wanted, frame.color), 0.03);
     EXPECT_LE(meanSteps(wanted, frame.color, truth), 1.0);
@@ -61,9 +60,8 @@ TEST_F(ModelTest, LooksAsFloat64TruthUnderLamps) {
 TEST_F(ModelTest, LooksAsFloat64TruthUnderASky) {
     const scene::SceneSetup setup = model(scene::ModelLight::sky);
     const render::Frame frame = draw(setup.scene, setup.path.at(0), options());
-    platform::WorkerPool workers(2);
     const measure::LayeredTruth truth =
-        measure::castLayers(setup.scene, setup.path.at(0), frame.width(), frame.height(), workers);
+        layersOf(setup.scene, setup.path.at(0), frame.width(), frame.height());
     const image::ImageRgba8 wanted = pictureOf(truth, {.exposure = 0.0, .neutral = true});
     EXPECT_LE(difference(wanted, frame.color), 0.029); // 0.0314 where rough lobes do not lean to the normal
     EXPECT_LE(meanSteps(wanted, frame.color, truth), 3.0);

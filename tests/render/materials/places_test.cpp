@@ -157,12 +157,10 @@ TEST_F(PlacesTest, TransformsLeadToAnyPlace) {
 }
 
 TEST_F(PlacesTest, LookAsFloat64TruthReadsThem) {
-    platform::WorkerPool workers(2);
     for (const UseOf use : kUses) {
         const scene::Scene scene = squareWith(use, {.transform = kWay});
         const render::Frame frame = draw(scene, camera(), options());
-        const measure::LayeredTruth truth =
-            measure::castLayers(scene, camera(), frame.width(), frame.height(), workers);
+        const measure::LayeredTruth truth = layersOf(scene, camera(), frame.width(), frame.height());
         EXPECT_LT(meanSteps(measure::pictureOf(truth), frame.color), 1.5);
     }
 }

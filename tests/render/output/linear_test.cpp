@@ -1,3 +1,4 @@
+#include "../../support/refusal.h"
 #include "../fixture.h"
 #include "../host/host_side.h"
 
@@ -155,12 +156,7 @@ TEST_F(LinearTest, OffIsNotThere) {
     HostSide host(device(), {options.width, options.height});
     render::HostFrame frame = host.begin();
     const auto refusal = [&](render::Renderer& renderer) {
-        try {
-            renderer.record({}, frame);
-        } catch (const base::InputError& error) {
-            return std::string(error.what());
-        }
-        return std::string("none");
+        return test::inputErrorOf([&] { renderer.record({}, frame); }, "none");
     };
     frame.linear = frame.color;
     EXPECT_NE(refusal(without).find("keeps none"), std::string::npos);

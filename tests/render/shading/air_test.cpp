@@ -18,9 +18,7 @@ class AirTest : public RenderTest {
         render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"), 64, 36);
         options.surface = surface;
         options.effects.finish.toneMap = render::ToneMap::none;
-        platform::WorkerPool workers(2);
-        const measure::LayeredTruth truth =
-            measure::castLayers(scene, camera, options.width, options.height, workers);
+        const measure::LayeredTruth truth = layersOf(scene, camera, options.width, options.height);
         return largestStepTo(truth, {}, draw(scene, camera, options).color);
     }
 };

@@ -186,10 +186,8 @@ TEST_F(MetallicRoughnessTest, SheetsLookAsInTheTruth) {
     render::RenderOptions options = smallOptions(depth::parseTechnique("anchored/count:5"), 192, 108);
     options.translucency = {.method = render::Translucency::sorted, .countsFragments = true};
     const Frame frame = draw(scene, camera, options);
-    platform::WorkerPool workers(2);
-    const measure::LayerDifference difference =
-        measure::compareLayers(frame.color, frame.fragmentCounts,
-                               measure::castLayers(scene, camera, frame.width(), frame.height(), workers));
+    const measure::LayerDifference difference = measure::compareLayers(
+        frame.color, frame.fragmentCounts, layersOf(scene, camera, frame.width(), frame.height()));
     EXPECT_GT(difference.translucent, 4000u);
     EXPECT_EQ(difference.miscounted, 0u);
     EXPECT_GE(difference.withinFraction(), 0.999);

@@ -73,8 +73,7 @@ class ShapedLightsTest : public RenderTest {
     std::pair<std::size_t, std::size_t> offTruth(const scene::Scene& scene, const scene::Camera& camera,
                                                  const char* technique) {
         const render::Frame frame = draw(scene, camera, options(technique));
-        platform::WorkerPool workers(2);
-        const auto truth = measure::castLayers(scene, camera, frame.width(), frame.height(), workers);
+        const auto truth = layersOf(scene, camera, frame.width(), frame.height());
         const image::ImageRgba8 wanted = pictureOf(truth);
         std::pair<std::size_t, std::size_t> counts{};
         for (std::size_t i = 0; i < truth.pixels.size(); ++i) {

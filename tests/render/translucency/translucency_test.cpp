@@ -1,4 +1,5 @@
 #include "../fixture.h"
+#include "../steps.h"
 
 #include <cdr/measure/truth/layered_truth.h>
 #include <scenes/sheets.h>
@@ -44,8 +45,7 @@ class TranslucencyTest : public RenderTest {
   protected:
     measure::LayeredTruth truthOf(const scene::Scene& scene, const scene::Camera& camera,
                                   std::uint32_t width = kWidth, std::uint32_t height = kHeight) {
-        platform::WorkerPool workers(2);
-        return measure::castLayers(scene, camera, width, height, workers);
+        return layersOf(scene, camera, width, height);
     }
 
     /// The sheets' is cast once.

@@ -22,13 +22,6 @@ using render::ViewsRenderer;
 
 constexpr double kEyesNearView = 0.25; ///< of the host's own projection
 
-std::vector<scene::Camera> bothEyes(scene::StereoMode mode, double ahead = 0.0) {
-    scene::StereoRig rig = rigOf(mode);
-    rig.centre.position -= ahead * rig.centre.back;
-    const auto eyes = eyesOf(rig);
-    return {eyes.begin(), eyes.end()};
-}
-
 /// Whether the host has one command buffer for both eyes, or one for each.
 enum class EyeCommands : std::uint8_t { shared, separate };
 

@@ -24,13 +24,6 @@ class ViewsOrderTest : public RenderTest {
         return handles;
     }
 
-    static std::vector<scene::Camera> bothEyes(double ahead = 0.0) {
-        scene::StereoRig rig = rigOf(scene::StereoMode::parallel);
-        rig.centre.position -= ahead * rig.centre.back;
-        const auto eyes = eyesOf(rig);
-        return {eyes.begin(), eyes.end()};
-    }
-
     static render::RenderOptions orderOptions(const char* technique) {
         return smallOptions(depth::parseTechnique(technique), kViewsWidth, kViewsHeight);
     }
@@ -73,9 +66,10 @@ TEST_F(ViewsOrderTest, FramesThatAreDrawnAgainComeBeforeTheNext) {
     options.submission = render::Submission::gpuDriven;
     ViewsRenderer renderer(device(), scene, onDevice, options, 2);
     renderer.submit(bothEyes());
-    const std::vector<render::Frame> views = renderer.render(bothEyes(0.7));
+    const std::vector<scene::Camera> next = bothEyes(scene::StereoMode::parallel, 0.7);
+    const std::vector<render::Frame> views = renderer.render(next);
     for (std::size_t view = 0; view < views.size(); ++view) {
-        EXPECT_EQ(hashOf(views[view]), hashOf(draw(scene, onDevice, bothEyes(0.7)[view], options))) << view;
+        EXPECT_EQ(hashOf(views[view]), hashOf(draw(scene, onDevice, next[view], options))) << view;
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace cdr::render_test {
 
@@ -36,6 +37,15 @@ inline scene::StereoRig rigOf(scene::StereoMode mode) {
             .eyeDistance = 0.9,
             .convergence = 8.0,
             .mode = mode};
+}
+
+/// Its cameras, once it has moved ahead.
+inline std::vector<scene::Camera> bothEyes(scene::StereoMode mode = scene::StereoMode::parallel,
+                                           double ahead = 0.0) {
+    scene::StereoRig rig = rigOf(mode);
+    rig.centre.position -= ahead * rig.centre.back;
+    const auto eyes = eyesOf(rig);
+    return {eyes.begin(), eyes.end()};
 }
 
 } // namespace cdr::render_test

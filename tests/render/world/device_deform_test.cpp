@@ -11,15 +11,8 @@ constexpr const char* kMachineFile = CDR_SOURCE_DIR "/tests/assets/machine.glb";
 constexpr const char* kVeilsFile = CDR_SOURCE_DIR "/tests/assets/veils.glb";
 
 /// Files whose skins and morph targets the device bends.
-class DeviceDeformTest : public RenderTest {
+class DeviceDeformTest : public DeformTest {
   protected:
-    void SetUp() override {
-        RenderTest::SetUp();
-        if (!device().info().deformMissing.empty()) {
-            GTEST_SKIP() << "the device lacks " << device().info().deformMissing.front();
-        }
-    }
-
     static scene::SceneSetup open(const char* file, double framesPerSecond) {
         scene::GltfChoice choice;
         choice.seconds = 0.0;

@@ -20,15 +20,8 @@ namespace cdr::render_test {
 namespace {
 
 /// Vertices that the device deforms, against those that the CPU does.
-class DeviceVerticesTest : public RenderTest {
+class DeviceVerticesTest : public DeformTest {
   protected:
-    void SetUp() override {
-        RenderTest::SetUp();
-        if (!device().info().deformMissing.empty()) {
-            GTEST_SKIP() << "the device lacks " << device().info().deformMissing.front();
-        }
-    }
-
     /// Those of all meshes, as they are once what was submitted is done.
     std::vector<render::PackedVertex> read(const render::GpuScene& scene, std::size_t count) {
         const std::size_t bytes = count * sizeof(render::PackedVertex);

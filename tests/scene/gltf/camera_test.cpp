@@ -1,3 +1,4 @@
+#include "../../support/refusal.h"
 #include "fixture.h"
 
 #include <cdr/scene/gltf/open_gltf.h>
@@ -55,12 +56,8 @@ TEST_F(GltfFolder, AnotherSceneOfTheFileIsChosen) {
     ASSERT_EQ(second.cameras.size(), 1u);
     EXPECT_EQ(second.cameras[0].name, "elsewhere");
     EXPECT_EQ(second.scene.instances.size(), 1u);
-    try {
-        loadGltf(path, {}, 2);
-        FAIL() << "loaded";
-    } catch (const base::InputError& error) {
-        expectSays(error.what(), "scene 2 does not exist, the file has 2");
-    }
+    expectSays(cdr::test::inputErrorOf([&] { loadGltf(path, {}, 2); }, "loaded"),
+               "scene 2 does not exist, the file has 2");
 }
 
 TEST_F(GltfFolder, StagingLooksThroughTheCameraThatIsChosen) {
@@ -72,12 +69,8 @@ TEST_F(GltfFolder, StagingLooksThroughTheCameraThatIsChosen) {
     EXPECT_EQ(seen.setup.path.at(0).fovY, 0.5);
     EXPECT_EQ(seen.setup.scene.lights.size(), 2u);
     EXPECT_FALSE(anySays(seen.notes, "--camera"));
-    try {
-        openGltf(path, {.scene = {}, .camera = 3});
-        FAIL() << "opened";
-    } catch (const base::InputError& error) {
-        expectSays(error.what(), "camera 3 does not exist, the scene has 3: 0 'eye', 1 'second', 2 ''");
-    }
+    expectSays(cdr::test::inputErrorOf([&] { openGltf(path, {.scene = {}, .camera = 3}); }, "opened"),
+               "camera 3 does not exist, the scene has 3: 0 'eye', 1 'second', 2 ''");
 }
 
 /// Where a picture 1080 pixels high shows a point, in pixels from its middle.

@@ -1,6 +1,7 @@
 #include "draco_fixture.h"
 
 #include <initializer_list>
+#include <random>
 
 namespace cdr::scene::test {
 namespace {

@@ -1,3 +1,4 @@
+#include "../../support/refusal.h"
 #include "fixture.h"
 
 #include <cdr/platform/file.h>
@@ -34,12 +35,7 @@ TEST_F(Gltf, BuffersBesideTheFile) {
 /// A file may be named with line breaks and with what terminals obey.
 TEST_F(Gltf, AnErrorIsOneLineWhateverTheFileIsCalled) {
     const auto lineOf = [](const fs::path& path, const GltfChoice& choice) {
-        try {
-            openGltf(path, choice);
-        } catch (const base::InputError& error) {
-            return std::string(error.what());
-        }
-        return std::string("opened");
+        return cdr::test::inputErrorOf([&] { openGltf(path, choice); }, "opened");
     };
     const std::string name = "bad\x1b[31m\nname.gltf";
     const std::string shown = (folder() / "bad [31m name.gltf: ").string();

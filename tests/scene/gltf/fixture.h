@@ -1,5 +1,7 @@
 #pragma once
 
+#include "../../support/temporary_folder.h"
+
 #include <cdr/base/error.h>
 #include <cdr/image/codec.h>
 #include <cdr/scene/gltf/gltf.h>
@@ -12,7 +14,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -160,15 +161,10 @@ inline void expectSays(const std::string& message, const std::string& what) {
 /// Gives each test a folder of its own, removed afterwards.
 class GltfFolder : public testing::Test {
   protected:
-    void SetUp() override {
-        m_folder =
-            std::filesystem::temp_directory_path() / ("cdr_gltf_" + std::to_string(std::random_device{}()));
-        std::filesystem::create_directories(folder());
-    }
-    void TearDown() override { std::filesystem::remove_all(m_folder); }
+    void SetUp() override { std::filesystem::create_directories(folder()); }
 
     /// Where assets go; its parent is of this test too, so that a test can plant a file outside.
-    std::filesystem::path folder() const { return m_folder / "asset"; }
+    std::filesystem::path folder() const { return m_folder.path() / "asset"; }
 
     std::filesystem::path write(const std::string& name, const Bytes& bytes) const {
         const std::filesystem::path path = folder() / name;
@@ -207,7 +203,7 @@ class GltfFolder : public testing::Test {
     }
 
   private:
-    std::filesystem::path m_folder;
+    cdr::test::TemporaryFolder m_folder;
 };
 
 /// Whether one of the lines says `what`.

@@ -3,6 +3,7 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <random>
 #include <vector>
 
 namespace cdr::scene::test {

@@ -5,6 +5,7 @@
 #include <cdr/scene/gltf/import.h>
 
 #include <functional>
+#include <random>
 #include <string_view>
 
 namespace cdr::scene::test {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <random>
 #include <utility>
 
 namespace cdr::scene::test {

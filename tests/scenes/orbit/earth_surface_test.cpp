@@ -1,6 +1,6 @@
+#include "../../support/refusal.h"
 #include "../../support/synthetic_earth.h"
 
-#include <cdr/base/error.h>
 #include <scenes/orbit/data.h>
 #include <scenes/orbit/earth_surface.h>
 
@@ -92,13 +92,9 @@ TEST(EarthSurface, NormalsPointAwayFromTheEarth) {
 }
 
 TEST(OrbitData, MissingMapsNameTheScriptThatFetchesThem) {
-    try {
-        loadEarthMaps("/nonexistent");
-        FAIL() << "loaded";
-    } catch (const base::InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("tools/setup.sh"), std::string::npos) << error.what();
-        EXPECT_NE(std::string(error.what()).find("earth-blue-marble.jpg"), std::string::npos) << error.what();
-    }
+    const std::string refusal = cdr::test::inputErrorOf([] { loadEarthMaps("/nonexistent"); }, "loaded");
+    EXPECT_NE(refusal.find("tools/setup.sh"), std::string::npos) << refusal;
+    EXPECT_NE(refusal.find("earth-blue-marble.jpg"), std::string::npos) << refusal;
 }
 
 /// Known elevations, which kMetresPerGrey rests on.

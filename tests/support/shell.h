@@ -1,0 +1,33 @@
+#pragma once
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace cdr::test {
+
+/// What a program that a shell ran ended with and printed.
+struct ShellResult {
+    int status = -1;
+    std::string out;
+    std::string err;
+};
+
+/// Runs a command in a shell. @return the exit status; -1 where a signal ended the shell.
+inline int statusOf(const std::string& command) {
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// The bytes of a file; none where there is none.
+inline std::string readText(const std::filesystem::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+} // namespace cdr::test
