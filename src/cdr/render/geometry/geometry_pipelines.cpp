@@ -2,22 +2,7 @@
 #include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/render/geometry/layers.h>
 #include <cdr/render/targets/gbuffer.h>
-#include <cdr/shaders/geometry_depth_detailed_frag.h>
-#include <cdr/shaders/geometry_depth_faceted_frag.h>
-#include <cdr/shaders/geometry_depth_frag.h>
-#include <cdr/shaders/geometry_detailed_frag.h>
-#include <cdr/shaders/geometry_detailed_vert.h>
-#include <cdr/shaders/geometry_faceted_frag.h>
-#include <cdr/shaders/geometry_faceted_vert.h>
-#include <cdr/shaders/geometry_frag.h>
-#include <cdr/shaders/geometry_layered_detailed_frag.h>
-#include <cdr/shaders/geometry_layered_frag.h>
-#include <cdr/shaders/geometry_pushed_detailed_vert.h>
-#include <cdr/shaders/geometry_pushed_faceted_vert.h>
-#include <cdr/shaders/geometry_pushed_vert.h>
-#include <cdr/shaders/geometry_vert.h>
-#include <cdr/shaders/occluder_frag.h>
-#include <cdr/shaders/occluder_vert.h>
+#include <cdr/shaders/geometry.h>
 #include <cdr/shaders/shared.h>
 
 #include <bit>

@@ -7,9 +7,8 @@
 #include <cdr/render/stages.h>
 #include <cdr/render/submit/binning_pass.h>
 #include <cdr/shaders/binning_shared.h>
+#include <cdr/shaders/occluders.h>
 #include <cdr/shaders/occluders_shared.h>
-#include <cdr/shaders/reduce_depth_comp.h>
-#include <cdr/shaders/reduce_depth_squares_comp.h>
 #include <cdr/visibility/depth_tiles.h>
 #include <cdr/visibility/occluders.h>
 

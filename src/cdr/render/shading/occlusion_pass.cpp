@@ -1,8 +1,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/shading/occlusion_pass.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/shaders/flat_anchors_vert.h>
-#include <cdr/shaders/occlusion_frag.h>
+#include <cdr/shaders/shading.h>
 
 namespace cdr::render {
 

@@ -5,19 +5,7 @@
 #include <cdr/render/shading/seen_lights.h>
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/shaders/shading_emission_frag.h>
-#include <cdr/shaders/shading_emission_occluded_frag.h>
-#include <cdr/shaders/shading_emission_occluded_shadowed_frag.h>
-#include <cdr/shaders/shading_emission_shadowed_frag.h>
-#include <cdr/shaders/shading_facets_frag.h>
-#include <cdr/shaders/shading_facets_shadowed_frag.h>
-#include <cdr/shaders/shading_frag.h>
-#include <cdr/shaders/shading_layers_occluded_frag.h>
-#include <cdr/shaders/shading_layers_occluded_shadowed_frag.h>
-#include <cdr/shaders/shading_occluded_frag.h>
-#include <cdr/shaders/shading_occluded_shadowed_frag.h>
-#include <cdr/shaders/shading_shadowed_frag.h>
-#include <cdr/shaders/shading_vert.h>
+#include <cdr/shaders/shading.h>
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/targets/cascade_layers.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/shaders/merge_emission_frag.h>
-#include <cdr/shaders/merge_facets_frag.h>
-#include <cdr/shaders/merge_frag.h>
-#include <cdr/shaders/merge_occluded_frag.h>
+#include <cdr/shaders/targets.h>
 
 #include <fmt/format.h>
 

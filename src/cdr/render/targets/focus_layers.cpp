@@ -3,9 +3,8 @@
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/targets/focus_layers.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/shaders/focus_compose_frag.h>
-#include <cdr/shaders/merge_scaled_frag.h>
-#include <cdr/shaders/shading_layer_frag.h>
+#include <cdr/shaders/shading.h>
+#include <cdr/shaders/targets.h>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/targets/targets.h>
 #include <cdr/render/targets/zero_fill.h>
-#include <cdr/shaders/fullscreen_vert.h>
-#include <cdr/shaders/zero_fill_frag.h>
+#include <cdr/shaders/shading.h>
+#include <cdr/shaders/targets.h>
 
 namespace cdr::render {
 
