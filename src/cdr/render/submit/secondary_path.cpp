@@ -1,5 +1,5 @@
 #include <cdr/render/submit/secondary_path.h>
-#include <cdr/render/targets/depth_clear.h>
+#include <cdr/render/targets/scope_commands.h>
 
 #include <algorithm>
 #include <array>
@@ -114,10 +114,11 @@ void SecondaryPath::recordJobs(const FrameView& view) {
 
 void SecondaryPath::drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) {
     m_device.beginLabel(m_primary, labelOf(cascades).c_str());
-    beginGBufferScope(m_primary, scope, vk::RenderingFlagBits::eContentsSecondaryCommandBuffers);
+    constexpr auto kFlags = vk::RenderingFlagBits::eContentsSecondaryCommandBuffers;
+    beginGBufferScope(m_primary, scope, kFlags);
     for (const std::size_t cascade : cascades) {
         if (scope.depthClear != nullptr && cascade != cascades.front()) {
-            m_primary.executeCommands(scope.depthClear->secondary());
+            scope.depthClear->putInto(m_primary, kFlags);
         }
         drawInside({cascade, cascade + 1});
     }

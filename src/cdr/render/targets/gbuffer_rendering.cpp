@@ -1,6 +1,6 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/render/targets/zero_fill.h>
+#include <cdr/render/targets/scope_commands.h>
 
 #include <array>
 #include <vector>
@@ -144,13 +144,8 @@ void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk:
     const bool marks = marksOf(scope.depth, scope.gbuffer) != nullptr;
     beginRendering(primary, scope.gbuffer.options().extent, colors, &depth, marks ? &stencil : nullptr,
                    flags);
-    if (scope.keepsColors || scope.zeroFill == nullptr) {
-        return;
-    }
-    if (flags & vk::RenderingFlagBits::eContentsSecondaryCommandBuffers) {
-        primary.executeCommands(scope.zeroFill->secondary());
-    } else {
-        scope.zeroFill->record(primary);
+    if (!scope.keepsColors && scope.zeroFill != nullptr) {
+        scope.zeroFill->putInto(primary, flags);
     }
 }
 

@@ -10,8 +10,7 @@
 
 namespace cdr::render {
 
-class DepthClear;
-class ZeroFill;
+class ScopeCommands;
 
 /// How a rendering scope over a G-buffer and a depth buffer begins.
 struct GBufferScope {
@@ -20,9 +19,10 @@ struct GBufferScope {
     const gpu::Image* emission = nullptr; ///< beside the G-buffer, and never cleared; null: there is none
     bool keepsColors = false;             ///< that an earlier scope over these images drew
     bool reversedDepth = false;
-    glm::vec4 clearColor{0.0f};         ///< of the colours; zeros are 0 in formats of integers too
-    const ZeroFill* zeroFill = nullptr; ///< clears the colours, where there is one, as the scope's first draw
-    const DepthClear* depthClear = nullptr; ///< clears depth between cascades; null: they share it
+    glm::vec4 clearColor{0.0f}; ///< of the colours; zeros are 0 in formats of integers too
+    const ScopeCommands* zeroFill =
+        nullptr; ///< clears the colours, where there is one, as the scope's first draw
+    const ScopeCommands* depthClear = nullptr; ///< clears depth between cascades; null: they share it
 };
 
 /// The depth attachment if it marks what is drawn, else null.
