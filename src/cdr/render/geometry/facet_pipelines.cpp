@@ -94,6 +94,13 @@ vk::Pipeline FacetPipelines::pipeline(Span span, std::size_t lights) const {
     return *(span == Span::wide ? spans.wide : spans.compact);
 }
 
+ScopeFormats FacetPipelines::formats() const {
+    if (m_options.output == GeometryOutput::depth) {
+        return {.depth = m_depthFormat};
+    }
+    return {.colors = {surfaceFormat()}, .depth = m_depthFormat};
+}
+
 vk::Format FacetPipelines::surfaceFormat() const {
     switch (m_options.output) {
     case GeometryOutput::surfaces:

@@ -172,8 +172,15 @@ vk::CompareOp depthCompareOf(depth::Mapping mapping) {
     return depth::isReversed(mapping) ? vk::CompareOp::eGreaterOrEqual : vk::CompareOp::eLessOrEqual;
 }
 
-vk::Format GeometryPipelines::surfaceFormat() const {
-    return m_options.output == GeometryOutput::depth ? vk::Format::eUndefined : kGBufferFormat;
+ScopeFormats GeometryPipelines::formats() const {
+    ScopeFormats formats{.depth = m_depthFormat};
+    if (m_options.output != GeometryOutput::depth) {
+        formats.colors.push_back(kGBufferFormat);
+        if (m_options.emission) {
+            formats.colors.push_back(kEmissionFormat);
+        }
+    }
+    return formats;
 }
 
 gpu::Pipeline GeometryPipelines::makeOccluder(const gpu::Device& device, Span span) const {
@@ -222,8 +229,7 @@ gpu::Pipeline GeometryPipelines::makeSurfaces(const gpu::Device& device, std::ui
                  .layout = m_layout,
                  .bindings = bindingsFor(m_options.batching, shaderKind),
                  .attributes = attributesFor(m_options.batching, shaderKind),
-                 .colorFormats = m_options.emission ? std::vector{kGBufferFormat, kEmissionFormat}
-                                                    : std::vector{kGBufferFormat},
+                 .colorFormats = formats().colors,
                  .depthFormat = m_depthFormat,
                  .depthCompare = depthCompareOf(mapping),
                  .hasDepthBias = isLayered && isBiased});

@@ -58,6 +58,20 @@ vk::ImageMemoryBarrier2 marksBarrier(const gpu::Image& marks) {
         {kDepthStages, Access::eDepthStencilAttachmentRead, vk::ImageLayout::eAttachmentOptimal});
 }
 
+void beginSecondary(vk::CommandBuffer secondary, const ScopeFormats& formats,
+                    vk::CommandBufferUsageFlags usage) {
+    const bool marks = !formats.colors.empty() && marksDrawn(formats.depth, formats.colors.front());
+    const vk::CommandBufferInheritanceRenderingInfo rendering{
+        .colorAttachmentCount = static_cast<std::uint32_t>(formats.colors.size()),
+        .pColorAttachmentFormats = formats.colors.data(),
+        .depthAttachmentFormat = formats.depth,
+        .stencilAttachmentFormat = marks ? formats.depth : vk::Format::eUndefined,
+        .rasterizationSamples = vk::SampleCountFlagBits::e1};
+    const vk::CommandBufferInheritanceInfo inheritance{.pNext = &rendering};
+    secondary.begin({.flags = usage | vk::CommandBufferUsageFlagBits::eRenderPassContinue,
+                     .pInheritanceInfo = &inheritance});
+}
+
 vk::RenderingAttachmentInfo colorAttachment(vk::ImageView view, vk::AttachmentLoadOp load,
                                             const vk::ClearValue& clear) {
     return {.imageView = view,

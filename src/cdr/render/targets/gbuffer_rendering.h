@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include <span>
+#include <vector>
 
 namespace cdr::render {
 
@@ -27,6 +28,17 @@ struct GBufferScope {
 
 /// The depth attachment if it marks what is drawn, else null.
 const gpu::Image* marksOf(const gpu::Image& depth, const gpu::Image& surfaces);
+
+/// Of the attachments of a rendering scope; the colours of surfaces come first. A stencil plane that marks what is drawn is
+/// attached too.
+struct ScopeFormats {
+    std::vector<vk::Format> colors{};
+    vk::Format depth = vk::Format::eUndefined;
+};
+
+/// Begins a secondary that draws inside such a scope.
+void beginSecondary(vk::CommandBuffer secondary, const ScopeFormats& formats,
+                    vk::CommandBufferUsageFlags usage);
 
 /// A colour attachment that is kept when its rendering scope ends.
 vk::RenderingAttachmentInfo colorAttachment(vk::ImageView view, vk::AttachmentLoadOp load,

@@ -1,4 +1,5 @@
 #include <cdr/gpu/pipeline.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/render/targets/scope_commands.h>
 #include <cdr/render/targets/targets.h>
 #include <cdr/shaders/shading.h>
@@ -17,18 +18,10 @@ ScopeCommands::ScopeCommands(const gpu::Device& device, const TargetsOptions& op
                                                                .level = vk::CommandBufferLevel::eSecondary,
                                                                .commandBufferCount = 1})
                                 .front());
-    const std::vector<vk::Format> colors = surfaceFormats(options);
-    const vk::Format depth = depthAttachmentFormat(device, options.depthFormat, options.format);
-    const vk::CommandBufferInheritanceRenderingInfo rendering{
-        .colorAttachmentCount = static_cast<std::uint32_t>(colors.size()),
-        .pColorAttachmentFormats = colors.data(),
-        .depthAttachmentFormat = depth,
-        .stencilAttachmentFormat = marksDrawn(depth, options.format) ? depth : vk::Format::eUndefined,
-        .rasterizationSamples = vk::SampleCountFlagBits::e1};
-    const vk::CommandBufferInheritanceInfo inheritance{.pNext = &rendering};
-    m_secondary->begin({.flags = vk::CommandBufferUsageFlagBits::eRenderPassContinue |
-                                 vk::CommandBufferUsageFlagBits::eSimultaneousUse,
-                        .pInheritanceInfo = &inheritance});
+    beginSecondary(*m_secondary,
+                   {.colors = surfaceFormats(options),
+                    .depth = depthAttachmentFormat(device, options.depthFormat, options.format)},
+                   vk::CommandBufferUsageFlagBits::eSimultaneousUse);
     m_record(*m_secondary);
     m_secondary->end();
 }
