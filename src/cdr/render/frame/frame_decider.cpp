@@ -87,7 +87,7 @@ void FrameDecider::decideView(FrameSlot& slot, const scene::Camera& camera, cons
 
 void FrameDecider::decideInputs(FrameSlot& slot, const Delivery& delivery, platform::StageWatch& watch) {
     FramePasses& passes = m_equipment.passes();
-    slot.inputs->shading.update(m_drawn.scene, slot.view.camera, slot.view.frustum, slot.view.anchorsView());
+    passes.shading.update(slot.inputs->shading, m_drawn.scene, slot.view);
     if (slot.inputs->motion) {
         decideMotion(slot);
     }
