@@ -30,7 +30,7 @@ FrameDecider::FrameDecider(const gpu::Device& device, const DrawnScene& drawn, F
 void FrameDecider::decide(FrameSlot& slot, const scene::Camera& camera, const Delivery& delivery) {
     slot.before = {.view = std::move(slot.view),
                    .stats = slot.stats,
-                   .destination = slot.destination,
+                   .copy = slot.copy,
                    .cut = m_equipment.passes().cutter.previous(),
                    .isMotionFollowed = false};
     try {
@@ -46,7 +46,7 @@ void FrameDecider::decide(FrameSlot& slot, const scene::Camera& camera, const De
 void FrameDecider::takeBack(FrameSlot& slot) {
     slot.view = std::move(slot.before.view);
     slot.stats = slot.before.stats;
-    slot.destination = slot.before.destination;
+    slot.copy = slot.before.copy;
     m_equipment.passes().cutter.takeBack(std::move(slot.before.cut));
     if (slot.before.isMotionFollowed) {
         m_motion->forget();
