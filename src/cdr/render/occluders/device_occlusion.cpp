@@ -2,7 +2,6 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/occluders/device_occlusion.h>
-#include <cdr/render/occluders/occluder_view.h>
 #include <cdr/render/occluders/order_margin.h>
 #include <cdr/render/stages.h>
 #include <cdr/render/submit/binning_pass.h>
