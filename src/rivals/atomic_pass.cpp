@@ -1,16 +1,6 @@
 #include <cdr/base/format_error.h>
 #include <cdr/gpu/commands.h>
-#include <cdr/shaders/rival_fixed_frag.h>
-#include <cdr/shaders/rival_fixed_ids_frag.h>
-#include <cdr/shaders/rival_log_object_frag.h>
-#include <cdr/shaders/rival_log_view_frag.h>
-#include <cdr/shaders/rival_object_frag.h>
-#include <cdr/shaders/rival_object_ids_frag.h>
-#include <cdr/shaders/rival_object_vert.h>
-#include <cdr/shaders/rival_pair_frag.h>
-#include <cdr/shaders/rival_pair_ids_frag.h>
-#include <cdr/shaders/rival_pair_vert.h>
-#include <cdr/shaders/rival_view_vert.h>
+#include <cdr/shaders/rivals.h>
 
 #include <rivals/atomic_pass.h>
 

@@ -1,7 +1,5 @@
 #include <cdr/gpu/commands.h>
-#include <cdr/shaders/rival_depth_test_frag.h>
-#include <cdr/shaders/rival_depth_written_frag.h>
-#include <cdr/shaders/rival_view_vert.h>
+#include <cdr/shaders/rivals.h>
 
 #include <rivals/depth_test_pass.h>
 

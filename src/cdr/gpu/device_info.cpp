@@ -37,64 +37,61 @@ std::string versionText(std::uint32_t version) {
                        VK_API_VERSION_PATCH(version));
 }
 
-std::vector<std::string> missingFrom(vk::PhysicalDevice physical) {
-    if (physical.getProperties().apiVersion < VK_API_VERSION_1_3) {
-        // The feature structs below exist from 1.3 on, so nothing more can be asked.
-        return {"Vulkan 1.3"};
-    }
+/// What a device of Vulkan 1.3 says of itself. Older ones do not know all of these structs.
+struct Told {
+    vk::PhysicalDeviceFeatures features;
+    vk::PhysicalDeviceVulkan12Features features12;
+    vk::PhysicalDeviceVulkan13Features features13;
+    vk::PhysicalDeviceVulkan12Properties properties12;
+    vk::PhysicalDeviceVulkan13Properties properties13;
+};
+
+Told ask(vk::PhysicalDevice physical) {
     const auto features =
-        physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features>();
-    const auto& core = features.get<vk::PhysicalDeviceFeatures2>().features;
-    const auto& v13 = features.get<vk::PhysicalDeviceVulkan13Features>();
+        physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
+                              vk::PhysicalDeviceVulkan13Features>();
+    const auto properties =
+        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan12Properties,
+                                vk::PhysicalDeviceVulkan13Properties>();
+    return {.features = features.get<vk::PhysicalDeviceFeatures2>().features,
+            .features12 = features.get<vk::PhysicalDeviceVulkan12Features>(),
+            .features13 = features.get<vk::PhysicalDeviceVulkan13Features>(),
+            .properties12 = properties.get<vk::PhysicalDeviceVulkan12Properties>(),
+            .properties13 = properties.get<vk::PhysicalDeviceVulkan13Properties>()};
+}
+
+std::vector<std::string> missingFrom(vk::PhysicalDevice physical, const Told& told) {
+    const vk::PhysicalDeviceVulkan13Features& v13 = told.features13;
     if (!v13.dynamicRendering && !v13.synchronization2 && !v13.maintenance4) {
         // Vulkan 1.3 demands all three, but an instance of 1.0 is not told of them.
         return {"Vulkan 1.3, for which the instance must be made"};
     }
     std::vector<std::string> missing = thoseOff({{v13.dynamicRendering, "dynamicRendering"},
                                                  {v13.synchronization2, "synchronization2"},
-                                                 {core.depthClamp, "depthClamp"},
-                                                 {core.shaderClipDistance, "shaderClipDistance"}});
+                                                 {told.features.depthClamp, "depthClamp"},
+                                                 {told.features.shaderClipDistance, "shaderClipDistance"}});
     if (!findQueueFamily(physical)) {
         missing.emplace_back("a queue that does graphics and compute");
     }
     return missing;
 }
 
-vk::PhysicalDeviceVulkan12Properties vulkan12Properties(vk::PhysicalDevice physical) {
-    return physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan12Properties>()
-        .get<vk::PhysicalDeviceVulkan12Properties>();
-}
-
 /// What compute passes need that compute in float64 as the CPU does, to the bit.
-std::vector<std::string> missingForDeforming(vk::PhysicalDevice physical) {
-    if (physical.getProperties().apiVersion < VK_API_VERSION_1_3) {
-        return {"Vulkan 1.3"};
-    }
-    const vk::PhysicalDeviceVulkan12Properties v12Properties = vulkan12Properties(physical);
-    return thoseOff({{physical.getFeatures().shaderFloat64, "shaderFloat64"},
-                     {v12Properties.shaderRoundingModeRTEFloat32, "shaderRoundingModeRTEFloat32"},
-                     {v12Properties.shaderRoundingModeRTEFloat64, "shaderRoundingModeRTEFloat64"}});
+std::vector<std::string> missingForDeforming(const Told& told) {
+    return thoseOff({{told.features.shaderFloat64, "shaderFloat64"},
+                     {told.properties12.shaderRoundingModeRTEFloat32, "shaderRoundingModeRTEFloat32"},
+                     {told.properties12.shaderRoundingModeRTEFloat64, "shaderRoundingModeRTEFloat64"}});
 }
 
 /// Features that only culling and binning on the device needs.
-std::vector<std::string> missingForGpuDriven(vk::PhysicalDevice physical) {
-    const auto properties = physical.getProperties();
-    if (properties.apiVersion < VK_API_VERSION_1_3) {
-        return {"Vulkan 1.3"};
-    }
-    const auto features =
-        physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
-    const auto& core = features.get<vk::PhysicalDeviceFeatures2>().features;
-    const auto& v12 = features.get<vk::PhysicalDeviceVulkan12Features>();
-    const vk::PhysicalDeviceVulkan12Properties v12Properties = vulkan12Properties(physical);
-    const vk::PhysicalDeviceLimits& limits = properties.limits;
+std::vector<std::string> missingForGpuDriven(const Told& told, const vk::PhysicalDeviceLimits& limits) {
     std::vector<std::string> missing =
-        thoseOff({{core.shaderFloat64, "shaderFloat64"},
-                  {core.multiDrawIndirect, "multiDrawIndirect"},
-                  {core.drawIndirectFirstInstance, "drawIndirectFirstInstance"},
-                  {v12.drawIndirectCount, "drawIndirectCount"},
-                  {v12Properties.shaderRoundingModeRTEFloat32, "shaderRoundingModeRTEFloat32"},
-                  {v12Properties.shaderRoundingModeRTEFloat64, "shaderRoundingModeRTEFloat64"}});
+        thoseOff({{told.features.shaderFloat64, "shaderFloat64"},
+                  {told.features.multiDrawIndirect, "multiDrawIndirect"},
+                  {told.features.drawIndirectFirstInstance, "drawIndirectFirstInstance"},
+                  {told.features12.drawIndirectCount, "drawIndirectCount"},
+                  {told.properties12.shaderRoundingModeRTEFloat32, "shaderRoundingModeRTEFloat32"},
+                  {told.properties12.shaderRoundingModeRTEFloat64, "shaderRoundingModeRTEFloat64"}});
     if (limits.maxPerStageDescriptorStorageBuffers < kGpuDrivenStorageBuffers ||
         limits.maxComputeWorkGroupInvocations < kGpuDrivenInvocations ||
         limits.maxComputeWorkGroupSize[0] < kGpuDrivenInvocations) {
@@ -102,28 +99,6 @@ std::vector<std::string> missingForGpuDriven(vk::PhysicalDevice physical) {
                                       kGpuDrivenStorageBuffers, kGpuDrivenInvocations));
     }
     return missing;
-}
-
-/// Of one buffer; the largest number where the device does not say.
-std::uint64_t maxBufferBytes(vk::PhysicalDevice physical) {
-    constexpr std::uint64_t kUnsaid = std::numeric_limits<std::uint64_t>::max();
-    if (physical.getProperties().apiVersion < VK_API_VERSION_1_3) {
-        return kUnsaid; // and is refused for it
-    }
-    const std::uint64_t bytes =
-        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan13Properties>()
-            .get<vk::PhysicalDeviceVulkan13Properties>()
-            .maxBufferSize;
-    return bytes != 0 ? bytes : kUnsaid;
-}
-
-bool hasBufferInt64Atomics(vk::PhysicalDevice physical) {
-    if (physical.getProperties().apiVersion < VK_API_VERSION_1_3) {
-        return false; // and is refused for it
-    }
-    return physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>()
-               .get<vk::PhysicalDeviceVulkan12Features>()
-               .shaderBufferInt64Atomics != 0;
 }
 
 bool hasConditionalRendering(vk::PhysicalDevice physical) {
@@ -198,9 +173,20 @@ DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {
     info.api = versionText(core.apiVersion);
     info.kind = kindOf(core.deviceType);
     info.index = index;
-    info.missing = missingFrom(physical);
-    info.gpuDrivenMissing = missingForGpuDriven(physical);
-    info.deformMissing = missingForDeforming(physical);
+    const vk::PhysicalDeviceFeatures features = physical.getFeatures();
+    info.maxBufferBytes = std::numeric_limits<std::uint64_t>::max();
+    if (core.apiVersion < VK_API_VERSION_1_3) {
+        info.missing = info.gpuDrivenMissing = info.deformMissing = {"Vulkan 1.3"};
+    } else {
+        const Told told = ask(physical);
+        info.missing = missingFrom(physical, told);
+        info.gpuDrivenMissing = missingForGpuDriven(told, core.limits);
+        info.deformMissing = missingForDeforming(told);
+        if (told.properties13.maxBufferSize != 0) {
+            info.maxBufferBytes = told.properties13.maxBufferSize;
+        }
+        info.hasInt64Atomics = features.shaderInt64 != 0 && told.features12.shaderBufferInt64Atomics != 0;
+    }
     std::copy_if(depth::kDepthFormats.begin(), depth::kDepthFormats.end(),
                  std::back_inserter(info.depthFormats),
                  [&](depth::DepthFormat format) { return findDepthFormat(physical, format).has_value(); });
@@ -209,15 +195,12 @@ DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {
     }
     info.maxImageSide = std::min(
         {core.limits.maxImageDimension2D, core.limits.maxFramebufferWidth, core.limits.maxFramebufferHeight});
-    info.maxBufferBytes = maxBufferBytes(physical);
     info.maxStorageBufferBytes =
         std::min<std::uint64_t>(core.limits.maxStorageBufferRange, info.maxBufferBytes);
     info.maxIndex = core.limits.maxDrawIndexedIndexValue;
     info.subPixelBits = core.limits.subPixelPrecisionBits;
-    const vk::PhysicalDeviceFeatures features = physical.getFeatures();
     info.hasFragmentStores = features.fragmentStoresAndAtomics != 0;
     info.hasFloat64 = features.shaderFloat64 != 0;
-    info.hasInt64Atomics = features.shaderInt64 != 0 && hasBufferInt64Atomics(physical);
     info.hasConditionalRendering = hasConditionalRendering(physical);
     info.timestampPeriodNs = static_cast<double>(core.limits.timestampPeriod);
     return info;

@@ -7,79 +7,57 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <utility>
+
 namespace cdr::gpu {
 
 namespace {
 
 /// The struct of a pNext chain that has this type; null where there is none.
 template <typename Struct>
-const Struct* inChain(const VkPhysicalDeviceFeatures2& features, VkStructureType type) {
+const Struct* inChain(const VkPhysicalDeviceFeatures2& features) {
     for (auto* next = static_cast<const VkBaseInStructure*>(features.pNext); next != nullptr;
          next = next->pNext) {
-        if (next->sType == type) {
+        if (vk::StructureType(next->sType) == Struct::structureType) {
             return reinterpret_cast<const Struct*>(next);
         }
     }
     return nullptr;
 }
 
-const VkPhysicalDeviceVulkan12Features* vulkan12(const VkPhysicalDeviceFeatures2& features) {
-    return inChain<VkPhysicalDeviceVulkan12Features>(features,
-                                                     VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES);
-}
-
-const VkPhysicalDeviceVulkan13Features* vulkan13(const VkPhysicalDeviceFeatures2& features) {
-    return inChain<VkPhysicalDeviceVulkan13Features>(features,
-                                                     VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
-}
-
-const VkPhysicalDeviceConditionalRenderingFeaturesEXT*
-conditionalRendering(const VkPhysicalDeviceFeatures2& features) {
-    return inChain<VkPhysicalDeviceConditionalRenderingFeaturesEXT>(
-        features, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT);
+template <typename Struct>
+Struct* inChain(VkPhysicalDeviceFeatures2& features) {
+    return const_cast<Struct*>(inChain<Struct>(std::as_const(features)));
 }
 
 /// Engines that came before Vulkan 1.3 may name its features one by one.
 template <typename Core, typename Alone>
-bool isOn(const Core* core, VkBool32 Core::*inCore, const Alone* alone, VkBool32 Alone::*inAlone) {
+bool isOn(const VkPhysicalDeviceFeatures2& features, vk::Bool32 Core::*inCore, vk::Bool32 Alone::*inAlone) {
+    const Core* core = inChain<Core>(features);
+    const Alone* alone = inChain<Alone>(features);
     return (core != nullptr && core->*inCore != 0) || (alone != nullptr && alone->*inAlone != 0);
-}
-
-bool hasDynamicRendering(const VkPhysicalDeviceFeatures2& features) {
-    using Alone = VkPhysicalDeviceDynamicRenderingFeatures;
-    return isOn(vulkan13(features), &VkPhysicalDeviceVulkan13Features::dynamicRendering,
-                inChain<Alone>(features, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_FEATURES),
-                &Alone::dynamicRendering);
-}
-
-bool hasSynchronization2(const VkPhysicalDeviceFeatures2& features) {
-    using Alone = VkPhysicalDeviceSynchronization2Features;
-    return isOn(vulkan13(features), &VkPhysicalDeviceVulkan13Features::synchronization2,
-                inChain<Alone>(features, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SYNCHRONIZATION_2_FEATURES),
-                &Alone::synchronization2);
-}
-
-bool hasTimelineSemaphore(const VkPhysicalDeviceFeatures2& features) {
-    using Alone = VkPhysicalDeviceTimelineSemaphoreFeatures;
-    return isOn(vulkan12(features), &VkPhysicalDeviceVulkan12Features::timelineSemaphore,
-                inChain<Alone>(features, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_TIMELINE_SEMAPHORE_FEATURES),
-                &Alone::timelineSemaphore);
 }
 
 } // namespace
 
 std::vector<std::string> missingFeatures(const VkPhysicalDeviceFeatures2& features) {
     const VkPhysicalDeviceFeatures& core = features.features;
-    return thoseOff({{hasDynamicRendering(features), "dynamicRendering"},
-                     {hasSynchronization2(features), "synchronization2"},
-                     {hasTimelineSemaphore(features), "timelineSemaphore"},
+    return thoseOff({{isOn(features, &vk::PhysicalDeviceVulkan13Features::dynamicRendering,
+                           &vk::PhysicalDeviceDynamicRenderingFeatures::dynamicRendering),
+                      "dynamicRendering"},
+                     {isOn(features, &vk::PhysicalDeviceVulkan13Features::synchronization2,
+                           &vk::PhysicalDeviceSynchronization2Features::synchronization2),
+                      "synchronization2"},
+                     {isOn(features, &vk::PhysicalDeviceVulkan12Features::timelineSemaphore,
+                           &vk::PhysicalDeviceTimelineSemaphoreFeatures::timelineSemaphore),
+                      "timelineSemaphore"},
                      {core.depthClamp, "depthClamp"},
                      {core.shaderClipDistance, "shaderClipDistance"}});
 }
 
 std::vector<std::string> missingGpuDrivenFeatures(const VkPhysicalDeviceFeatures2& features) {
     const VkPhysicalDeviceFeatures& core = features.features;
-    const auto* v12 = vulkan12(features);
+    const auto* v12 = inChain<vk::PhysicalDeviceVulkan12Features>(features);
     return thoseOff({{core.shaderFloat64, "shaderFloat64"},
                      {core.multiDrawIndirect, "multiDrawIndirect"},
                      {core.drawIndirectFirstInstance, "drawIndirectFirstInstance"},
@@ -87,7 +65,7 @@ std::vector<std::string> missingGpuDrivenFeatures(const VkPhysicalDeviceFeatures
 }
 
 bool hasConditionalRendering(const VkPhysicalDeviceFeatures2& features) {
-    const auto* conditional = conditionalRendering(features);
+    const auto* conditional = inChain<vk::PhysicalDeviceConditionalRenderingFeaturesEXT>(features);
     return conditional != nullptr && conditional->conditionalRendering != 0;
 }
 
@@ -102,8 +80,8 @@ void enableFeatures(VkInstance instance, VkPhysicalDevice physical, VkPhysicalDe
     if (!info.missing.empty()) {
         throw base::inputError("{} lacks {}", info.name, fmt::join(info.missing, ", "));
     }
-    auto* v12 = const_cast<VkPhysicalDeviceVulkan12Features*>(vulkan12(features));
-    auto* v13 = const_cast<VkPhysicalDeviceVulkan13Features*>(vulkan13(features));
+    auto* v12 = inChain<vk::PhysicalDeviceVulkan12Features>(features);
+    auto* v13 = inChain<vk::PhysicalDeviceVulkan13Features>(features);
     if (v12 == nullptr || v13 == nullptr) {
         throw base::inputError("the feature chain lacks VkPhysicalDeviceVulkan{}Features",
                                v12 == nullptr ? "12" : "13");
@@ -130,8 +108,7 @@ void enableFeatures(VkInstance instance, VkPhysicalDevice physical, VkPhysicalDe
     if (info.hasFragmentStores) {
         core.fragmentStoresAndAtomics = VK_TRUE;
     }
-    auto* conditional =
-        const_cast<VkPhysicalDeviceConditionalRenderingFeaturesEXT*>(conditionalRendering(features));
+    auto* conditional = inChain<vk::PhysicalDeviceConditionalRenderingFeaturesEXT>(features);
     if (conditional != nullptr && info.hasConditionalRendering) {
         conditional->conditionalRendering = VK_TRUE;
     }

@@ -68,6 +68,23 @@ std::uint64_t bytesOfPixels(const ImageOptions& options) {
     return pixels * vk::blockSize(options.format);
 }
 
+const VkPhysicalDeviceMemoryProperties& memoryOf(const Device& device) {
+    const VkPhysicalDeviceMemoryProperties* memory = nullptr;
+    vmaGetMemoryProperties(device.allocator(), &memory);
+    return *memory;
+}
+
+/// Visits the index of each heap that is device-local.
+template <typename Visit>
+void forEachDeviceHeap(const Device& device, const Visit& visit) {
+    const VkPhysicalDeviceMemoryProperties& memory = memoryOf(device);
+    for (std::uint32_t heap = 0; heap < memory.memoryHeapCount; ++heap) {
+        if (memory.memoryHeaps[heap].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) {
+            visit(heap);
+        }
+    }
+}
+
 } // namespace
 
 vk::Extent2D smallerLevel(vk::Extent2D extent) {
@@ -159,24 +176,28 @@ bool takesDeviceBytes(const Device& device, MemoryUse use) {
     check(vmaFindMemoryTypeIndexForBufferInfo(
               device.allocator(), &static_cast<const VkBufferCreateInfo&>(buffer), &memory, &type),
           "vmaFindMemoryTypeIndexForBufferInfo", "a buffer", kOwnMemoryBytes);
-    const VkPhysicalDeviceMemoryProperties* all = nullptr;
-    vmaGetMemoryProperties(device.allocator(), &all);
-    return (all->memoryHeaps[all->memoryTypes[type].heapIndex].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0;
+    const VkPhysicalDeviceMemoryProperties& all = memoryOf(device);
+    return (all.memoryHeaps[all.memoryTypes[type].heapIndex].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0;
 }
 
 std::uint64_t freeDeviceBytes(const Device& device) {
-    const VkPhysicalDeviceMemoryProperties* memory = nullptr;
-    vmaGetMemoryProperties(device.allocator(), &memory);
     std::array<VmaBudget, VK_MAX_MEMORY_HEAPS> budgets{};
     vmaGetHeapBudgets(device.allocator(), budgets.data());
     std::uint64_t most = 0;
-    for (std::uint32_t heap = 0; heap < memory->memoryHeapCount; ++heap) {
-        if (memory->memoryHeaps[heap].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) {
-            const VmaBudget& budget = budgets[heap];
-            most = std::max<std::uint64_t>(most, budget.budget - std::min(budget.usage, budget.budget));
-        }
-    }
+    forEachDeviceHeap(device, [&](std::uint32_t heap) {
+        const VmaBudget& budget = budgets[heap];
+        most = std::max<std::uint64_t>(most, budget.budget - std::min(budget.usage, budget.budget));
+    });
     return most;
+}
+
+std::uint64_t allocatedDeviceBytes(const Device& device) {
+    VmaTotalStatistics statistics{};
+    vmaCalculateStatistics(device.allocator(), &statistics);
+    std::uint64_t bytes = 0;
+    forEachDeviceHeap(
+        device, [&](std::uint32_t heap) { bytes += statistics.memoryHeap[heap].statistics.allocationBytes; });
+    return bytes;
 }
 
 void requireDeviceBytes(const Device& device, std::uint64_t bytes, const std::string& what) {

@@ -93,6 +93,11 @@ bool takesDeviceBytes(const Device& device, MemoryUse use);
 /// Device-local bytes that are still free, by the driver's budget.
 std::uint64_t freeDeviceBytes(const Device& device);
 
+/// Device-local bytes of all buffers and images that the device's allocator holds now, each as large as the driver made it.
+/// Counts what others made where the allocator is lent (BorrowedDevice::allocator). What a graphics card keeps in the host's
+/// memory, such as what is read back, is not counted.
+std::uint64_t allocatedDeviceBytes(const Device& device);
+
 /// base::RunError with both figures when `bytes` for `what` exceed what is free. Call before allocating.
 void requireDeviceBytes(const Device& device, std::uint64_t bytes, const std::string& what);
 

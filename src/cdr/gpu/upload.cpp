@@ -23,10 +23,6 @@ Buffer stagingBuffer(const Device& device, std::span<const std::span<const std::
     return staging;
 }
 
-Buffer stagingBuffer(const Device& device, std::span<const std::byte> bytes) {
-    return stagingBuffer(device, std::span(&bytes, 1));
-}
-
 /// Where each level lies in a buffer that has all of them, one after the other.
 std::vector<vk::BufferImageCopy> copiesOf(vk::Extent2D extent,
                                           std::span<const std::span<const std::byte>> levels) {
@@ -48,13 +44,9 @@ Buffer uploadBuffer(const Device& device, std::span<const std::byte> bytes, vk::
                     const std::string& name) {
     Buffer buffer(device, bytes.size(), usage | vk::BufferUsageFlagBits::eTransferDst, MemoryUse::deviceOnly,
                   name);
-    if (bytes.empty()) {
-        return buffer;
-    }
-    const Buffer staging = stagingBuffer(device, bytes);
-    runOnce(device, [&](vk::CommandBuffer commands) {
-        commands.copyBuffer(staging.handle(), buffer.handle(), vk::BufferCopy{.size = bytes.size()});
-    });
+    BufferFill fill(device, buffer);
+    fill.add(bytes);
+    fill.finish();
     return buffer;
 }
 
@@ -89,19 +81,20 @@ void BufferFill::finish() {
 }
 
 void writeBuffer(const Device& device, const Buffer& buffer, std::span<const BufferPart> parts) {
-    std::vector<std::byte> bytes;
+    std::vector<std::span<const std::byte>> staged;
     std::vector<vk::BufferCopy> copies;
+    vk::DeviceSize offset = 0;
     for (const BufferPart& part : parts) {
         if (!part.bytes.empty()) {
-            copies.push_back(
-                {.srcOffset = bytes.size(), .dstOffset = part.offset, .size = part.bytes.size()});
-            bytes.insert(bytes.end(), part.bytes.begin(), part.bytes.end());
+            copies.push_back({.srcOffset = offset, .dstOffset = part.offset, .size = part.bytes.size()});
+            staged.emplace_back(part.bytes);
+            offset += part.bytes.size();
         }
     }
     if (copies.empty()) {
         return;
     }
-    const Buffer staging = stagingBuffer(device, bytes);
+    const Buffer staging = stagingBuffer(device, staged);
     runOnce(device, [&](vk::CommandBuffer commands) {
         commands.copyBuffer(staging.handle(), buffer.handle(), copies);
     });

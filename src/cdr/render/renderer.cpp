@@ -14,7 +14,7 @@ Renderer::Renderer(const gpu::Device& device, GpuScene& live, const RenderOption
 Renderer::~Renderer() = default;
 
 Frame Renderer::render(const scene::Camera& camera, FrameCopy copy) {
-    FrameSlot& slot = m_frames->run(camera, {.destination = destinationOf(copy), .awaited = Awaited::yes});
+    FrameSlot& slot = m_frames->run(camera, {.copy = copy, .awaited = Awaited::yes});
     m_frames->waitFor(slot);
     return fetch(m_frames->passes(), slot);
 }

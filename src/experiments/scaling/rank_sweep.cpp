@@ -1,7 +1,7 @@
 #include "rank_sweep.h"
 
 #include <cdr/base/format_error.h>
-#include <cdr/gpu/allocated_bytes.h>
+#include <cdr/gpu/memory.h>
 #include <cdr/platform/stopwatch.h>
 #include <cdr/render/part_scene.h>
 #include <cdr/render/renderer.h>

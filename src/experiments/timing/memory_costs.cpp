@@ -1,6 +1,6 @@
 #include "memory_costs.h"
 
-#include <cdr/gpu/allocated_bytes.h>
+#include <cdr/gpu/memory.h>
 #include <cdr/render/draw_source.h>
 #include <cdr/render/renderer.h>
 #include <cdr/render/renderer_setup.h>

@@ -1,21 +1,9 @@
 #include <cdr/gpu/pipeline.h>
-#include <cdr/shaders/caster_vert.h>
-#include <cdr/shaders/facet_vert.h>
-#include <cdr/shaders/geometry_faceted_vert.h>
-#include <cdr/shaders/geometry_pushed_vert.h>
-#include <cdr/shaders/geometry_vert.h>
-#include <cdr/shaders/output_deformed_motion_vert.h>
-#include <cdr/shaders/output_motion_frag.h>
-#include <cdr/shaders/receiver_facets_frag.h>
-#include <cdr/shaders/receiver_frag.h>
-#include <cdr/shaders/shading_frag.h>
-#include <cdr/shaders/shading_occluded_frag.h>
-#include <cdr/shaders/shading_shadowed_frag.h>
-#include <cdr/shaders/translucent_detailed_vert.h>
-#include <cdr/shaders/translucent_sorted_frag.h>
-#include <cdr/shaders/translucent_sorted_shadowed_frag.h>
-#include <cdr/shaders/translucent_vert.h>
-#include <cdr/shaders/translucent_weighted_frag.h>
+#include <cdr/shaders/geometry.h>
+#include <cdr/shaders/output.h>
+#include <cdr/shaders/shading.h>
+#include <cdr/shaders/shadows.h>
+#include <cdr/shaders/translucency.h>
 
 #include <gtest/gtest.h>
 

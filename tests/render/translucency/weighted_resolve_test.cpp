@@ -6,7 +6,7 @@
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/shaders/translucent_weighted_resolve_frag.h>
+#include <cdr/shaders/translucency.h>
 
 #include <glm/gtc/packing.hpp>
 

@@ -1,6 +1,6 @@
 #include "../fixture.h"
 
-#include <cdr/gpu/allocated_bytes.h>
+#include <cdr/gpu/memory.h>
 #include <cdr/scene/world/world.h>
 
 #include <utility>

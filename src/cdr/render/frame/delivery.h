@@ -6,16 +6,9 @@
 #include <cdr/render/surfaces.h>
 
 #include <cstdint>
+#include <optional>
 
 namespace cdr::render {
-
-/// Where a frame is copied to: nowhere, or its picture, or all of it, to main memory.
-enum class Destination : std::uint8_t { device, hostColor, host };
-
-/// For a frame that is copied.
-inline Destination destinationOf(FrameCopy copy) {
-    return copy == FrameCopy::color ? Destination::hostColor : Destination::host;
-}
 
 /// Whether the frame can be drawn again before anybody sees it.
 enum class Awaited : std::uint8_t { no, yes };
@@ -25,7 +18,7 @@ enum class DrawsSubmitted : std::uint8_t { withRest, ahead };
 
 /// What becomes of a frame.
 struct Delivery {
-    Destination destination = Destination::device;
+    std::optional<FrameCopy> copy{}; ///< to main memory
     FrameSync sync{};
     const HostFrame* host = nullptr; ///< into which it is recorded; null: it is submitted
     /// Of a view among others, for which all is culled already; null: the frame is culled and cut alone.

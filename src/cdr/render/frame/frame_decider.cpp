@@ -30,7 +30,7 @@ FrameDecider::FrameDecider(const gpu::Device& device, const DrawnScene& drawn, F
 void FrameDecider::decide(FrameSlot& slot, const scene::Camera& camera, const Delivery& delivery) {
     slot.before = {.view = std::move(slot.view),
                    .stats = slot.stats,
-                   .destination = slot.destination,
+                   .copy = slot.copy,
                    .cut = m_equipment.passes().cutter.previous(),
                    .isMotionFollowed = false};
     try {
@@ -46,7 +46,7 @@ void FrameDecider::decide(FrameSlot& slot, const scene::Camera& camera, const De
 void FrameDecider::takeBack(FrameSlot& slot) {
     slot.view = std::move(slot.before.view);
     slot.stats = slot.before.stats;
-    slot.destination = slot.before.destination;
+    slot.copy = slot.before.copy;
     m_equipment.passes().cutter.takeBack(std::move(slot.before.cut));
     if (slot.before.isMotionFollowed) {
         forgetMotion();
@@ -87,7 +87,7 @@ void FrameDecider::decideView(FrameSlot& slot, const scene::Camera& camera, cons
 
 void FrameDecider::decideInputs(FrameSlot& slot, const Delivery& delivery, platform::StageWatch& watch) {
     FramePasses& passes = m_equipment.passes();
-    slot.inputs->shading.update(m_drawn.scene, slot.view.camera, slot.view.frustum, slot.view.anchorsView());
+    passes.shading.update(slot.inputs->shading, m_drawn.scene, slot.view);
     if (slot.inputs->motion) {
         decideMotion(slot);
     }

@@ -7,10 +7,6 @@ namespace cdr::render {
 
 namespace {
 
-FrameCopy copyOf(Destination destination) {
-    return destination == Destination::host ? FrameCopy::everything : FrameCopy::color;
-}
-
 SurfaceImage surfaceOf(const gpu::Image& image) {
     return {.image = image.handle(),
             .view = image.view(),
@@ -20,11 +16,11 @@ SurfaceImage surfaceOf(const gpu::Image& image) {
 }
 
 /// As Picture::finish(), the passes that read the G-buffer and copies to main memory leave them.
-void setLayouts(Surfaces& surfaces, Destination destination) {
+void setLayouts(Surfaces& surfaces, std::optional<FrameCopy> copy) {
     surfaces.color.layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     if (surfaces.gbuffer.image != VK_NULL_HANDLE) {
-        surfaces.gbuffer.layout = destination == Destination::host ? VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL
-                                                                   : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+        surfaces.gbuffer.layout = copy == FrameCopy::everything ? VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL
+                                                                : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
     }
     if (surfaces.linear.image != VK_NULL_HANDLE) {
         surfaces.linear.layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
@@ -48,7 +44,7 @@ Surfaces surfacesOf(const FramePasses& passes, const FrameSlot* last) {
         surfaces.motion = surfaceOf(passes.motion->image());
     }
     if (last != nullptr) {
-        setLayouts(surfaces, last->destination);
+        setLayouts(surfaces, last->copy);
         surfaces.anchorsView = last->view.anchorsView();
     }
     return surfaces;
@@ -77,7 +73,7 @@ void recordOutputs(const gpu::Device& device, FramePasses& passes, FrameSlot& sl
 }
 
 void recordReadback(const gpu::Device& device, const FramePasses& passes, VkCommandBuffer commands,
-                    Destination destination) {
+                    FrameCopy copy) {
     const vk::CommandBuffer primary(commands);
     device.beginLabel(primary, "read-back");
     passes.readback.record(primary,
@@ -86,7 +82,7 @@ void recordReadback(const gpu::Device& device, const FramePasses& passes, VkComm
                             .linear = passes.picture.linear(),
                             .motion = passes.motion != nullptr ? &passes.motion->image() : nullptr,
                             .shadowMask = passes.shadows != nullptr ? &passes.shadows->mask() : nullptr},
-                           copyOf(destination));
+                           copy);
     if (passes.translucent != nullptr) {
         passes.translucent->recordReadback(primary);
     }
@@ -99,7 +95,7 @@ Frame fetch(const FramePasses& passes, const FrameSlot& slot) {
     frame.camera = slot.view.camera;
     frame.cascades = slot.view.ranges();
     frame.anchorsView = slot.view.anchorsView();
-    passes.readback.fetch(copyOf(slot.destination), frame);
+    passes.readback.fetch(*slot.copy, frame);
     if (passes.translucent != nullptr) {
         frame.fragmentCounts = passes.translucent->fragmentCounts();
     }

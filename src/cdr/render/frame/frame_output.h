@@ -12,9 +12,9 @@ Surfaces surfacesOf(const FramePasses& passes, const FrameSlot* last);
 /// Into the images of a host.
 void recordOutputs(const gpu::Device& device, FramePasses& passes, FrameSlot& slot, const HostFrame& host);
 
-/// To main memory. @param destination not Destination::device.
+/// To main memory.
 void recordReadback(const gpu::Device& device, const FramePasses& passes, VkCommandBuffer commands,
-                    Destination destination);
+                    FrameCopy copy);
 
 /// What recordReadback() copied, once the frame is done.
 Frame fetch(const FramePasses& passes, const FrameSlot& slot);

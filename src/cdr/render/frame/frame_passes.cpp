@@ -69,7 +69,7 @@ FramePasses::FramePasses(const gpu::Device& device, const DrawnScene& drawn, con
       shading(device, targets.gbuffer(), picture.lit(),
               {.effects = options.effects,
                .metallicRoughness = needs.metallicRoughness,
-               .anchored = depth::isAnchored(options.technique.mapping),
+               .mapping = options.technique.mapping,
                .sky = needs.sky,
                .air = needs.air,
                .finishes = !needsLit(pictureOptions(extent, options, needs.traits())),

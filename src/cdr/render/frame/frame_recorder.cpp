@@ -13,7 +13,7 @@ void FrameRecorder::begin(FrameSlot& slot, const Delivery& delivery, const visib
                           platform::StageWatch& watch) const {
     slot.host = delivery.host != nullptr ? hostCommands(m_device, m_options, slot.view, *delivery.host)
                                          : HostCommands{};
-    slot.destination = delivery.destination;
+    slot.copy = delivery.copy;
     slot.path->bin(slot.view, visible, slot.stats);
     slot.stats.times.binMs = watch.lap("bin");
     slot.commands.clear();
@@ -53,8 +53,8 @@ void FrameRecorder::recordRest(FrameSlot& slot, const Delivery& delivery) const 
         m_passes.translucent->record(slot.path->primary(), *slot.inputs->translucent);
     }
     m_passes.picture.finish(slot.path->primary());
-    if (delivery.destination != Destination::device) {
-        recordReadback(m_device, m_passes, slot.path->primary(), delivery.destination);
+    if (delivery.copy) {
+        recordReadback(m_device, m_passes, slot.path->primary(), *delivery.copy);
     }
     if (delivery.host != nullptr) {
         recordOutputs(m_device, m_passes, slot, *delivery.host);

@@ -149,7 +149,7 @@ void FrameRunner::settle(FrameSlot& slot) {
         const bool isLast = &slot == slots().last();
         if (!hasRoomSufficed(slot) && isCurrent && isLast && !slot.recorded) {
             m_decider.decideAgain(slot);
-            launch(slot, {.destination = slot.destination});
+            launch(slot, {.copy = slot.copy});
         }
     }
 }

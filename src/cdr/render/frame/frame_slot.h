@@ -53,14 +53,14 @@ struct FrameSlot {
 
     FrameView view;
     FrameStats stats;
-    std::uint64_t revision = 0; ///< of the scene
-    Destination destination = Destination::device;
+    std::uint64_t revision = 0;    ///< of the scene
+    std::optional<FrameCopy> copy; ///< Delivery::copy
 
     /// While a frame is on its way: what is given back if it is abandoned.
     struct Before {
         FrameView view;
         FrameStats stats;
-        Destination destination = Destination::device;
+        std::optional<FrameCopy> copy;
         depth::Cascades cut;           ///< the last frame's, as its split remembers them
         bool isMotionFollowed = false; ///< by the frame that is on its way
     };
@@ -70,7 +70,7 @@ struct FrameSlot {
 /// Whether somebody reads the frame's G-buffer, beside shading.
 inline bool isRead(const FrameSlot& slot, const Delivery& delivery) {
     const bool wantsDepth = delivery.host != nullptr && delivery.host->depth.has_value();
-    return delivery.destination == Destination::host || wantsDepth || slot.inputs->motion;
+    return delivery.copy == FrameCopy::everything || wantsDepth || slot.inputs->motion;
 }
 
 } // namespace cdr::render

@@ -36,9 +36,8 @@ class FacetPass {
     const FacetMeshes& meshes() const { return m_meshes; }
     /// Draws a scene of a world with other meshes from the next frame on.
     void setMeshes(FacetMeshes meshes) { m_meshes = std::move(meshes); }
-    vk::Format depthFormat() const { return m_pipelines.depthFormat(); }
-    /// Of the colour attachment; eUndefined where there is none.
-    vk::Format surfaceFormat() const { return m_pipelines.surfaceFormat(); }
+    /// Of the scope that its draws are in.
+    ScopeFormats formats() const { return m_pipelines.formats(); }
     depth::Mapping mapping() const { return m_pipelines.options().technique.mapping; }
     /// Whether facets are lit while they are drawn; else each has a record.
     bool lights() const { return m_pipelines.options().output == GeometryOutput::lit; }

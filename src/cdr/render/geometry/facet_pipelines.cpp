@@ -1,23 +1,7 @@
 #include <cdr/render/geometry/facet_pipelines.h>
 #include <cdr/render/shading/finish.h>
 #include <cdr/render/targets/gbuffer.h>
-#include <cdr/shaders/facet_cut_frag.h>
-#include <cdr/shaders/facet_cut_vert.h>
-#include <cdr/shaders/facet_depth_frag.h>
-#include <cdr/shaders/facet_frag.h>
-#include <cdr/shaders/facet_occluder_vert.h>
-#include <cdr/shaders/facet_one_light_cut_frag.h>
-#include <cdr/shaders/facet_one_light_cut_vert.h>
-#include <cdr/shaders/facet_one_light_depth_frag.h>
-#include <cdr/shaders/facet_one_light_frag.h>
-#include <cdr/shaders/facet_one_light_vert.h>
-#include <cdr/shaders/facet_two_light_cut_frag.h>
-#include <cdr/shaders/facet_two_light_cut_vert.h>
-#include <cdr/shaders/facet_two_light_depth_frag.h>
-#include <cdr/shaders/facet_two_light_frag.h>
-#include <cdr/shaders/facet_two_light_vert.h>
-#include <cdr/shaders/facet_vert.h>
-#include <cdr/shaders/occluder_frag.h>
+#include <cdr/shaders/geometry.h>
 
 #include <bit>
 
@@ -108,6 +92,13 @@ FacetPipelines::FacetPipelines(const gpu::Device& device, const GeometryOptions&
 vk::Pipeline FacetPipelines::pipeline(Span span, std::size_t lights) const {
     const Spans& spans = m_pipelines[m_options.output == GeometryOutput::lit ? lights - 1 : 0];
     return *(span == Span::wide ? spans.wide : spans.compact);
+}
+
+ScopeFormats FacetPipelines::formats() const {
+    if (m_options.output == GeometryOutput::depth) {
+        return {.depth = m_depthFormat};
+    }
+    return {.colors = {surfaceFormat()}, .depth = m_depthFormat};
 }
 
 vk::Format FacetPipelines::surfaceFormat() const {

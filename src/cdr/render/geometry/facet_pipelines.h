@@ -24,9 +24,8 @@ class FacetPipelines {
     /// @param lights FacetLight::litBy(), without meaning but for GeometryOutput::lit.
     vk::Pipeline pipeline(Span span, std::size_t lights) const;
     vk::PipelineLayout layout() const { return *m_layout; }
-    vk::Format depthFormat() const { return m_depthFormat; }
-    /// Of the colour attachment; eUndefined where there is none.
-    vk::Format surfaceFormat() const;
+    /// Of the scope that they draw in.
+    ScopeFormats formats() const;
     const GeometryOptions& options() const { return m_options; }
 
   private:
@@ -34,6 +33,8 @@ class FacetPipelines {
         gpu::Pipeline compact;
         gpu::Pipeline wide;
     };
+    /// Of the colour attachment; eUndefined where there is none.
+    vk::Format surfaceFormat() const;
     /// @param lights 0 where facets are not lit.
     gpu::Pipeline make(const gpu::Device& device, Span span, std::uint32_t lights) const;
     gpu::Pipeline makeOccluder(const gpu::Device& device, Span span) const;

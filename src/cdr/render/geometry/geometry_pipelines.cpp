@@ -2,22 +2,7 @@
 #include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/render/geometry/layers.h>
 #include <cdr/render/targets/gbuffer.h>
-#include <cdr/shaders/geometry_depth_detailed_frag.h>
-#include <cdr/shaders/geometry_depth_faceted_frag.h>
-#include <cdr/shaders/geometry_depth_frag.h>
-#include <cdr/shaders/geometry_detailed_frag.h>
-#include <cdr/shaders/geometry_detailed_vert.h>
-#include <cdr/shaders/geometry_faceted_frag.h>
-#include <cdr/shaders/geometry_faceted_vert.h>
-#include <cdr/shaders/geometry_frag.h>
-#include <cdr/shaders/geometry_layered_detailed_frag.h>
-#include <cdr/shaders/geometry_layered_frag.h>
-#include <cdr/shaders/geometry_pushed_detailed_vert.h>
-#include <cdr/shaders/geometry_pushed_faceted_vert.h>
-#include <cdr/shaders/geometry_pushed_vert.h>
-#include <cdr/shaders/geometry_vert.h>
-#include <cdr/shaders/occluder_frag.h>
-#include <cdr/shaders/occluder_vert.h>
+#include <cdr/shaders/geometry.h>
 #include <cdr/shaders/shared.h>
 
 #include <bit>
@@ -187,8 +172,15 @@ vk::CompareOp depthCompareOf(depth::Mapping mapping) {
     return depth::isReversed(mapping) ? vk::CompareOp::eGreaterOrEqual : vk::CompareOp::eLessOrEqual;
 }
 
-vk::Format GeometryPipelines::surfaceFormat() const {
-    return m_options.output == GeometryOutput::depth ? vk::Format::eUndefined : kGBufferFormat;
+ScopeFormats GeometryPipelines::formats() const {
+    ScopeFormats formats{.depth = m_depthFormat};
+    if (m_options.output != GeometryOutput::depth) {
+        formats.colors.push_back(kGBufferFormat);
+        if (m_options.emission) {
+            formats.colors.push_back(kEmissionFormat);
+        }
+    }
+    return formats;
 }
 
 gpu::Pipeline GeometryPipelines::makeOccluder(const gpu::Device& device, Span span) const {
@@ -237,8 +229,7 @@ gpu::Pipeline GeometryPipelines::makeSurfaces(const gpu::Device& device, std::ui
                  .layout = m_layout,
                  .bindings = bindingsFor(m_options.batching, shaderKind),
                  .attributes = attributesFor(m_options.batching, shaderKind),
-                 .colorFormats = m_options.emission ? std::vector{kGBufferFormat, kEmissionFormat}
-                                                    : std::vector{kGBufferFormat},
+                 .colorFormats = formats().colors,
                  .depthFormat = m_depthFormat,
                  .depthCompare = depthCompareOf(mapping),
                  .hasDepthBias = isLayered && isBiased});

@@ -7,6 +7,7 @@
 #include <cdr/render/effects.h>
 #include <cdr/render/geometry/batching.h>
 #include <cdr/render/layer_options.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 
 #include <glm/glm.hpp>
 
@@ -62,17 +63,15 @@ class GeometryPipelines {
     void follow(const gpu::Device& device, const GpuScene& scene);
 
     vk::PipelineLayout layout() const { return *m_layout; }
-    vk::Format depthFormat() const { return m_depthFormat; }
     depth::Mapping mapping() const { return m_options.technique.mapping; }
-    bool emission() const { return m_options.emission && m_options.output != GeometryOutput::depth; }
     const LayerOptions& layers() const { return m_options.layers; }
     /// Of a variant that some kind of the scene has.
     vk::Pipeline pipeline(std::uint32_t variant, Span span) const {
         return *(span == Span::wide ? m_wide : m_compact)[told(variant)];
     }
 
-    /// Of the colour attachment; eUndefined where there is none.
-    vk::Format surfaceFormat() const;
+    /// Of the scope that they draw in.
+    ScopeFormats formats() const;
 
     /// Of the depth attachment of GeometryOutput::depth.
     static constexpr auto kOccluderFormat = vk::Format::eD32Sfloat;

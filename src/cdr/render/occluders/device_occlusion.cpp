@@ -2,14 +2,12 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/occluders/device_occlusion.h>
-#include <cdr/render/occluders/occluder_view.h>
 #include <cdr/render/occluders/order_margin.h>
 #include <cdr/render/stages.h>
 #include <cdr/render/submit/binning_pass.h>
 #include <cdr/shaders/binning_shared.h>
+#include <cdr/shaders/occluders.h>
 #include <cdr/shaders/occluders_shared.h>
-#include <cdr/shaders/reduce_depth_comp.h>
-#include <cdr/shaders/reduce_depth_squares_comp.h>
 #include <cdr/visibility/depth_tiles.h>
 #include <cdr/visibility/occluders.h>
 

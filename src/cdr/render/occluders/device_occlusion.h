@@ -3,7 +3,7 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/geometry/geometry_pass.h>
-#include <cdr/render/occluders/depth_image.h>
+#include <cdr/render/occluders/occluder_drawing.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,6 @@
 #include <cdr/gpu/commands.h>
-#include <cdr/render/occluders/depth_image.h>
 #include <cdr/render/occluders/depth_reduction.h>
-#include <cdr/render/occluders/occluder_view.h>
+#include <cdr/render/occluders/occluder_drawing.h>
 #include <cdr/render/occluders/occlusion_culling.h>
 #include <cdr/render/output/readback.h>
 #include <cdr/visibility/hidden_cells.h>

@@ -1,8 +1,7 @@
 #include <cdr/render/output/deformed_motion.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/render/upload/last_vertices.h>
-#include <cdr/shaders/output_deformed_motion_frag.h>
-#include <cdr/shaders/output_deformed_motion_vert.h>
+#include <cdr/shaders/output.h>
 
 #include <bit>
 #include <cmath>

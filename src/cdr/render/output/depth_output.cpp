@@ -1,7 +1,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/output/depth_output.h>
 #include <cdr/render/stages.h>
-#include <cdr/shaders/output_depth_frag.h>
+#include <cdr/shaders/output.h>
 
 #include <span>
 

@@ -4,7 +4,7 @@
 #include <cdr/render/output/motion_records.h>
 #include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/shaders/output_motion_frag.h>
+#include <cdr/shaders/output.h>
 
 #include <algorithm>
 #include <span>

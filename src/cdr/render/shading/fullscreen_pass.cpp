@@ -1,7 +1,7 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/shaders/fullscreen_vert.h>
+#include <cdr/shaders/shading.h>
 
 #include <array>
 

@@ -1,8 +1,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/shading/occlusion_pass.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/shaders/flat_anchors_vert.h>
-#include <cdr/shaders/occlusion_frag.h>
+#include <cdr/shaders/shading.h>
 
 namespace cdr::render {
 
@@ -21,8 +20,7 @@ FullscreenPassOptions occlusionPassOptions(AnchorForm anchors) {
 
 } // namespace
 
-OcclusionPass::OcclusionPass(const gpu::Device& device, const gpu::Image& gbuffer,
-                             const OcclusionOptions& options)
+OcclusionPass::OcclusionPass(const gpu::Device& device, const gpu::Image& gbuffer, depth::Mapping mapping)
     : m_device(device),
       m_gbuffer(gbuffer),
       m_image(device,
@@ -30,7 +28,7 @@ OcclusionPass::OcclusionPass(const gpu::Device& device, const gpu::Image& gbuffe
                .format = kFormat,
                .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled},
               "occlusion"),
-      m_passes(ByCascades<FullscreenPass>::make(options.anchored, [&](AnchorForm anchors) {
+      m_passes(ByCascades<FullscreenPass>::make(depth::isAnchored(mapping), [&](AnchorForm anchors) {
           return FullscreenPass(device, occlusionPassOptions(anchors));
       })) {}
 

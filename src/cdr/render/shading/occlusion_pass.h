@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/depth/mapping.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/shading/anchor_form.h>
 #include <cdr/render/shading/fullscreen_pass.h>
@@ -9,15 +10,10 @@
 
 namespace cdr::render {
 
-/// What an OcclusionPass is made for.
-struct OcclusionOptions {
-    bool anchored = false; ///< whether the mapping has anchor planes
-};
-
 /// Works out ambient occlusion of a final G-buffer over the whole picture, across cascades.
 class OcclusionPass {
   public:
-    OcclusionPass(const gpu::Device& device, const gpu::Image& gbuffer, const OcclusionOptions& options);
+    OcclusionPass(const gpu::Device& device, const gpu::Image& gbuffer, depth::Mapping mapping);
 
     /// @param lights shaders::ShadingHeader and the lights, for the lens, the anchors and the radius.
     PassInputs makeInputs(const gpu::Buffer& lights) const;

@@ -3,8 +3,7 @@
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/shaders/encode_antialiased_frag.h>
-#include <cdr/shaders/encode_frag.h>
+#include <cdr/shaders/shading.h>
 
 #include <array>
 #include <utility>

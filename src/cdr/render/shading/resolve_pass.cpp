@@ -1,7 +1,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/shading/resolve_pass.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/shaders/resolve_frag.h>
+#include <cdr/shaders/shading.h>
 
 namespace cdr::render {
 

@@ -5,19 +5,8 @@
 #include <cdr/render/shading/seen_lights.h>
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/shaders/shading_emission_frag.h>
-#include <cdr/shaders/shading_emission_occluded_frag.h>
-#include <cdr/shaders/shading_emission_occluded_shadowed_frag.h>
-#include <cdr/shaders/shading_emission_shadowed_frag.h>
-#include <cdr/shaders/shading_facets_frag.h>
-#include <cdr/shaders/shading_facets_shadowed_frag.h>
-#include <cdr/shaders/shading_frag.h>
-#include <cdr/shaders/shading_layers_occluded_frag.h>
-#include <cdr/shaders/shading_layers_occluded_shadowed_frag.h>
-#include <cdr/shaders/shading_occluded_frag.h>
-#include <cdr/shaders/shading_occluded_shadowed_frag.h>
-#include <cdr/shaders/shading_shadowed_frag.h>
-#include <cdr/shaders/shading_vert.h>
+#include <cdr/render/view_transform.h>
+#include <cdr/shaders/shading.h>
 
 #include <algorithm>
 #include <array>
@@ -116,14 +105,13 @@ ShadingPass::ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, c
     : m_device(device),
       m_gbuffer(gbuffer),
       m_into(into),
-      m_effects(options.effects),
-      m_occlusion(isOccluded(m_effects) && !isOccludedPerLayer(m_effects)
-                      ? std::make_unique<OcclusionPass>(device, gbuffer, OcclusionOptions{options.anchored})
-                      : nullptr),
-      m_options(options) {
+      m_options(options),
+      m_occlusion(isOccluded(options.effects) && !isOccludedPerLayer(options.effects)
+                      ? std::make_unique<OcclusionPass>(device, gbuffer, options.mapping)
+                      : nullptr) {
     // A fitted split gives a frame one cascade or several, so both forms are made.
-    passFor({.lights = options.lightForm, .anchors = anchorFormOf(options.anchored, 1)});
-    passFor({.lights = options.lightForm, .anchors = anchorFormOf(options.anchored, shaders::kFlatLights)});
+    passFor(options.lightForm, 1);
+    passFor(options.lightForm, shaders::kFlatLights);
     if (options.preparedLights > 0) {
         for (std::uint32_t lights = 0; lights <= std::min(options.preparedLights, shaders::kManyLights);
              ++lights) {
@@ -137,11 +125,13 @@ ShadingPass::ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, c
 
 void ShadingPass::prepare(std::uint32_t lightForm) {
     for (const std::size_t cascades : {1u, shaders::kFlatLights, shaders::kFlatLights + 1u}) {
-        passFor({.lights = lightForm, .anchors = anchorFormOf(m_options.anchored, cascades)});
+        passFor(lightForm, cascades);
     }
 }
 
-FullscreenPass& ShadingPass::passFor(const Form& form) {
+FullscreenPass& ShadingPass::passFor(std::uint32_t lightForm, std::size_t cascades) {
+    const Form form{.lights = lightForm,
+                    .anchors = anchorFormOf(depth::isAnchored(m_options.mapping), cascades)};
     const auto found = m_passes.find(form);
     return found != m_passes.end()
                ? found->second
@@ -162,9 +152,6 @@ ShadingInputs ShadingPass::makeInputs(std::size_t lights) const {
                              m_device.info().name, maxLights(m_device));
     }
     ShadingInputs inputs;
-    inputs.m_effects = m_effects;
-    inputs.m_finishes = m_options.finishes;
-    inputs.m_extent = m_gbuffer.options().extent;
     inputs.m_lights =
         gpu::Buffer(m_device, sizeof(shaders::ShadingHeader) + lights * sizeof(shaders::LightRecord),
                     vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryUse::hostWrites, "lights");
@@ -188,25 +175,30 @@ ShadingInputs ShadingPass::makeInputs(std::size_t lights) const {
     return inputs;
 }
 
-void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camera,
-                           const scene::Frustum& frustum, std::span<const double> anchorsView) {
-    shaders::ShadingHeader& header = m_lights.as<shaders::ShadingHeader>(1).front();
+void ShadingPass::update(ShadingInputs& inputs, const scene::Scene& scene, const FrameView& view) const {
+    const scene::Camera& camera = view.camera;
+    const scene::Frustum& frustum = view.frustum;
+    const std::vector<double> anchorsView = view.anchorsView();
+    const vk::Extent2D extent = m_gbuffer.options().extent;
+    shaders::ShadingHeader& header = inputs.m_lights.as<shaders::ShadingHeader>(1).front();
     header.ambient = scene.ambient;
-    const Fog& fog = m_effects.fog;
+    const Effects& effects = m_options.effects;
+    const Fog& fog = effects.fog;
     const bool isFoggy = fog.visibility > 0.0;
-    m_background = isFoggy ? fog.color : scene.background;
+    inputs.m_background = isFoggy ? fog.color : scene.background;
     // With air, the shader does this: air is between the camera and the background, and comes before the finish.
-    if (m_finishes && !scene.air) {
-        m_background = shownBackground(m_background, m_effects.finish, daylightIf(scene.sky.has_value()));
+    if (m_options.finishes && !scene.air) {
+        inputs.m_background =
+            shownBackground(inputs.m_background, effects.finish, daylightIf(scene.sky.has_value()));
     }
-    header.shownBackground = glm::vec4(m_background, 1.0f);
-    header.background = isFoggy ? fog.color : m_background;
-    header.occlusionRadius = static_cast<float>(m_effects.occlusion.radius);
+    header.shownBackground = glm::vec4(inputs.m_background, 1.0f);
+    header.background = isFoggy ? fog.color : inputs.m_background;
+    header.occlusionRadius = static_cast<float>(effects.occlusion.radius);
     header.rayScale = glm::vec2(frustum.tanX, frustum.tanY);
     header.rayCentre = glm::vec2(frustum.centre);
-    header.pictureSize = glm::vec2(m_extent.width, m_extent.height);
-    m_lightForm = lightFormOf(scene);
-    m_cascades = anchorsView.size();
+    header.pictureSize = glm::vec2(extent.width, extent.height);
+    inputs.m_lightForm = lightFormOf(scene);
+    inputs.m_cascades = anchorsView.size();
     const std::vector<std::uint32_t> seen = seenLights(scene.lights, camera, frustum);
     header.lightCount = static_cast<std::uint32_t>(seen.size());
     header.fog = glm::vec4(fog.color, fog.extinction());
@@ -224,7 +216,7 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
     for (const std::uint32_t light : seen) {
         *lights++ = makeLightRecord(scene.lights[light], camera);
     }
-    m_lights.flush();
+    inputs.m_lights.flush();
 }
 
 void ShadingPass::begin(vk::CommandBuffer primary, const ShadingInputs& inputs) const {
@@ -248,7 +240,7 @@ void ShadingPass::record(vk::CommandBuffer primary, const ShadingInputs& inputs)
     // Where marks leave background out, it is what the clear makes it.
     const auto load =
         m_options.marks != nullptr ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eDontCare;
-    passFor({.lights = inputs.m_lightForm, .anchors = anchorFormOf(m_options.anchored, inputs.m_cascades)})
+    passFor(inputs.m_lightForm, inputs.m_cascades)
         .record(primary, {&draw, 1},
                 {.into = m_into,
                  .load = load,

@@ -1,19 +1,18 @@
 #pragma once
 
+#include <cdr/depth/mapping.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/effects.h>
+#include <cdr/render/frame_view.h>
 #include <cdr/render/shading/anchor_form.h>
 #include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/render/shading/occlusion_pass.h>
-#include <cdr/render/view_transform.h>
-#include <cdr/scene/frustum.h>
 #include <cdr/scene/scene.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <span>
 #include <tuple>
 
 namespace cdr::render {
@@ -21,10 +20,6 @@ namespace cdr::render {
 /// What lighting reads besides surfaces: one frame slot's lights, anchors and effects.
 class ShadingInputs {
   public:
-    /// Uploads a frame's, of a scene with no more lights than there is room for; the last frame that used them must have finished.
-    void update(const scene::Scene& scene, const scene::Camera& camera, const scene::Frustum& frustum,
-                std::span<const double> anchorsView);
-
     /// The records that a visibility buffer refers to; the last frame that used these inputs must have finished.
     void setFacets(vk::BufferView facets) { m_inputs.setTexels(kFacetsBinding, facets); }
     static constexpr std::uint32_t kFacetsBinding = 2;
@@ -34,12 +29,9 @@ class ShadingInputs {
 
   private:
     friend class ShadingPass;
-    Effects m_effects;
-    vk::Extent2D m_extent;         ///< of the picture
     std::uint32_t m_lightForm = 0; ///< lightFormOf() the scene
     std::size_t m_cascades = 0;    ///< of the frame
-    bool m_finishes = false;
-    glm::vec3 m_background{0.0f}; ///< linear; where no surface is, as the picture has it
+    glm::vec3 m_background{0.0f};  ///< linear; where no surface is, as the picture has it
     gpu::Buffer m_lights;
     PassInputs m_inputs;
     PassInputs m_occlusion; ///< where it is worked out over the whole picture
@@ -53,7 +45,7 @@ std::uint32_t lightFormOf(const scene::Scene& scene);
 struct ShadingOptions {
     Effects effects;
     bool metallicRoughness = false;       ///< whether the surfaces hold it
-    bool anchored = false;                ///< whether the mapping has anchor planes
+    depth::Mapping mapping{};             ///< which says whether there are anchor planes
     bool sky = false;                     ///< whether the scene has one
     bool air = false;                     ///< whether the scene has some; then without marks
     bool finishes = false;                ///< whether no later step does what Effects::finish says
@@ -78,6 +70,8 @@ class ShadingPass {
     static std::size_t maxLights(const gpu::Device& device);
     /// Inputs for at most so many lights. base::RunError, with both numbers, for more than maxLights().
     ShadingInputs makeInputs(std::size_t lights) const;
+    /// Uploads a frame's, of a scene with no more lights than there is room for; the last frame that used them must have finished.
+    void update(ShadingInputs& inputs, const scene::Scene& scene, const FrameView& view) const;
 
     /// Takes the G-buffer from colour attachment to shader read layout. Comes before record().
     void begin(vk::CommandBuffer primary, const ShadingInputs& inputs) const;
@@ -91,9 +85,8 @@ class ShadingPass {
     const gpu::Device& m_device;
     const gpu::Image& m_gbuffer;
     const gpu::Image& m_into;
-    Effects m_effects;
-    std::unique_ptr<OcclusionPass> m_occlusion; ///< null unless it is for the whole picture
     ShadingOptions m_options;
+    std::unique_ptr<OcclusionPass> m_occlusion; ///< null unless it is for the whole picture
     /// What a pipeline is compiled for: lightFormOf(), and where anchor planes are read.
     struct Form {
         std::uint32_t lights = 0;
@@ -103,7 +96,8 @@ class ShadingPass {
             return std::tie(lights, anchors) < std::tie(other.lights, other.anchors);
         }
     };
-    FullscreenPass& passFor(const Form& form);
+    /// @param lightForm for a number of lights. @param cascades of the frame.
+    FullscreenPass& passFor(std::uint32_t lightForm, std::size_t cascades);
     /// For a number of lights, in frames of few cascades and of many.
     void prepare(std::uint32_t lightForm);
     /// Made when first needed; the inputs of one suit all.

@@ -2,7 +2,7 @@
 #include <cdr/render/shadows/seen_slices.h>
 #include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/shaders/fullscreen_vert.h>
+#include <cdr/shaders/shading.h>
 
 namespace cdr::render {
 

@@ -4,10 +4,7 @@
 #include <cdr/render/shadows/shadow_map.h>
 #include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/shaders/caster_frag.h>
-#include <cdr/shaders/caster_masked_frag.h>
-#include <cdr/shaders/caster_masked_vert.h>
-#include <cdr/shaders/caster_vert.h>
+#include <cdr/shaders/shadows.h>
 
 #include <algorithm>
 #include <cstddef>

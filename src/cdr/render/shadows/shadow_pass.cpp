@@ -7,9 +7,8 @@
 #include <cdr/render/shadows/shadows.h>
 #include <cdr/render/targets/gbuffer.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/shaders/flat_anchors_vert.h>
-#include <cdr/shaders/receiver_facets_frag.h>
-#include <cdr/shaders/receiver_frag.h>
+#include <cdr/shaders/shading.h>
+#include <cdr/shaders/shadows.h>
 #include <cdr/shaders/shared.h>
 
 #include <algorithm>

@@ -2,9 +2,8 @@
 #include <cdr/render/shadows/slice_depth.h>
 #include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer.h>
-#include <cdr/shaders/flat_anchors_vert.h>
-#include <cdr/shaders/slice_facets_frag.h>
-#include <cdr/shaders/slice_frag.h>
+#include <cdr/shaders/shading.h>
+#include <cdr/shaders/shadows.h>
 
 #include <cmath>
 #include <cstddef>

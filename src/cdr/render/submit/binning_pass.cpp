@@ -6,12 +6,7 @@
 #include <cdr/render/stages.h>
 #include <cdr/render/submit/binning_pass.h>
 #include <cdr/render/submit/stager.h>
-#include <cdr/shaders/bin_commands_comp.h>
-#include <cdr/shaders/bin_count_comp.h>
-#include <cdr/shaders/bin_count_occluders_comp.h>
-#include <cdr/shaders/bin_count_shown_comp.h>
-#include <cdr/shaders/bin_fill_comp.h>
-#include <cdr/shaders/bin_scan_comp.h>
+#include <cdr/shaders/binning.h>
 #include <cdr/visibility/occluders.h>
 
 #include <fmt/format.h>

@@ -15,4 +15,15 @@ std::vector<std::size_t> CascadeCommands::drawnCascades(std::size_t cascades) co
     return drawn;
 }
 
+void CascadeCommands::drawScopes(std::span<const std::size_t> cascades,
+                                 std::span<const GBufferScope> scopes) {
+    // All barriers first, so that the draws may overlap.
+    for (const GBufferScope& scope : scopes) {
+        beginGBuffer(primary(), scope);
+    }
+    for (std::size_t i = 0; i < scopes.size(); ++i) {
+        drawScope(scopes[i], cascades.subspan(cascades.size() - 1 - i, 1));
+    }
+}
+
 } // namespace cdr::render

@@ -30,6 +30,9 @@ class CascadeCommands {
     /// One rendering scope that draws the cascades in this order, at least one. Between two of them it clears depth where the
     /// scope says so.
     virtual void drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) = 0;
+    /// A scope for each cascade, the farthest first, over images that are taken over from whoever used them before.
+    /// @param cascades the nearest first. @param scopes of the farthest first.
+    void drawScopes(std::span<const std::size_t> cascades, std::span<const GBufferScope> scopes);
 };
 
 } // namespace cdr::render

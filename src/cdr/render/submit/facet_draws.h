@@ -12,8 +12,7 @@ class FacetDraws final : public HostDraws {
 
     void record(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const override;
     void flush() const override;
-    vk::Format surfaceFormat() const override { return m_pass.surfaceFormat(); }
-    vk::Format depthFormat() const override { return m_pass.depthFormat(); }
+    ScopeFormats formats() const override { return m_pass.formats(); }
     vk::BufferView facets() const override { return *m_facetTexels; }
 
   protected:

@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/render/submit/gpu_driven_path.h>
-#include <cdr/render/targets/depth_clear.h>
+#include <cdr/render/targets/scope_commands.h>
 
 #include <utility>
 
@@ -75,7 +75,7 @@ void GpuDrivenPath::drawScope(const GBufferScope& scope, std::span<const std::si
     beginGBufferScope(m_primary, scope, {});
     for (const std::size_t cascade : cascades) {
         if (scope.depthClear != nullptr && cascade != cascades.front()) {
-            scope.depthClear->record(m_primary);
+            scope.depthClear->putInto(m_primary, {});
         }
         m_pass.recordIndirect(m_primary, *m_frame, cascade, m_lists.draws());
         if (m_host->draw) {

@@ -3,6 +3,7 @@
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/geometry/draw_job.h>
 #include <cdr/render/submit/draw_path.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/visibility/bin_cells.h>
 
 namespace cdr::render {
@@ -30,10 +31,8 @@ class HostDraws {
     virtual void record(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const = 0;
     /// Shows what was written to the device. Once all jobs are, before the frame is submitted.
     virtual void flush() const = 0;
-    virtual vk::Format surfaceFormat() const = 0;
-    /// Whether an emission buffer is attached too.
-    virtual bool hasEmission() const { return false; }
-    virtual vk::Format depthFormat() const = 0;
+    /// Of the scope that the draws are in.
+    virtual ScopeFormats formats() const = 0;
     /// The records of all facets, two texels each; none where the surfaces are not facets.
     virtual vk::BufferView facets() const { return {}; }
 

@@ -1,5 +1,5 @@
 #include <cdr/render/submit/instance_scatter.h>
-#include <cdr/shaders/scatter_comp.h>
+#include <cdr/shaders/binning.h>
 
 #include <algorithm>
 #include <vector>

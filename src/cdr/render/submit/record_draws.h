@@ -14,9 +14,7 @@ class RecordDraws final : public HostDraws {
 
     void record(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const override;
     void flush() const override { m_records.flush(); }
-    vk::Format surfaceFormat() const override { return m_pass.pipelines().surfaceFormat(); }
-    bool hasEmission() const override { return m_pass.pipelines().emission(); }
-    vk::Format depthFormat() const override { return m_pass.pipelines().depthFormat(); }
+    ScopeFormats formats() const override { return m_pass.pipelines().formats(); }
 
   protected:
     depth::Mapping mapping() const override { return m_pass.pipelines().mapping(); }

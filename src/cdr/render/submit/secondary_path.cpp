@@ -1,8 +1,7 @@
 #include <cdr/render/submit/secondary_path.h>
-#include <cdr/render/targets/depth_clear.h>
+#include <cdr/render/targets/scope_commands.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace cdr::render {
@@ -13,29 +12,6 @@ namespace {
 constexpr std::size_t kJobsPerThread = 4;
 /// A secondary costs about as much to begin and execute as this many draws to record.
 constexpr std::size_t kMinDrawsPerJob = 256;
-
-/// How a secondary begins that draws inside a rendering scope.
-struct SecondaryBegin {
-    explicit SecondaryBegin(const HostDraws& draws) : colorFormats{draws.surfaceFormat(), kEmissionFormat} {
-        rendering.depthAttachmentFormat = draws.depthFormat();
-        const bool hasColors = draws.surfaceFormat() != vk::Format::eUndefined;
-        rendering.colorAttachmentCount = hasColors ? (draws.hasEmission() ? 2 : 1) : 0;
-        if (marksDrawn(draws.depthFormat(), draws.surfaceFormat())) {
-            rendering.stencilAttachmentFormat = draws.depthFormat();
-        }
-    }
-    ~SecondaryBegin() = default;
-    SecondaryBegin(const SecondaryBegin&) = delete;
-    SecondaryBegin& operator=(const SecondaryBegin&) = delete;
-
-    std::array<vk::Format, 2> colorFormats;
-    vk::CommandBufferInheritanceRenderingInfo rendering{.pColorAttachmentFormats = colorFormats.data(),
-                                                        .rasterizationSamples = vk::SampleCountFlagBits::e1};
-    vk::CommandBufferInheritanceInfo inheritance{.pNext = &rendering};
-    vk::CommandBufferBeginInfo info{.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit |
-                                             vk::CommandBufferUsageFlagBits::eRenderPassContinue,
-                                    .pInheritanceInfo = &inheritance};
-};
 
 } // namespace
 
@@ -80,11 +56,11 @@ void SecondaryPath::recordHost(std::size_t cascades, const HostCommands& host) {
     if (!host.draw) {
         return;
     }
-    const SecondaryBegin begin(*m_draws);
+    const ScopeFormats formats = m_draws->formats();
     m_hostPool.reset();
     for (std::size_t cascade = 0; cascade < cascades; ++cascade) {
         const vk::CommandBuffer commands = m_hostPool.next();
-        commands.begin(begin.info);
+        beginSecondary(commands, formats, vk::CommandBufferUsageFlagBits::eOneTimeSubmit);
         host.draw(commands, cascade);
         commands.end();
         m_hostCommands.push_back(commands);
@@ -100,12 +76,12 @@ void SecondaryPath::recordJobs(const FrameView& view) {
     for (std::size_t job = m_jobs.size(); job-- > 0;) {
         std::fill_n(m_cascadeBegins.begin(), m_jobs[job].cascade + 1, job);
     }
-    const SecondaryBegin begin(*m_draws);
+    const ScopeFormats formats = m_draws->formats();
     m_draws->workers().run(m_jobs.size(), [&](std::size_t job, std::size_t worker) {
         const DrawJob& work = m_jobs[job];
         const platform::JobSpan span(m_draws->trace(), worker, job, work.cascade, work.draws.size());
         const vk::CommandBuffer commands = m_pools.next(worker);
-        commands.begin(begin.info);
+        beginSecondary(commands, formats, vk::CommandBufferUsageFlagBits::eOneTimeSubmit);
         m_draws->record(commands, work, view);
         commands.end();
         m_commands[job] = commands;
@@ -114,10 +90,11 @@ void SecondaryPath::recordJobs(const FrameView& view) {
 
 void SecondaryPath::drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) {
     m_device.beginLabel(m_primary, labelOf(cascades).c_str());
-    beginGBufferScope(m_primary, scope, vk::RenderingFlagBits::eContentsSecondaryCommandBuffers);
+    constexpr auto kFlags = vk::RenderingFlagBits::eContentsSecondaryCommandBuffers;
+    beginGBufferScope(m_primary, scope, kFlags);
     for (const std::size_t cascade : cascades) {
         if (scope.depthClear != nullptr && cascade != cascades.front()) {
-            m_primary.executeCommands(scope.depthClear->secondary());
+            scope.depthClear->putInto(m_primary, kFlags);
         }
         drawInside({cascade, cascade + 1});
     }

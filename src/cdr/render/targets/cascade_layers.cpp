@@ -1,10 +1,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/targets/cascade_layers.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/shaders/merge_emission_frag.h>
-#include <cdr/shaders/merge_facets_frag.h>
-#include <cdr/shaders/merge_frag.h>
-#include <cdr/shaders/merge_occluded_frag.h>
+#include <cdr/shaders/targets.h>
 
 #include <fmt/format.h>
 
@@ -118,21 +115,15 @@ void CascadeLayers::record(CascadeCommands& commands, const FrameView& view) {
 }
 
 void CascadeLayers::drawLayers(CascadeCommands& commands, std::span<const std::size_t> cascades) const {
-    const auto scopeOf = [&](std::size_t layer) {
-        return GBufferScope{.gbuffer = m_layers[layer].gbuffer,
-                            .depth = m_layers[layer].depth,
-                            .emission = m_layers[layer].emission.get(),
-                            .reversedDepth = m_options.reversedDepth,
-                            .zeroFill = m_zeroFill.get()};
-    };
-    // All barriers first, so that the layers' draws may overlap.
+    std::vector<GBufferScope> scopes;
     for (std::size_t layer = 0; layer < cascades.size(); ++layer) {
-        beginGBuffer(commands.primary(), scopeOf(layer));
+        scopes.push_back({.gbuffer = m_layers[layer].gbuffer,
+                          .depth = m_layers[layer].depth,
+                          .emission = m_layers[layer].emission.get(),
+                          .reversedDepth = m_options.reversedDepth,
+                          .zeroFill = m_zeroFill.get()});
     }
-    for (std::size_t layer = 0; layer < cascades.size(); ++layer) {
-        const std::size_t cascade = cascades[cascades.size() - 1 - layer];
-        commands.drawScope(scopeOf(layer), {&cascade, 1});
-    }
+    commands.drawScopes(cascades, scopes);
 }
 
 void CascadeLayers::mergeLayers(vk::CommandBuffer primary, std::span<const shaders::LayerPush> layers,

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cdr/render/shading/fullscreen_pass.h>
+#include <cdr/render/targets/scope_commands.h>
 #include <cdr/render/targets/targets.h>
-#include <cdr/render/targets/zero_fill.h>
 
 #include <span>
 #include <vector>
@@ -52,7 +52,7 @@ class CascadeLayers final : public Targets {
     FullscreenPass m_merge; ///< lays a layer over the accumulated G-buffer, unchanged
     gpu::Image m_accumulated;
     std::unique_ptr<gpu::Image> m_accumulatedEmission; ///< null without
-    std::unique_ptr<ZeroFill> m_zeroFill;              ///< of layers; null where the device clears quickly
+    std::unique_ptr<ScopeCommands> m_zeroFill;         ///< of layers; null where the device clears quickly
     std::vector<Layer> m_layers;
 };
 

@@ -3,9 +3,8 @@
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/targets/focus_layers.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/shaders/focus_compose_frag.h>
-#include <cdr/shaders/merge_scaled_frag.h>
-#include <cdr/shaders/shading_layer_frag.h>
+#include <cdr/shaders/shading.h>
+#include <cdr/shaders/targets.h>
 
 #include <fmt/format.h>
 
@@ -138,24 +137,13 @@ void FocusLayers::record(CascadeCommands& commands, const FrameView& view) {
         return Drawn{.layer = &m_layers.at(keyOf(view, i)),
                      .fade = fades ? fadeInto(cascades[i], cascades[i + 1]) : shaders::LayerFade{}};
     });
-    drawLayers(commands, drawn);
+    std::vector<GBufferScope> scopes;
+    for (const auto& [layer, fade] : m_drawn) {
+        scopes.push_back(
+            {.gbuffer = layer->gbuffer, .depth = layer->depth, .reversedDepth = m_options.reversedDepth});
+    }
+    commands.drawScopes(drawn, scopes);
     mergeGBuffers(commands.primary());
-}
-
-void FocusLayers::drawLayers(CascadeCommands& commands, std::span<const std::size_t> drawn) const {
-    const auto scopeOf = [&](std::size_t i) {
-        const Layer& layer = *m_drawn[i].layer;
-        return GBufferScope{
-            .gbuffer = layer.gbuffer, .depth = layer.depth, .reversedDepth = m_options.reversedDepth};
-    };
-    // All barriers first, so that the layers' draws may overlap.
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-        beginGBuffer(commands.primary(), scopeOf(i));
-    }
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-        const std::size_t cascade = drawn[drawn.size() - 1 - i];
-        commands.drawScope(scopeOf(i), {&cascade, 1});
-    }
 }
 
 void FocusLayers::mergeGBuffers(vk::CommandBuffer primary) const {

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <map>
-#include <span>
 #include <vector>
 
 namespace cdr::render {
@@ -63,8 +62,6 @@ class FocusLayers final : public Targets {
     static LayerKey keyOf(const FrameView& view, std::size_t cascade);
     void provideLayers(const FrameView& view);
     Layer makeLayer(vk::Extent2D extent, const std::string& name) const;
-    /// @param drawn the cascades of m_drawn, nearest first.
-    void drawLayers(CascadeCommands& commands, std::span<const std::size_t> drawn) const;
     void mergeGBuffers(vk::CommandBuffer primary) const;
     /// What lighting a layer reads, made where the slot has none yet.
     vk::DescriptorSet setOf(const Layer& layer, const ShadingInputs& shading, FocusInputs& inputs) const;

@@ -1,6 +1,6 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/render/targets/zero_fill.h>
+#include <cdr/render/targets/scope_commands.h>
 
 #include <array>
 #include <vector>
@@ -56,6 +56,20 @@ vk::ImageMemoryBarrier2 marksBarrier(const gpu::Image& marks) {
         marks.handle(), depthAspects(marks),
         {kDepthStages, Access::eDepthStencilAttachmentWrite, vk::ImageLayout::eAttachmentOptimal},
         {kDepthStages, Access::eDepthStencilAttachmentRead, vk::ImageLayout::eAttachmentOptimal});
+}
+
+void beginSecondary(vk::CommandBuffer secondary, const ScopeFormats& formats,
+                    vk::CommandBufferUsageFlags usage) {
+    const bool marks = !formats.colors.empty() && marksDrawn(formats.depth, formats.colors.front());
+    const vk::CommandBufferInheritanceRenderingInfo rendering{
+        .colorAttachmentCount = static_cast<std::uint32_t>(formats.colors.size()),
+        .pColorAttachmentFormats = formats.colors.data(),
+        .depthAttachmentFormat = formats.depth,
+        .stencilAttachmentFormat = marks ? formats.depth : vk::Format::eUndefined,
+        .rasterizationSamples = vk::SampleCountFlagBits::e1};
+    const vk::CommandBufferInheritanceInfo inheritance{.pNext = &rendering};
+    secondary.begin({.flags = usage | vk::CommandBufferUsageFlagBits::eRenderPassContinue,
+                     .pInheritanceInfo = &inheritance});
 }
 
 vk::RenderingAttachmentInfo colorAttachment(vk::ImageView view, vk::AttachmentLoadOp load,
@@ -144,13 +158,8 @@ void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk:
     const bool marks = marksOf(scope.depth, scope.gbuffer) != nullptr;
     beginRendering(primary, scope.gbuffer.options().extent, colors, &depth, marks ? &stencil : nullptr,
                    flags);
-    if (scope.keepsColors || scope.zeroFill == nullptr) {
-        return;
-    }
-    if (flags & vk::RenderingFlagBits::eContentsSecondaryCommandBuffers) {
-        primary.executeCommands(scope.zeroFill->secondary());
-    } else {
-        scope.zeroFill->record(primary);
+    if (!scope.keepsColors && scope.zeroFill != nullptr) {
+        scope.zeroFill->putInto(primary, flags);
     }
 }
 

@@ -7,11 +7,11 @@
 #include <glm/glm.hpp>
 
 #include <span>
+#include <vector>
 
 namespace cdr::render {
 
-class DepthClear;
-class ZeroFill;
+class ScopeCommands;
 
 /// How a rendering scope over a G-buffer and a depth buffer begins.
 struct GBufferScope {
@@ -20,13 +20,25 @@ struct GBufferScope {
     const gpu::Image* emission = nullptr; ///< beside the G-buffer, and never cleared; null: there is none
     bool keepsColors = false;             ///< that an earlier scope over these images drew
     bool reversedDepth = false;
-    glm::vec4 clearColor{0.0f};         ///< of the colours; zeros are 0 in formats of integers too
-    const ZeroFill* zeroFill = nullptr; ///< clears the colours, where there is one, as the scope's first draw
-    const DepthClear* depthClear = nullptr; ///< clears depth between cascades; null: they share it
+    glm::vec4 clearColor{0.0f}; ///< of the colours; zeros are 0 in formats of integers too
+    const ScopeCommands* zeroFill =
+        nullptr; ///< clears the colours, where there is one, as the scope's first draw
+    const ScopeCommands* depthClear = nullptr; ///< clears depth between cascades; null: they share it
 };
 
 /// The depth attachment if it marks what is drawn, else null.
 const gpu::Image* marksOf(const gpu::Image& depth, const gpu::Image& surfaces);
+
+/// Of the attachments of a rendering scope; the colours of surfaces come first. A stencil plane that marks what is drawn is
+/// attached too.
+struct ScopeFormats {
+    std::vector<vk::Format> colors{};
+    vk::Format depth = vk::Format::eUndefined;
+};
+
+/// Begins a secondary that draws inside such a scope.
+void beginSecondary(vk::CommandBuffer secondary, const ScopeFormats& formats,
+                    vk::CommandBufferUsageFlags usage);
 
 /// A colour attachment that is kept when its rendering scope ends.
 vk::RenderingAttachmentInfo colorAttachment(vk::ImageView view, vk::AttachmentLoadOp load,

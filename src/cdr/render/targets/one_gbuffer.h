@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cdr/render/targets/scope_commands.h>
 #include <cdr/render/targets/targets.h>
-#include <cdr/render/targets/zero_fill.h>
 
 namespace cdr::render {
 
@@ -26,7 +26,7 @@ class OneGBufferTargets : public Targets {
     std::unique_ptr<gpu::Image> m_emission; ///< null without
     gpu::Image m_depth;
     bool m_reversedDepth;
-    std::unique_ptr<ZeroFill> m_zeroFill; ///< null where the device clears quickly
+    std::unique_ptr<ScopeCommands> m_zeroFill; ///< null where the device clears quickly
 };
 
 } // namespace cdr::render

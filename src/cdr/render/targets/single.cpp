@@ -8,7 +8,7 @@ namespace cdr::render {
 
 SingleTargets::SingleTargets(const gpu::Device& device, const TargetsOptions& options)
     : OneGBufferTargets(device, options),
-      m_depthClear(device, options) {}
+      m_depthClear(makeDepthClear(device, options)) {}
 
 void SingleTargets::record(CascadeCommands& commands, const FrameView& view) {
     std::vector<std::size_t> farthestFirst = commands.drawnCascades(view.cascades.size());

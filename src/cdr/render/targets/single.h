@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cdr/render/targets/depth_clear.h>
 #include <cdr/render/targets/one_gbuffer.h>
 
 namespace cdr::render {
@@ -14,7 +13,7 @@ class SingleTargets final : public OneGBufferTargets {
     void record(CascadeCommands& commands, const FrameView& view) override;
 
   private:
-    DepthClear m_depthClear;
+    ScopeCommands m_depthClear;
 };
 
 } // namespace cdr::render

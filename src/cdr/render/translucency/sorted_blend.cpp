@@ -3,15 +3,7 @@
 #include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/render/translucency/sorted_blend.h>
-#include <cdr/shaders/translucent_sorted_counted_detailed_frag.h>
-#include <cdr/shaders/translucent_sorted_counted_frag.h>
-#include <cdr/shaders/translucent_sorted_detailed_frag.h>
-#include <cdr/shaders/translucent_sorted_frag.h>
-#include <cdr/shaders/translucent_sorted_resolve_frag.h>
-#include <cdr/shaders/translucent_sorted_shadowed_counted_detailed_frag.h>
-#include <cdr/shaders/translucent_sorted_shadowed_counted_frag.h>
-#include <cdr/shaders/translucent_sorted_shadowed_detailed_frag.h>
-#include <cdr/shaders/translucent_sorted_shadowed_frag.h>
+#include <cdr/shaders/translucency.h>
 
 #include <vector>
 

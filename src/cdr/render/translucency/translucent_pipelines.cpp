@@ -1,9 +1,8 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/translucency/fragment_counter.h>
 #include <cdr/render/translucency/translucent_pipelines.h>
-#include <cdr/shaders/translucent_detailed_vert.h>
+#include <cdr/shaders/translucency.h>
 #include <cdr/shaders/translucent_shared.h>
-#include <cdr/shaders/translucent_vert.h>
 
 #include <cstddef>
 

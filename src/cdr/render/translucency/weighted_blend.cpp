@@ -2,15 +2,7 @@
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/render/translucency/weighted_blend.h>
-#include <cdr/shaders/translucent_weighted_counted_detailed_frag.h>
-#include <cdr/shaders/translucent_weighted_counted_frag.h>
-#include <cdr/shaders/translucent_weighted_detailed_frag.h>
-#include <cdr/shaders/translucent_weighted_frag.h>
-#include <cdr/shaders/translucent_weighted_resolve_frag.h>
-#include <cdr/shaders/translucent_weighted_shadowed_counted_detailed_frag.h>
-#include <cdr/shaders/translucent_weighted_shadowed_counted_frag.h>
-#include <cdr/shaders/translucent_weighted_shadowed_detailed_frag.h>
-#include <cdr/shaders/translucent_weighted_shadowed_frag.h>
+#include <cdr/shaders/translucency.h>
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include <cdr/render/materials/packed_vertex.h>
 #include <cdr/render/render_options.h>
 #include <cdr/render/upload/device_deformer.h>
-#include <cdr/shaders/deform_comp.h>
+#include <cdr/shaders/deform.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -69,7 +69,7 @@ void waitQuietly(const gpu::Device& device) {
 
 /// What becomes of a frame of each camera.
 struct ViewsRenderer::Launch {
-    Destination destination = Destination::device;
+    std::optional<FrameCopy> copy{};    ///< Delivery::copy
     FrameSync sync{};                   ///< of all views together
     std::span<const HostFrame> hosts{}; ///< by view, that they are recorded into; empty: they are submitted
     Awaited awaited = Awaited::no;
@@ -141,7 +141,7 @@ void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
     const double lookMs = watch.milliseconds();
     std::vector<Delivery> deliveries;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
-        deliveries.push_back({.destination = how.destination, .shared = &cascades});
+        deliveries.push_back({.copy = how.copy, .shared = &cascades});
         deliveries.back().awaited = how.awaited;
         deliveries.back().host = how.hosts.empty() ? nullptr : &how.hosts[i];
     }
@@ -227,7 +227,7 @@ const FrameSlot& ViewsRenderer::waitFor(FrameRunner& view) {
 }
 
 std::vector<Frame> ViewsRenderer::render(Cameras cameras, FrameCopy copy) {
-    launch(cameras, {.destination = destinationOf(copy), .awaited = Awaited::yes});
+    launch(cameras, {.copy = copy, .awaited = Awaited::yes});
     std::vector<Frame> frames;
     for (const auto& view : m_views) {
         const FrameSlot& slot = waitFor(*view);

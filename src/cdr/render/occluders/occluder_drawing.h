@@ -2,10 +2,15 @@
 
 #include <cdr/gpu/memory.h>
 #include <cdr/gpu/vulkan_hpp.h>
+#include <cdr/render/frame_view.h>
 
 #include <cstddef>
 
 namespace cdr::render {
+
+/// A frame as occluders are drawn for it. Cascades are cut and placed in the picture as in the frame itself, so occluders
+/// cover the same pixels. But all are in one depth buffer of near / view distance, with the near plane of the camera.
+FrameView occluderView(const FrameView& view);
 
 /// The depth buffer that occluders are drawn into, and copied from.
 gpu::ImageOptions occluderDepthOptions(vk::Extent2D extent);

@@ -1,10 +1,21 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/geometry/geometry_pipelines.h>
-#include <cdr/render/occluders/depth_image.h>
+#include <cdr/render/occluders/occluder_drawing.h>
 #include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 
 namespace cdr::render {
+
+FrameView occluderView(const FrameView& view) {
+    FrameView occluders = view;
+    for (CascadeView& cascade : occluders.cascades) {
+        // Clip z is the offset, and clip w the view distance.
+        cascade.terms.scale = 0.0;
+        cascade.terms.offset = view.camera.nearView;
+        cascade.slice = {};
+    }
+    return occluders;
+}
 
 gpu::ImageOptions occluderDepthOptions(vk::Extent2D extent) {
     return {.extent = extent,
