@@ -52,11 +52,15 @@ void addSides(scene::Scene& scene, Random& random) {
     std::uint32_t number = 0;
     for (double z = -3.0; z > -kLength; z -= 6.0) {
         for (const double side : {-1.0, 1.0}) {
-            const glm::dvec3 size(random.uniform(1.5, 3.0), random.uniform(1.5, 6.0),
-                                  random.uniform(1.5, 3.5));
-            addUprightBox(scene, firstBlock + number++ % kColors,
-                          {side * random.uniform(6.5, 8.5), 0.5 * size.y, z - random.uniform(0.0, 2.0)}, size,
-                          random.uniform(-0.4, 0.4));
+            // One number a line: compilers differ in the order of arguments.
+            const double length = random.uniform(1.5, 3.5);
+            const double height = random.uniform(1.5, 6.0);
+            const double width = random.uniform(1.5, 3.0);
+            const double turn = random.uniform(-0.4, 0.4);
+            const double aside = side * random.uniform(6.5, 8.5);
+            const double ahead = z - random.uniform(0.0, 2.0);
+            addUprightBox(scene, firstBlock + number++ % kColors, {aside, 0.5 * height, ahead},
+                          {width, height, length}, turn);
             addUprightBox(scene, post, {side * 4.5, 1.5, z}, {0.12, 3.0, 0.12});
         }
     }

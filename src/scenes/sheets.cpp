@@ -84,7 +84,10 @@ void addSheets(scene::Scene& scene, Random& random, std::uint32_t sheets) {
         const bool isBox = i % 8 == 7;
         const double halfSide = w * (isBox ? random.uniform(0.1, 0.25) : random.uniform(0.45, 0.6));
         const glm::mat3 basis(anyTurn(random) * halfSide);
-        const glm::dvec3 centre = placeInView(random.uniform(-0.75, 0.75), random.uniform(-0.7, 0.7), w);
+        // One number a line: compilers differ in the order of arguments.
+        const double up = random.uniform(-0.7, 0.7);
+        const double right = random.uniform(-0.75, 0.75);
+        const glm::dvec3 centre = placeInView(right, up, w);
         // Neighbours in distance differ in material; which is drawn first has nothing to do with distance.
         scene::addInstance(scene, isBox ? box : square, (5 * i) % 12, i, centre, basis);
     }
@@ -96,8 +99,11 @@ void addCubes(scene::Scene& scene, Random& random, std::uint32_t firstObject) {
     scene.materials.push_back({.name = "brick", .baseColorFactor = glm::vec4(0.6f, 0.25f, 0.15f, 1.0f)});
     for (std::uint32_t i = 0; i < kCubes; ++i) {
         const double w = kNear * std::pow(kFar / kNear, (i + 2.5) / (kCubes + 2.0));
-        const glm::mat3 basis(anyTurn(random) * (w * random.uniform(0.05, 0.14)));
-        const glm::dvec3 centre = placeInView(random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9), w);
+        const double halfSide = w * random.uniform(0.05, 0.14);
+        const glm::mat3 basis(anyTurn(random) * halfSide);
+        const double up = random.uniform(-0.9, 0.9);
+        const double right = random.uniform(-0.9, 0.9);
+        const glm::dvec3 centre = placeInView(right, up, w);
         scene::addInstance(scene, box, firstMaterial + i % 2, firstObject + i, centre, basis);
     }
 }
