@@ -50,10 +50,11 @@ const trial = new Trial({
 /** Keeps the sitting, which is written over another one: that one's answers are kept first. Another tab may have added some. */
 function keep() {
     const earlier = restoreOthers(kept.read(kOthersKey));
-    if (earlier === null) {
+    const text = kept.read(kKey);
+    const written = text ? restore(text)?.answers : [];
+    if (!earlier || !written) {
         return; // answers that this page cannot read are not written over
     }
-    const written = restore(kept.read(kKey))?.answers ?? [];
     others = withoutRepeats([...others, ...earlier, ...written]);
     if (kept.write(kOthersKey, toCsv(others))) {
         kept.write(kKey, store(sitting));

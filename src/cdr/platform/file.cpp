@@ -204,6 +204,10 @@ Bytes readFile(const fs::path& path, std::uintmax_t maxBytes) {
     return bytes;
 }
 
+fs::path scratchPath(const std::string& extension) {
+    return fs::temp_directory_path() / (randomName() + extension);
+}
+
 PendingFile::PendingFile(fs::path path) : m_path(std::move(path)), m_target(withLinksFollowed(m_path)) {
     std::error_code error;
     const fs::file_status status = fs::status(m_target, error);

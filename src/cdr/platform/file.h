@@ -66,6 +66,10 @@ class PendingFile {
     std::optional<UnfinishedFile> m_unfinished; ///< the temporary file
 };
 
+/// A path in the folder for temporary files that nothing else has, for a PendingFile that is never committed.
+/// std::filesystem::filesystem_error when that folder is missing.
+std::filesystem::path scratchPath(const std::string& extension);
+
 /// Lets `write` fill a PendingFile and commits it. Whatever `write` throws passes through.
 void writeBesideThenRename(const std::filesystem::path& path,
                            const std::function<void(const std::filesystem::path& temporary)>& write);

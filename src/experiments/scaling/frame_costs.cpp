@@ -75,9 +75,8 @@ double byteMs(ranks::Ranks& ranks) {
 MeasuredCosts measureFrameCosts(const gpu::Device& device, const FrameCostOptions& options,
                                 ranks::Ranks& ranks) {
     CostedFrame frame(device, options);
-    const platform::PendingFile file(std::filesystem::temp_directory_path() /
-                                     "cdr-cost.png"); // never committed
-    frame.make();                                     // warms up
+    const platform::PendingFile file(platform::scratchPath(".png")); // never committed
+    frame.make();                                                    // warms up
     MeasuredCosts measured;
     FrameCosts& costs = measured.costs;
     costs.claimMs = claimMs(ranks);

@@ -124,7 +124,7 @@ AgainstReport runAgainst(const AgainstOptions& options, const Progress& progress
     if (!program::isInstalled(options.against.string())) {
         throw base::InputError(options.against.string() + " is not installed");
     }
-    const platform::PendingFile json(fs::temp_directory_path() / "cdr-timing.json"); // never committed
+    const platform::PendingFile json(platform::scratchPath(".json")); // never committed
     runs::ShuffledOrder order(kRuns, options.seed);
     AgainstReport report;
     std::vector<BuildTimes> times;

@@ -9,7 +9,8 @@ export function startSitting(participant, seed) {
 
 /** A short text that a spreadsheet takes for no formula, so that it reads from CSV as it was written. */
 export function plainText(text) {
-    return String(text).replace(/[\r\n]+/g, " ").replace(/^[\s=+@-]+/, "").slice(0, 60).trimEnd();
+    const line = String(text).replace(/[\r\n]+/g, " ").replace(/^[\s=+@-]+/, "");
+    return [...line].slice(0, 60).join("").trimEnd(); // no letter is cut in two
 }
 
 /** The trial that comes next, with its number from 1, or null when all are answered. */

@@ -167,6 +167,7 @@ TEST(MaskedCertifier, RepairsAllThatIsCutInAnotherWay) {
         const Certificate certificate = certified(scene, frame);
         EXPECT_EQ(certificate.refused, 0u) << cutoff;
         EXPECT_GT(certificate.wrong, 10u) << cutoff;
+        EXPECT_GE(certificate.castMasked, certificate.wrong) << cutoff;
         EXPECT_EQ(wrongAfter(scene, frame, certificate), 0u) << cutoff;
     }
     scene::Scene perturbed = scene;

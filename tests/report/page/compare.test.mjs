@@ -178,10 +178,13 @@ test("a sitting is not written over while its answers cannot be kept", async () 
 
 test("kept answers that the page cannot read are not written over", async () => {
     const page = await openCompare("?seed=strange");
-    await page.evaluate(() => localStorage.setItem("cdr-compare-others", "strange"));
-    await page.reload();
-    await start(page, "Bea");
-    assert.equal(await page.evaluate(() => localStorage.getItem("cdr-compare-others")), "strange");
+    for (const key of ["cdr-compare-others", "cdr-compare"]) {
+        await page.evaluate((name) => localStorage.setItem(name, "strange"), key);
+        await page.reload();
+        await start(page, "Bea");
+        assert.equal(await page.evaluate((name) => localStorage.getItem(name), key), "strange");
+        await page.evaluate(() => localStorage.clear());
+    }
     await close(page);
 });
 

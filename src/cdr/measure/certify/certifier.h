@@ -33,12 +33,13 @@ struct PixelRepair {
 /// What is known of a drawn picture. Where pixels are refused, no ray is cast for the others: they are in no count.
 struct Certificate {
     std::uint64_t pixels = 0;
-    std::uint64_t certified = 0;  ///< right, without a ray
-    std::uint64_t proven = 0;     ///< of those certified: where a device may have drawn something else
-    std::uint64_t cast = 0;       ///< decided by a float64 ray
-    std::uint64_t castMasked = 0; ///< of those cast: where a masked surface may be seen
-    std::uint64_t refused = 0;    ///< show what no device within its limits draws there
-    std::uint64_t wrong = 0;      ///< of those cast: whose object was drawn wrong
+    std::uint64_t certified = 0; ///< right, without a ray
+    std::uint64_t proven = 0;    ///< of those certified: where a device may have drawn something else
+    std::uint64_t cast = 0;      ///< decided by a float64 ray
+    std::uint64_t castMasked =
+        0; ///< of those cast: where a masked surface may be seen, or what is behind its holes
+    std::uint64_t refused = 0; ///< show what no device within its limits draws there
+    std::uint64_t wrong = 0;   ///< of those cast: whose object was drawn wrong
     std::uint64_t blended =
         0; ///< where a blended surface may be seen: what is behind it is certified, its colour is not
     std::optional<glm::uvec2> firstRefused; ///< in the order of rows

@@ -173,9 +173,9 @@ void OrderStrip::enterThin(const ScreenTriangle& triangle, const StripSurface& s
     Edge& longest = *std::ranges::max_element(edges, {}, &Edge::margin);
     longest.margin = 6.0 * longest.margin + 16.0 * triangle.bound.pixels * triangle.bound.pixels;
     Edge mirrored{-longest.perX, -longest.perY, -longest.atOrigin, longest.margin};
-    const double depthView =
-        triangle.mostView - triangle.leastView +
+    const double surfaceOff =
         kSurfaceRoundings * DeviceBound::surfaceView(triangle.bound, triangle.mostView, 0.0);
+    const double depthView = triangle.mostView - triangle.leastView + surfaceOff;
     for (std::uint32_t row = box.top; row < box.bottom; ++row) {
         Span span{static_cast<double>(box.left), box.right - 1.0};
         longest.cut(span, row, -longest.margin);
@@ -185,7 +185,11 @@ void OrderStrip::enterThin(const ScreenTriangle& triangle, const StripSurface& s
             const double least = triangle.leastView;
             if (least - surface.layer.view <= m_reach[indexOf(column, row)]) {
                 const double off = m_bound.orderView(triangle.bound, least, 0.0, surface.layer);
-                enterPerhaps(surface, column, row, intervalAt(surface, least, 0.0, off).least, depthView);
+                const double drawn = m_frame.distancesView.at(column, row);
+                const bool mayBeDrawn =
+                    drawn >= least - surfaceOff && drawn <= triangle.mostView + surfaceOff;
+                enterPerhaps(surface, column, row, intervalAt(surface, least, 0.0, off).least,
+                             mayBeDrawn ? depthView : 0.0);
             }
         }
     }
