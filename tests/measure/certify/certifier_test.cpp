@@ -221,6 +221,28 @@ TEST(Certifier, RepairsADistanceThatIsNotTheSurfaces) {
     }
 }
 
+/// A wall, and a floor of the same object from before it to behind it, which is seen along its plane.
+TEST(Certifier, RepairsADistanceThatIsNeitherTheSurfacesNorAThinTriangles) {
+    scene::Scene scene = makeEmptyScene();
+    scene::Mesh& square = scene.meshes[kTriangleCube];
+    const auto corner = [](float x, float z) {
+        return scene::Vertex{.position = {x, 0.0f, z}, .normal = {0.0f, 1.0f, 0.0f}};
+    };
+    square.vertices = {corner(-1, 1), corner(1, 1), corner(1, -1), corner(-1, -1)};
+    square.indices = {0, 1, 2, 0, 2, 3};
+    scene::addInstance(scene, kCube, kSingleSided, 0, {0.0, 0.0, -550.0}, glm::mat3(100.0f));
+    scene::addInstance(scene, kTriangleCube, kDoubleSided, 0, {0.0, -1e-5, -500.0}, glm::mat3(100.0f));
+    constexpr std::uint32_t kMiddle = 45;
+    DrawnFrame frame = drawnByRays(scene, makePlainCamera(), kEightBits, {.width = 161, .height = 91});
+    ASSERT_EQ(frame.ids.at(80, kMiddle), 1u);
+    ASSERT_EQ(frame.distancesView.at(80, kMiddle), 500.0);
+    frame.distancesView.at(80, kMiddle) = 399.0;
+    const Certificate certificate = certified(scene, frame);
+    EXPECT_EQ(certificate.refused, 0u);
+    const auto isOfIt = [](const auto& repair) { return repair.x == 80 && repair.y == kMiddle; };
+    EXPECT_EQ(std::ranges::count_if(certificate.repairs, isOfIt), 1);
+}
+
 TEST(Certifier, RefusesAMovedInstance) {
     const Drawn drawn;
     scene::Scene moved = drawn.made.scene;
