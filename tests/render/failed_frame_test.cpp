@@ -236,18 +236,23 @@ TEST_F(FailedFrameTest, ASizeThatIsNotMadeOfAllViewsLeavesTheLastFrames) {
     EXPECT_EQ(renderer.render(cameras)[1].width(), 32u);
 }
 
-/// However far it came: once the mesh is gone that had no room, or there is room for it, all others are there.
+/// Two boxes that are one object. @return the right one
+scene::InstanceHandle addParts(scene::World& world) {
+    scene::InstanceHandle last{};
+    for (const double x : {-1.5, 1.5}) {
+        last = world.addInstance({.mesh = world.mesh(0),
+                                  .material = world.material(0),
+                                  .object = 7,
+                                  .transform = {{x, 0.0, -8.0}}});
+    }
+    return last;
+}
+
 /// A fitted split keeps to the last frame that was drawn.
 TEST_F(FailedFrameTest, AFrameThatIsRefusedDoesNotMoveFittedCascades) {
     const auto drawnAfter = [&](bool isRefusedBetween, std::size_t views) {
         scene::World world(boxScene());
-        std::vector<scene::InstanceHandle> parts;
-        for (const double x : {-1.5, 1.5}) {
-            parts.push_back(world.addInstance({.mesh = world.mesh(0),
-                                               .material = world.material(0),
-                                               .object = 7,
-                                               .transform = {{x, 0.0, -8.0}}}));
-        }
+        const scene::InstanceHandle part = addParts(world);
         render::GpuScene onDevice(device(), world);
         render::RenderOptions chosen = thumbnailOptions(depth::parseTechnique("anchored/fitted:0.001"));
         chosen.motion = true;
@@ -259,9 +264,9 @@ TEST_F(FailedFrameTest, AFrameThatIsRefusedDoesNotMoveFittedCascades) {
         };
         renderer.render(camerasAt(0.0));
         if (isRefusedBetween) {
-            world.setTransform(parts[1], {.position = {1.6, 0.0, -8.0}}); // parts of one object move apart
+            world.setTransform(part, {.position = {1.6, 0.0, -8.0}}); // parts of one object move apart
             EXPECT_THROW(renderer.render(camerasAt(0.0203)), base::InputError);
-            world.setTransform(parts[1], {.position = {1.5, 0.0, -8.0}});
+            world.setTransform(part, {.position = {1.5, 0.0, -8.0}});
         }
         return renderer.render(camerasAt(0.0101)).front().cascades;
     };
@@ -280,25 +285,20 @@ TEST_F(FailedFrameTest, ViewsRefuseTogetherWhatMovedApart) {
     for (const auto& goOn : ways) {
         for (const bool deviceClock : {false, true}) { // views are drawn together, and in turn
             scene::World world(boxScene());
-            std::vector<scene::InstanceHandle> parts;
-            for (const double x : {-1.5, 1.5}) {
-                parts.push_back(world.addInstance({.mesh = world.mesh(0),
-                                                   .material = world.material(0),
-                                                   .object = 7,
-                                                   .transform = {{x, 0.0, -8.0}}}));
-            }
+            const scene::InstanceHandle part = addParts(world);
             render::GpuScene onDevice(device(), world);
             render::RenderOptions chosen = options();
             chosen.deviceClock = deviceClock;
             ViewsRenderer renderer(device(), onDevice, chosen, 2);
             goOn(renderer);
-            world.setTransform(parts[1], {.position = {1.6, 0.0, -8.0}});
+            world.setTransform(part, {.position = {1.6, 0.0, -8.0}});
             EXPECT_THROW(goOn(renderer), base::InputError);
             EXPECT_NO_THROW(goOn(renderer));
         }
     }
 }
 
+/// However far it came: once the mesh is gone that had no room, or there is room for it, all others are there.
 TEST_F(FailedFrameTest, MeshesOutliveAnUploadWithoutMemory) {
     const std::string wanted = hashOf(draw(m_scene, cameraAt(0.0), options()));
     std::size_t failures = 0;
