@@ -133,8 +133,9 @@ void placeBoulder(scene::Scene& scene, std::uint32_t object, const scene::Camera
     for (;;) {
         const double w = std::exp(random.uniform(std::log(kNearest), std::log(kFarthest)));
         const double radius = 0.35 * std::sqrt(w / kNearest) * random.uniform(0.7, 1.3);
-        const glm::dvec3 centre(random.uniform(-0.9, 0.9) * w * tanY * kAspect,
-                                random.uniform(-0.9, 0.9) * w * tanY, -w);
+        const double up = random.uniform(-0.9, 0.9) * w * tanY;
+        const double right = random.uniform(-0.9, 0.9) * w * tanY * kAspect;
+        const glm::dvec3 centre(right, up, -w);
         const auto touches = [&](std::size_t i) {
             const double apart = glm::distance(centre, scene.instances.position(i));
             return apart < 1.05 * (radius + static_cast<double>(scene.instances.radius[i]));
