@@ -90,7 +90,8 @@ std::uint64_t predictBytes(const Device& device, const ImageOptions& options);
 /// Whether buffers of this use take device-local memory, as they do where it is the host's too.
 bool takesDeviceBytes(const Device& device, MemoryUse use);
 
-/// Device-local bytes that are still free, by the driver's budget.
+/// Device-local bytes that are still free, as the device's allocator estimates them. Where that asks for no budget, what other
+/// processes hold does not count.
 std::uint64_t freeDeviceBytes(const Device& device);
 
 /// Device-local bytes of all buffers and images that the device's allocator holds now, each as large as the driver made it.

@@ -135,6 +135,15 @@ void MotionHistory::look(const DrawnScene& drawn, std::size_t instance, Changed&
 }
 
 FrameMotion MotionHistory::follow(const DrawnScene& drawn, const scene::Camera& camera) {
+    try {
+        return motionSinceLast(drawn, camera);
+    } catch (...) { // refused, or without memory half-way: the next frame is as a first one
+        forget();
+        throw;
+    }
+}
+
+FrameMotion MotionHistory::motionSinceLast(const DrawnScene& drawn, const scene::Camera& camera) {
     if (const std::uint64_t replaced = drawn.uploaded.instanceChanges().replaced(); replaced != m_replaced) {
         forget(); // another world took the place of the one before: its places hold other things
         m_replaced = replaced;
@@ -162,12 +171,7 @@ FrameMotion MotionHistory::follow(const DrawnScene& drawn, const scene::Camera& 
             look(drawn, instance, changed);
         }
     }
-    try {
-        motion.moved = oncePerObject(std::move(changed.moved), m_instances);
-    } catch (const base::InputError&) {
-        forget();
-        throw;
-    }
+    motion.moved = oncePerObject(std::move(changed.moved), m_instances);
     motion.deformed = std::move(changed.deformed);
     for (const std::uint32_t object : changed.added) {
         m_instances.resize(std::max<std::size_t>(m_instances.size(), object + std::size_t{1}));

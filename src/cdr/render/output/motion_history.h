@@ -37,7 +37,7 @@ struct FrameMotion {
 class MotionHistory {
   public:
     /// The motion since the last call, none at first. What was added since did not move.
-    /// base::InputError where instances of one object moved apart; then the next frame is as a first one.
+    /// base::InputError where instances of one object moved apart. After any error the next frame is as a first one.
     FrameMotion follow(const DrawnScene& drawn, const scene::Camera& camera);
 
     /// The next frame is a first one.
@@ -57,6 +57,7 @@ class MotionHistory {
         std::vector<DeformedInstance> deformed{};
         const LastVertices* lastVertices; ///< null where those kept are not of the last frame
     };
+    FrameMotion motionSinceLast(const DrawnScene& drawn, const scene::Camera& camera);
     static Place placeOf(const DrawnScene& drawn, std::size_t instance);
     void look(const DrawnScene& drawn, std::size_t instance, Changed& changed);
 
