@@ -5,6 +5,7 @@
 #include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 #include <cdr/platform/json_text.h>
+#include <cdr/platform/stopwatch.h>
 #include <cdr/platform/thread_placement.h>
 #include <scenes/open_scene.h>
 #include <scenes/orbit/data.h>
@@ -142,9 +143,10 @@ scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_
     scene::GltfChoice bounded = choice;
     bounded.textureMiB = m_global.textureMiB;
     bounded.pointRadius = m_global.pointRadius;
+    const auto reading = progress();
     scene::OpenedScene opened =
         scenes::openScene(nameOrPath, seed, bounded, [&](std::size_t done, std::size_t all) {
-            m_console.progress(100 * done / std::max<std::size_t>(all, 1), 100, "% of " + nameOrPath);
+            reading(100 * done / std::max<std::size_t>(all, 1), 100, "% of " + nameOrPath);
         });
     m_console.endProgress();
     note(source, opened.notes);
@@ -170,13 +172,20 @@ const OpenedDevice& Command::opened() {
 }
 
 std::function<void(std::size_t, std::size_t, const std::string&)> Command::progress() const {
-    return [this](std::size_t done, std::size_t all, const std::string& what) {
-        m_console.progress(done, all, what);
+    return [this, watch = platform::Stopwatch(), first = std::optional<std::size_t>()](
+               std::size_t done, std::size_t all, const std::string& what) mutable {
+        first = first.value_or(done); // an earlier run may have done some
+        std::optional<double> secondsLeft;
+        if (done > *first) {
+            secondsLeft =
+                watch.seconds() * static_cast<double>(all - done) / static_cast<double>(done - *first);
+        }
+        m_console.progress(done, all, what, secondsLeft);
     };
 }
 
 std::function<void(std::size_t, std::size_t)> Command::progressOf(const std::string& what) const {
-    return [this, what](std::size_t done, std::size_t all) { m_console.progress(done, all, what); };
+    return [what, named = progress()](std::size_t done, std::size_t all) { named(done, all, what); };
 }
 
 void Command::endProgress() const {

@@ -78,7 +78,7 @@ class Command {
     const OpenedDevice& opened();
     const gpu::Device& device() { return opened().device(); }
 
-    /// Shows how far the work is; for an experiment to call before each step.
+    /// Shows how far a part of the work is, which begins now; for an experiment to call before each step.
     std::function<void(std::size_t done, std::size_t all, const std::string& what)> progress() const;
     std::function<void(std::size_t done, std::size_t all)> progressOf(const std::string& what) const;
     /// After the last step. base::RunError when the validation layers had anything to say.

@@ -80,17 +80,12 @@ std::string timeText(double seconds) {
                         : fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
 }
 
-void Console::progress(std::size_t done, std::size_t all, const std::string& what) const {
+void Console::progress(std::size_t done, std::size_t all, const std::string& what,
+                       std::optional<double> secondsLeft) const {
     if (!m_showsProgress || all == 0) {
         return;
     }
-    // Before the first step is done there is nothing to tell the rest by.
-    const std::string left =
-        done == 0
-            ? ""
-            : ", " +
-                  timeText(m_watch.seconds() / static_cast<double>(done) * static_cast<double>(all - done)) +
-                  " left";
+    const std::string left = secondsLeft ? ", " + timeText(*secondsLeft) + " left" : "";
     fmt::print(stderr, "\r\x1b[K{}{}/{} {}{}", m_section, done, all, what, left);
     std::fflush(stderr);
 }

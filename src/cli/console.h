@@ -2,12 +2,11 @@
 
 #include "shared_options.h"
 
-#include <cdr/platform/stopwatch.h>
-
 #include <fmt/format.h>
 #include <output/columns.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace cdr::cli {
@@ -27,8 +26,9 @@ class Console {
     /// Columns aligned: the first to the left, all others to the right.
     void table(const output::Table& table) const;
 
-    /// A counter with the time left, on standard error and only where that is a terminal.
-    void progress(std::size_t done, std::size_t all, const std::string& what) const;
+    /// A counter with the time left if it is known, on standard error and only where that is a terminal.
+    void progress(std::size_t done, std::size_t all, const std::string& what,
+                  std::optional<double> secondsLeft) const;
     /// Takes the counter away.
     void endProgress() const;
 
@@ -38,7 +38,6 @@ class Console {
     bool m_quiet;    ///< no lines and tables
     bool m_showsProgress;
     std::string m_section; ///< of a report, in front of the progress; else empty
-    platform::Stopwatch m_watch;
 };
 
 } // namespace cdr::cli

@@ -177,10 +177,11 @@ void drawFrames(Command& command, const RenderArguments& arguments, const Render
                 const scene::CameraPath& path, FrameMaker& maker, RenderResults& results) {
     const std::uint32_t first = plan.cameras.first;
     std::uint32_t next = first;
+    const auto progress = command.progressOf(arguments.scene);
     const auto numberOf = [&](std::size_t frame) { return first + static_cast<std::uint32_t>(frame); };
     const auto draw = [&](std::size_t frame) {
         const std::uint32_t number = numberOf(frame);
-        command.console().progress(frame, plan.cameras.frames, arguments.scene);
+        progress(frame, plan.cameras.frames);
         for (; next < number; ++next) {
             maker.skip(next, plan.cameras.at(path, next));
         }

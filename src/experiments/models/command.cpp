@@ -172,8 +172,9 @@ void run(Command& command, ModelsArguments& arguments) {
     for (const std::string& file : arguments.files) {
         command.reads(file);
     }
+    const auto progress = command.progress();
     for (const std::string& file : arguments.files) {
-        command.progress()(results.size(), arguments.files.size(), file);
+        progress(results.size(), arguments.files.size(), file);
         scene::GltfChoice choice;
         choice.camera = arguments.camera;
         choice.light = light;
