@@ -47,13 +47,21 @@ const trial = new Trial({
     },
 });
 
+/**
+ * Moves what this page cannot read to a key of its own, where nothing is written over it.
+ * @returns {?object[]} no answers; null where the browser does not keep it.
+ */
+function setAside(key) {
+    return kept.write(`${key}-unread-${Date.now()}`, kept.read(key)) ? [] : null;
+}
+
 /** Keeps the sitting, which is written over another one: that one's answers are kept first. Another tab may have added some. */
 function keep() {
-    const earlier = restoreOthers(kept.read(kOthersKey));
+    const earlier = restoreOthers(kept.read(kOthersKey)) ?? setAside(kOthersKey);
     const text = kept.read(kKey);
-    const written = text ? restore(text)?.answers : [];
+    const written = text ? (restore(text)?.answers ?? setAside(kKey)) : [];
     if (!earlier || !written) {
-        return; // answers that this page cannot read are not written over
+        return;
     }
     others = withoutRepeats([...others, ...earlier, ...written]);
     if (kept.write(kOthersKey, toCsv(others))) {
