@@ -151,7 +151,7 @@ TEST_P(FileFaults, EveryWriteMayFail) {
 const Writer kWriters[]{
     {"render cubes --size 16x16 --quiet -o a.png --json a.json --trace t.json", "Render"},
     {"render cubes --size 16x16 --quiet --aov distance -o a.exr", "Exr"},
-    {"render cubes --size 16x16 --quiet --frames 2 -o a%d.tga", "Tga"},
+    {"render cubes --size 16x16 --quiet --frames 2 -o a%d.tga", "Tga", 5},
     {"render cubes --size 16x16 --quiet --frames 3 -o a%d.png --state s", "State", 5},
     {"probe --quiet --distances 10,100 --techniques log --formats d32f --size 16x16 --state s --json p.json",
      "Probe", 5},
@@ -164,9 +164,9 @@ const Writer kWriters[]{
     {"timing --quiet --frames 1 --size 16x16 --modes log --csv t.csv --trace t.json --json j.json", "Timing",
      5},
     {"timing --quiet --frames 1 --size 16x16 --modes log --plot t.svg", "TimingPlot", 5},
-    {"render cubes --size 16x16 --quiet --technique anchored -o a.png --certify c.json", "Certify"},
+    {"render cubes --size 16x16 --quiet --technique anchored -o a.png --certify c.json", "Certify", 5},
     {"inspect cubes --quiet --frames 1 --size 16x16 --techniques standard --heat-map h.png --json i.json",
-     "HeatMap"},
+     "HeatMap", 5},
     {"orbit --quiet --frames 1 --size 16x16 --techniques anchored --plot p.png", "Plot", 7},
     {"orbit --quiet --frames 1 --size 16x16 --techniques anchored --out o --state s --json o.json", "Orbit",
      11},
@@ -180,8 +180,8 @@ const Writer kWriters[]{
      "Coplanar", 17},
     {"rivals cubes --quiet --frames 1 --distances 1 --size 16x16 --techniques anchored --rivals atomic-log "
      "--json r.json",
-     "Rivals"},
-    {"detail cubes --quiet --frames 1 --size 16x16 --out o --state s --json d.json", "Detail", 7},
+     "Rivals", 5},
+    {"detail cubes --quiet --frames 1 --size 16x16 --out o --state s --json d.json", "Detail", 11},
     {"effects --quiet --frames 1 --size 16x16 --out o --json e.json", "Effects", 17},
     {"focus --quiet --frames 1 --cameras 2 --size 16x16 --out o --json f.json", "Focus", 7},
     {"scaling --quiet --draws 1 --threads 1 --cascades 1 --repeats 1 --size 16x16 --targets single --csv s.csv "
