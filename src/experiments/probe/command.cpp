@@ -112,12 +112,12 @@ void run(Command& command, ProbeArguments& arguments) {
     }
     printNeeds(command.console(), options.rivalsBeside);
     command.console().line(fmt::format("\n{}; seed {}; one picture of {}x{} per row", command.opened().text(),
-                                       options.seed, options.width, options.height));
+                                       options.seed, options.drawing.width, options.drawing.height));
 
-    auto document = command.makeDocument({{"width", options.width},
-                                          {"height", options.height},
+    auto document = command.makeDocument({{"width", options.drawing.width},
+                                          {"height", options.drawing.height},
                                           {"seed", options.seed},
-                                          {"snap_bits", options.snapBits}});
+                                          {"snap_bits", options.drawing.snapBits}});
     document["results"] = output::jsonOf(columns, results);
     document["missing_formats"] = missing;
     addNeeds(document, options.rivalsBeside);
@@ -131,10 +131,10 @@ void addOptions(CLI::App& command, ProbeArguments& arguments) {
     addRivalList(command, options.rivalsBeside, "none");
     options::addParsedList(command, "--formats", options.formats, depth::parseDepthFormat, kFormatsHelp)
         ->default_str("all");
-    addSize(command, options.width, options.height);
-    addThreads(command, options.threads);
+    addSize(command, options.drawing.width, options.drawing.height);
+    addThreads(command, options.drawing.threads);
     addSeed(command, options.seed);
-    addSnapBits(command, options.snapBits);
+    addSnapBits(command, options.drawing.snapBits);
     addState(command, arguments.state);
 }
 
