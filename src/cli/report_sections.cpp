@@ -80,8 +80,7 @@ Json filesOf(const report::Section& section, const fs::path& root) {
     Json digests = Json::object();
     for (const fs::path& file : files) {
         if (fs::exists(root / file)) {
-            const std::optional<std::string> digest = digestIn(root, file);
-            digests[file.generic_string()] = digest ? Json(*digest) : Json(nullptr);
+            digests[file.generic_string()] = digestIn(root, file);
         }
     }
     return digests;

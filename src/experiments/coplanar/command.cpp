@@ -45,7 +45,7 @@ output::Columns<experiments::CoplanarResult> coplanarColumns() {
             {.key = "pixels", .value = &Result::pixels},
             {.key = "wrong", .value = &Result::wrong, .heading = "wrong"},
             {.key = "wrong_share",
-             .value = [](const Result& result) { return output::finiteOrNull(result.wrongShare()); },
+             .value = &Result::wrongShare,
              .heading = "of all",
              .format = {.pattern = "{} %", .scale = 100.0}},
             {.key = "coverage", .value = &Result::coverage},

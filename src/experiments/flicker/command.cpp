@@ -48,7 +48,7 @@ output::Columns<experiments::FlickerResult> flickerColumns() {
            .heading = "flips"},
           {.key = "compared", .value = [](const Result& result) { return result.flips.compared; }},
           {.key = "flips_per_thousand",
-           .value = [](const Result& result) { return output::finiteOrNull(result.flips.perThousand()); },
+           .value = [](const Result& result) { return result.flips.perThousand(); },
            .heading = "flips / 1000"},
           {.key = "mean_flip",
            .value =

@@ -203,7 +203,7 @@ void run(Command& command, InspectArguments& arguments) {
                                           {"format", nameOf(options.judged.technique.format)}});
     options::addChoiceJson(document["options"], arguments.choice);
     addResults(document, inspection, setup.scene);
-    document["fail_above"] = arguments.failAbove ? nlohmann::ordered_json(*arguments.failAbove) : nullptr;
+    document["fail_above"] = arguments.failAbove;
     document["fails"] = fails;
     command.writeDocument(document);
     if (fails) {

@@ -25,8 +25,8 @@ auto partOf(double experiments::TimingParts::*part) {
 }
 
 /// The device's own time; null where it has no clock, and for frames in flight.
-output::Json deviceTimeOf(const experiments::TimingResult& result) {
-    return output::finiteOrNull(result.parts ? result.parts->deviceUs : std::nullopt);
+std::optional<double> deviceTimeOf(const experiments::TimingResult& result) {
+    return result.parts ? result.parts->deviceUs : std::nullopt;
 }
 
 /// How a mode renders; null where ids alone are drawn.
@@ -95,7 +95,7 @@ output::Columns<experiments::TimingResult> timingColumns(const std::optional<mea
                  return std::string(seen.is_boolean() ? (seen.get<bool>() ? "yes" : "no") : "");
              }},
         {.key = "thesis_pct",
-         .value = [](const Result& result) { return output::finiteOrNull(result.mode.thesisPercent); },
+         .value = [](const Result& result) { return result.mode.thesisPercent; },
          .heading = "thesis",
          .format = {"{:+} %"}}};
 }
