@@ -51,11 +51,12 @@ std::vector<TimingResult> time(const gpu::Device& device,
                          .seed = options.seed};
     timing.modes = {{.name = "baseline",
                      .preset = "standard",
-                     .technique = depth::parseTechnique("standard"),
+                     .drawing = {.technique = depth::parseTechnique("standard")},
                      .thesisPercent = {}}};
-    timing.modes.front().technique.format = techniques.front().technique.format;
+    timing.modes.front().drawing.technique.format = techniques.front().technique.format;
     for (const auto& [name, technique] : techniques) {
-        timing.modes.push_back({.name = name, .preset = name, .technique = technique, .thesisPercent = {}});
+        timing.modes.push_back(
+            {.name = name, .preset = name, .drawing = {.technique = technique}, .thesisPercent = {}});
     }
     ranks::OneProcess alone;
     runs::TimedRanks here(alone);
