@@ -57,21 +57,15 @@ struct ReportArguments {
     fs::path state;
 };
 
-nlohmann::ordered_json describe(const report::Section& section, const SectionOutcome& outcome,
+nlohmann::ordered_json describe(const report::Section& section, const output::Json& outcome,
                                 const GlobalOptions& global) {
-    nlohmann::ordered_json row{{"section", section.name},
-                               {"command", report::commandLine(section, textOf(global.device))},
-                               {"seconds", outcome.seconds},
-                               {"folder", section.folder},
-                               {"json", nullptr},
-                               {"failure", nullptr}};
-    if (!outcome.document.is_null()) {
-        row["json"] = section.jsonFile().generic_string();
-    }
-    if (outcome.failure) {
-        row["failure"] = *outcome.failure;
-    }
-    return row;
+    const bool hasDocument = !outcome.at("document").is_null();
+    return {{"section", section.name},
+            {"command", report::commandLine(section, textOf(global.device))},
+            {"seconds", outcome.at("seconds")},
+            {"folder", section.folder},
+            {"json", hasDocument ? output::Json(section.jsonFile().generic_string()) : output::Json(nullptr)},
+            {"failure", outcome.at("failure")}};
 }
 
 constexpr base::EnumNames<report::Effort, 3> kEfforts{"effort", {"smallest", "quick", "full"}};
@@ -92,12 +86,12 @@ nlohmann::ordered_json makeManifest(const Command& command, const report::PlanOp
 /// The page, its data and the manifest, which it returns.
 nlohmann::ordered_json writeReport(const Command& command, const report::PlanOptions& options,
                                    const std::vector<report::Section>& plan,
-                                   const std::vector<SectionOutcome>& outcomes, const fs::path& root) {
+                                   const std::vector<output::Json>& outcomes, const fs::path& root) {
     nlohmann::ordered_json manifest = makeManifest(command, options);
     nlohmann::ordered_json documents = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < plan.size(); ++i) {
         manifest["results"].push_back(describe(plan[i], outcomes[i], command.global()));
-        documents[plan[i].name] = outcomes[i].document;
+        documents[plan[i].name] = outcomes[i].at("document");
     }
     report::writePage(root);
     report::writeData(root, {{"report", manifest}, {"sections", documents}});

@@ -40,22 +40,6 @@ void runCommand(const GlobalOptions& global, std::vector<std::string> command) {
     program.parse(std::move(command));
 }
 
-/// A section that fails (a format the device lacks, a disk that is full) leaves the others their page.
-SectionOutcome runSection(const GlobalOptions& global, const report::Section& section, const fs::path& root) {
-    SectionOutcome outcome;
-    const platform::Stopwatch watch;
-    try {
-        runCommand(global, section.commandIn(root));
-    } catch (const std::exception& error) {
-        outcome.failure = error.what();
-    }
-    outcome.seconds = watch.seconds();
-    if (const fs::path json = root / section.jsonFile(); fs::exists(json)) {
-        outcome.document = nlohmann::ordered_json::parse(platform::readFile(json, kMaxJsonBytes));
-    }
-    return outcome;
-}
-
 /// Of a file that can be read.
 std::optional<std::string> digestIn(const fs::path& root, const fs::path& file) {
     try {
@@ -80,25 +64,27 @@ Json filesOf(const report::Section& section, const fs::path& root) {
     Json digests = Json::object();
     for (const fs::path& file : files) {
         if (fs::exists(root / file)) {
-            const std::optional<std::string> digest = digestIn(root, file);
-            digests[file.generic_string()] = digest ? Json(*digest) : Json(nullptr);
+            digests[file.generic_string()] = digestIn(root, file);
         }
     }
     return digests;
 }
 
-Json packedOutcome(SectionOutcome outcome, Json files) {
-    return {{"seconds", outcome.seconds},
-            {"failure", outcome.failure ? Json(std::move(*outcome.failure)) : Json(nullptr)},
-            {"document", std::move(outcome.document)},
-            {"files", std::move(files)}};
-}
-
-SectionOutcome unpackedOutcome(Json made) {
-    const Json& failure = made.at("failure");
-    return {.seconds = made.at("seconds").get<double>(),
-            .failure = failure.is_null() ? std::nullopt : std::optional(failure.get<std::string>()),
-            .document = std::move(made.at("document"))};
+/// A section that fails (a format the device lacks, a disk that is full) leaves the others their page.
+Json runSection(const GlobalOptions& global, const report::Section& section, const fs::path& root) {
+    Json outcome{{"seconds", 0.0}, {"failure", nullptr}, {"document", nullptr}};
+    const platform::Stopwatch watch;
+    try {
+        runCommand(global, section.commandIn(root));
+    } catch (const std::exception& error) {
+        outcome["failure"] = error.what();
+    }
+    outcome["seconds"] = watch.seconds();
+    if (const fs::path json = root / section.jsonFile(); fs::exists(json)) {
+        outcome["document"] = Json::parse(platform::readFile(json, kMaxJsonBytes));
+    }
+    outcome["files"] = filesOf(section, root);
+    return outcome;
 }
 
 /// At once, into files and pipes too.
@@ -122,15 +108,11 @@ SectionRunner::SectionRunner(Command& command, const std::vector<report::Section
 
 void SectionRunner::runAll(const std::function<void()>& keep) {
     const auto runOf = [&](const std::vector<std::size_t>& sections) {
-        return [&](std::size_t unit) {
-            const std::size_t section = sections[unit];
-            SectionOutcome outcome = run(section);
-            return packedOutcome(std::move(outcome), filesOf(m_plan[section], m_root));
-        };
+        return [&](std::size_t unit) { return run(sections[unit]); };
     };
     const auto addOf = [&](const std::vector<std::size_t>& sections) {
         return [&](std::size_t unit, Json made) {
-            add(sections[unit], unpackedOutcome(std::move(made)));
+            add(sections[unit], std::move(made));
             keep();
         };
     };
@@ -143,7 +125,7 @@ void SectionRunner::runAll(const std::function<void()>& keep) {
     runs::forEachUnitOnFirst(m_command.ranks(), timed.size(), runOf(timed), addOf(timed));
 }
 
-SectionOutcome SectionRunner::run(std::size_t section) {
+Json SectionRunner::run(std::size_t section) {
     GlobalOptions inside = m_command.global();
     inside.ranks = &m_alone;
     inside.section = fmt::format("{}/{} {}, {} to go", m_done + 1, m_plan.size(), m_plan[section].name,
@@ -153,13 +135,15 @@ SectionOutcome SectionRunner::run(std::size_t section) {
 }
 
 /// On the first rank, in any order.
-void SectionRunner::add(std::size_t section, SectionOutcome outcome) {
+void SectionRunner::add(std::size_t section, Json outcome) {
     const Console& console = m_command.console();
     console.endProgress();
-    m_forecast.done(m_plan[section], outcome.seconds);
+    const auto seconds = outcome.at("seconds").get<double>();
+    const Json& failure = outcome.at("failure");
+    m_forecast.done(m_plan[section], seconds);
     sayNow(console, fmt::format("{}/{} {}: {} s{}", ++m_done, m_plan.size(), m_plan[section].name,
-                                output::Readable{outcome.seconds},
-                                outcome.failure ? ", failed: " + *outcome.failure : ""));
+                                output::Readable{seconds},
+                                failure.is_null() ? "" : ", failed: " + failure.get<std::string>()));
     m_outcomes[section] = std::move(outcome);
 }
 

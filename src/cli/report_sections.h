@@ -5,24 +5,15 @@
 
 #include <report/plan.h>
 
-#include <nlohmann/json.hpp>
+#include <output/columns.h>
 #include <ranks/one_process.h>
 
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <optional>
-#include <string>
 #include <vector>
 
 namespace cdr::cli {
-
-/// The result of one section.
-struct SectionOutcome {
-    double seconds = 0.0;
-    std::optional<std::string> failure; ///< what went wrong, if anything did
-    nlohmann::ordered_json document;    ///< null when there is none
-};
 
 /// Runs sections of a plan into a folder, each as one process does. Every rank has one.
 class SectionRunner {
@@ -35,12 +26,13 @@ class SectionRunner {
     /// @param keep called on the first rank after each.
     void runAll(const std::function<void()>& keep);
 
-    /// By section, on the first rank.
-    const std::vector<SectionOutcome>& outcomes() const { return m_outcomes; }
+    /// By section, on the first rank. What each has: "seconds", "failure" (what went wrong; null if nothing did), "document"
+    /// (null when there is none) and "files" (by name, the digests of those that it has written).
+    const std::vector<output::Json>& outcomes() const { return m_outcomes; }
 
   private:
-    SectionOutcome run(std::size_t section);
-    void add(std::size_t section, SectionOutcome outcome);
+    output::Json run(std::size_t section);
+    void add(std::size_t section, output::Json outcome);
 
     Command& m_command;
     const std::vector<report::Section>& m_plan;
@@ -48,7 +40,7 @@ class SectionRunner {
     ranks::OneProcess m_alone;
     Forecast m_forecast;
     std::size_t m_done = 0;
-    std::vector<SectionOutcome> m_outcomes;
+    std::vector<output::Json> m_outcomes;
 };
 
 /// Forgets kept sections that failed, and those whose files changed since. Then removes all files from the report's folder

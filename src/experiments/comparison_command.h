@@ -19,8 +19,8 @@ void addComparison(CLI::App& command, Options& options, scene::GltfChoice& choic
     options::addStillChoice(command, choice);
     options::addLight(command, choice, scene::ModelLight::lamps);
     addFrames(command, options.frames, "Measured frames of each mode");
-    addSize(command, options.width, options.height);
-    addThreads(command, options.threads);
+    addSize(command, options.drawing.width, options.drawing.height);
+    addThreads(command, options.drawing.threads);
     addSeed(command, options.seed);
     options::addFolder(command, "--out", folder, "Folder for a picture of each mode");
 }
@@ -28,9 +28,9 @@ void addComparison(CLI::App& command, Options& options, scene::GltfChoice& choic
 /// What their documents say of how they were made; the command adds its own.
 template <typename Options>
 nlohmann::ordered_json settingsOf(const Options& options, const scene::GltfChoice& choice) {
-    nlohmann::ordered_json settings{{"scene", options.scene},     {"width", options.width},
-                                    {"height", options.height},   {"frames", options.frames},
-                                    {"threads", options.threads}, {"seed", options.seed}};
+    nlohmann::ordered_json settings{
+        {"scene", options.scene},   {"width", options.drawing.width},     {"height", options.drawing.height},
+        {"frames", options.frames}, {"threads", options.drawing.threads}, {"seed", options.seed}};
     options::addChoiceJson(settings, choice);
     return settings;
 }

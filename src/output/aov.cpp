@@ -247,4 +247,8 @@ std::string hashOf(const render::Frame& frame, Aov aov, const measure::TruthImag
     throw base::RunError("output out of range");
 }
 
+std::string hashOf(const render::Frame& frame) {
+    return program::sha256Of(program::sha256Of(frame.color.pixels) + program::sha256Of(frame.gbuffer.pixels));
+}
+
 } // namespace cdr::output

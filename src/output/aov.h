@@ -44,4 +44,7 @@ std::vector<image::ExrChannel> channelsOf(const render::Frame& frame, Aov aov,
 /// them.
 std::string hashOf(const render::Frame& frame, Aov aov, const measure::TruthImage* truth);
 
+/// One SHA-256 over the whole G-buffer and the picture.
+std::string hashOf(const render::Frame& frame);
+
 } // namespace cdr::output

@@ -14,6 +14,15 @@
 #include <utility>
 #include <vector>
 
+/// Null stands for what is not known.
+template <typename Value>
+struct nlohmann::adl_serializer<std::optional<Value>> {
+    template <typename AnyJson>
+    static void to_json(AnyJson& json, const std::optional<Value>& value) {
+        json = value ? AnyJson(*value) : AnyJson(nullptr);
+    }
+};
+
 namespace cdr::output {
 
 using Json = nlohmann::ordered_json;
@@ -37,6 +46,13 @@ struct Column {
     std::string before{}; ///< heading that it stands before in the table; else the order is that of JSON
 };
 
+/// What a row has there. JSON has no infinity: null stands for it, and for what is not known.
+template <typename Row>
+Json valueOf(const Column<Row>& column, const Row& row) {
+    Json value = column.value(row);
+    return value.is_number_float() && !std::isfinite(value.template get<double>()) ? Json(nullptr) : value;
+}
+
 /// The fields of an experiment's results, in the order of JSON. One list makes both JSON and the table.
 template <typename Row>
 using Columns = std::vector<Column<Row>>;
@@ -50,14 +66,6 @@ struct Table {
 /// A value that JSON leaves out.
 inline Json absent() {
     return Json(Json::value_t::discarded);
-}
-
-/// JSON has no infinity: null stands for it, and for what is not known.
-inline Json finiteOrNull(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-inline Json finiteOrNull(const std::optional<double>& value) {
-    return value ? finiteOrNull(*value) : Json(nullptr);
 }
 
 /// Both ends, as CellFormat's patterns take them.
@@ -85,7 +93,7 @@ Json jsonOf(const Columns<Row>& columns, const Row& row) {
         if (column.key.empty()) {
             continue;
         }
-        if (Json value = column.value(row); !value.is_discarded()) {
+        if (Json value = valueOf(column, row); !value.is_discarded()) {
             json[column.key] = std::move(value);
         }
     }
@@ -124,7 +132,7 @@ template <typename Row>
 std::vector<std::string> cellsOf(const Columns<Row>& columns, const Row& row) {
     std::vector<std::string> cells;
     for (const Column<Row>& column : shownOf(columns)) {
-        cells.push_back(column.text ? column.text(row) : cellOf(column.value(row), column.format));
+        cells.push_back(column.text ? column.text(row) : cellOf(valueOf(column, row), column.format));
     }
     return cells;
 }

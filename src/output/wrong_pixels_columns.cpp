@@ -7,14 +7,11 @@ Columns<measure::WrongPixels> wrongPixelsColumns(const WrongPixelsHeadings& head
     const CellFormat share{.pattern = "{} %", .scale = 100.0};
     return {{.key = "pixels", .value = &Wrong::pixels, .heading = headings.pixels},
             {.key = "wrong", .value = &Wrong::wrong, .heading = headings.wrong},
-            {.key = "wrong_fraction",
-             .value = [](const Wrong& wrong) { return finiteOrNull(wrong.fraction()); },
-             .heading = headings.share,
-             .format = share},
+            {.key = "wrong_fraction", .value = &Wrong::fraction, .heading = headings.share, .format = share},
             {.key = "overlap_pixels", .value = &Wrong::overlapPixels},
             {.key = "overlap_wrong", .value = &Wrong::overlapWrong},
             {.key = "overlap_wrong_fraction",
-             .value = [](const Wrong& wrong) { return finiteOrNull(wrong.overlapFraction()); },
+             .value = &Wrong::overlapFraction,
              .heading = headings.overlapShare,
              .format = share},
             {.key = "edge_wrong", .value = &Wrong::edgeWrong}};

@@ -15,6 +15,8 @@ FrameSample timed(const std::function<render::FrameStats()>& draw) {
     const platform::Stopwatch watch;
     const render::FrameStats stats = draw();
     return {.frameMs = watch.milliseconds(),
+            .cullMs = stats.times.cullMs,
+            .binMs = stats.times.binMs,
             .cullAndBinMs = stats.times.cullMs + stats.times.binMs,
             .recordMs = stats.times.recordMs,
             .executeMs = stats.times.executeMs,

@@ -16,6 +16,8 @@ namespace cdr::runs {
 /// What drawing one frame took.
 struct FrameSample {
     double frameMs = 0.0; ///< from the camera until the device is done
+    double cullMs = 0.0;
+    double binMs = 0.0;
     double cullAndBinMs = 0.0;
     double recordMs = 0.0;
     double executeMs = 0.0;

@@ -34,8 +34,8 @@ class FlickerTest : public cdr::test::DeviceTest {
 
 FlickerOptions smallRun() {
     FlickerOptions options;
-    options.width = 320;
-    options.height = 180;
+    options.drawing.width = 320;
+    options.drawing.height = 180;
     options.frames = 6;
     options.techniques = {depth::namedTechnique("log"), depth::namedTechnique("anchored")};
     return options;
@@ -89,7 +89,7 @@ TEST_F(FlickerTest, RoundedVerticesAreWrongAtMoreEdges) {
     options.frames = 1;
     options.techniques = {depth::namedTechnique("anchored")};
     const FlickerResult exact = runFlicker(device(), options).at(0);
-    options.snapBits = 2;
+    options.drawing.snapBits = 2;
     EXPECT_GT(runFlicker(device(), options).at(0).wrong.edgeWrong, exact.wrong.edgeWrong);
 }
 
@@ -97,8 +97,8 @@ TEST_F(FlickerTest, RoundedVerticesAreWrongAtMoreEdges) {
 /// bounds are kept from still earlier frames.
 TEST_F(FlickerTest, AResumedRunRemembersWhatFittedSplitsDo) {
     FlickerOptions options = smallRun();
-    options.width = 640;
-    options.height = 360;
+    options.drawing.width = 640;
+    options.drawing.height = 360;
     options.frames = 24;
     options.nearObject = true;
     options.techniques = {{"standard-fitted",
@@ -117,7 +117,7 @@ TEST_F(FlickerTest, ThreadsDoNotChangeTheFigures) {
     FlickerOptions options = smallRun();
     options.frames = 2;
     const auto one = runFlicker(device(), options);
-    options.threads = 3;
+    options.drawing.threads = 3;
     expectSame(runFlicker(device(), options), one);
 }
 

@@ -47,9 +47,9 @@ Inspection inspect(const gpu::Device& device, const scene::Scene& scene, const I
 /// Vertices that are rounded to a 16th of a pixel move a slope by far more than a depth is off.
 TEST_F(InspectTest, RoundedVerticesCountInHowFarFacesAreToBeMoved) {
     InspectOptions options;
-    options.width = 320;
-    options.height = 180;
-    options.snapBits = 4;
+    options.drawing.width = 320;
+    options.drawing.height = 180;
+    options.drawing.snapBits = 4;
     options.techniques = {depth::namedTechnique("reversed"), depth::namedTechnique("anchored")};
     options.judged = depth::namedTechnique("anchored");
     const Inspection inPlane = inspect(device(), squares(0.0), options);
@@ -74,7 +74,7 @@ TEST_F(InspectTest, RoundedVerticesCountInHowFarFacesAreToBeMoved) {
     }
     EXPECT_EQ(judged, options.techniques.size());
     // Faces that move in their own planes need no more than depth does.
-    options.snapping = render::Snapping::inPlane;
+    options.drawing.snapping = render::Snapping::inPlane;
     const Inspection kept = inspect(device(), squares(0.0), options);
     EXPECT_LT(kept.techniques.back().apart.at({0, 1}), 0.1 * inPlane.techniques.back().apart.at({0, 1}));
 }
@@ -82,8 +82,8 @@ TEST_F(InspectTest, RoundedVerticesCountInHowFarFacesAreToBeMoved) {
 /// The step of 16 bits is twenty times the gap.
 TEST_F(InspectTest, APixelInThePlaneOfADecalIsNotWrongToo) {
     InspectOptions options;
-    options.width = 320;
-    options.height = 180;
+    options.drawing.width = 320;
+    options.drawing.height = 180;
     options.techniques = {depth::namedTechnique("standard")};
     options.judged = depth::namedTechnique("standard");
     options.judged.technique.format = depth::DepthFormat::d16;

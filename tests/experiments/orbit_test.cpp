@@ -62,11 +62,11 @@ TEST_F(OrbitDrawn, RoundedVerticesAreWrongAtMoreEdges) {
         GTEST_SKIP() << "the device itself rounds vertices to so few bits";
     }
     const scene::SceneSetup setup = scenes::makeMixed();
-    OrbitOptions options{.width = 320, .height = 180, .frames = 1};
+    OrbitOptions options{.drawing = {.width = 320, .height = 180}, .frames = 1};
     options.techniques = {depth::namedTechnique("anchored")};
     ranks::OneProcess alone;
     const auto edgeWrong = [&](std::uint32_t snapBits) {
-        options.snapBits = snapBits;
+        options.drawing.snapBits = snapBits;
         return runOrbit(
                    device(), setup, options, [](auto, auto, const auto&) {}, alone)
             .results.at(0)
@@ -78,7 +78,7 @@ TEST_F(OrbitDrawn, RoundedVerticesAreWrongAtMoreEdges) {
 /// Where one frame is drawn, it is the last: the telescope's, and not what the window shows.
 TEST_F(OrbitDrawn, OneFrameHasNoPictureOfTheWindow) {
     const scene::SceneSetup setup = scenes::makeMixed();
-    OrbitOptions options{.width = 64, .height = 36, .frames = 1};
+    OrbitOptions options{.drawing = {.width = 64, .height = 36}, .frames = 1};
     options.techniques = {depth::namedTechnique("anchored")};
     ranks::OneProcess alone;
     const OrbitRun run = runOrbit(

@@ -24,7 +24,9 @@ TEST(Pictures, ProgressCountsTheFramesThatScenesHave) {
     std::vector<std::pair<std::size_t, std::size_t>> steps;
     runPictures(
         device, std::move(scenes),
-        {.width = 32, .height = 18, .frames = 2, .techniques = {depth::namedTechnique("standard")}},
+        {.drawing = {.width = 32, .height = 18},
+         .frames = 2,
+         .techniques = {depth::namedTechnique("standard")}},
         [&](std::size_t done, std::size_t all, const std::string&) { steps.emplace_back(done, all); });
     EXPECT_EQ(steps, (std::vector<std::pair<std::size_t, std::size_t>>{{0, 3}, {1, 3}, {2, 3}}));
 }

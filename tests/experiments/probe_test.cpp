@@ -19,7 +19,7 @@ using Probe = cdr::test::DeviceTest;
 TEST_F(Probe, PredictionsHoldOverTechniquesFormatsAndDistances) {
     ProbeOptions options;
     options.distancesView = {10.0, 1e6};
-    options.threads = 2;
+    options.drawing.threads = 2;
     std::size_t resolved = 0;
     ranks::OneProcess alone;
     for (const ProbeResult& row : runProbe(
@@ -52,11 +52,11 @@ TEST_F(Probe, RoundedVerticesResolveLess) {
     options.distancesView = {1000.0};
     options.techniques = {depth::namedTechnique("anchored")};
     options.formats = {depth::DepthFormat::d32f};
-    options.width = 640;
-    options.height = 360;
+    options.drawing.width = 640;
+    options.drawing.height = 360;
     ranks::OneProcess alone;
     const auto resolved = [&](std::uint32_t snapBits) {
-        options.snapBits = snapBits;
+        options.drawing.snapBits = snapBits;
         return runProbe(
                    device(), options, [](auto, auto, const auto&) {}, alone)
             .at(0)
@@ -77,8 +77,8 @@ TEST_F(Probe, APictureTooSmallToTellSaysNothing) {
     options.formats = {depth::DepthFormat::d32f};
     ranks::OneProcess alone;
     const auto measured = [&](std::uint32_t width, std::uint32_t height) {
-        options.width = width;
-        options.height = height;
+        options.drawing.width = width;
+        options.drawing.height = height;
         return runProbe(
                    device(), options, [](auto, auto, const auto&) {}, alone)
             .at(0);

@@ -42,7 +42,7 @@ TEST(TimingModes, CarryTheThesisFigures) {
 TEST(TimingModes, CascadedOnesHaveTheCascadesTheirNameSays) {
     for (const TimingMode& mode : timingModesNamed({"cdr-4", "logcdr-2"})) {
         const std::size_t cascades =
-            cdr::depth::makeCascades(mode.technique.split,
+            cdr::depth::makeCascades(mode.drawing.technique.split,
                                      {.nearView = 0.1, .farView = 1e5, .footprintSlope = 1e-3})
                 .size();
         EXPECT_EQ(cascades, mode.name == "cdr-4" ? 4u : mode.name == "logcdr-2" ? 2u : 1u) << mode.name;
@@ -58,7 +58,7 @@ TEST(TimingModes, ChosenOnesKeepTheBaselineOnce) {
 
 TEST(TimingModes, OptionsOfARendererSayAllThatAModeDoes) {
     namespace render = cdr::render;
-    const auto optionsOf = [](const char* name) { return renderOptionsOf(timingModesNamed({name}).back()); };
+    const auto optionsOf = [](const char* name) { return timingModesNamed({name}).back().drawing; };
     EXPECT_EQ(optionsOf("cdr-3").technique.split, cdr::depth::Split(cdr::depth::SplitCount{3}));
     EXPECT_EQ(optionsOf("reversed/one-pass").targets, render::parseTargets("one-pass"));
     EXPECT_EQ(optionsOf("anchored/gpu-driven").submission, render::Submission::gpuDriven);

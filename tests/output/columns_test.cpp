@@ -24,7 +24,7 @@ const Columns<Row>& columns() {
         {.key = "twice", .value = &Row::twice},
         {.key = "share", .value = &Row::share, .heading = "share", .format = {"{} %", 100.0}},
         {.key = "bound",
-         .value = [](const Row& row) { return finiteOrNull(row.bound); },
+         .value = &Row::bound,
          .heading = "bound",
          .format = {.missing = "never"},
          .before = "share"},

@@ -48,7 +48,7 @@ inline constexpr std::uint32_t kMaxPreparedLights = 65'536;
 struct RenderOptions {
     std::uint32_t width = 1280;                  ///< of the picture in pixels
     std::uint32_t height = 720;                  ///< of the picture in pixels
-    depth::Technique technique;                  ///< mapping, split and depth format
+    depth::Technique technique{};                ///< mapping, split and depth format
     TargetsChoice targets = TargetsKind::single; ///< how cascades reach the final G-buffer
     std::size_t threads = 1;                     ///< that cull, bin and record, the caller's included
     platform::Placement placement = platform::Placement::free; ///< of those threads but the caller's

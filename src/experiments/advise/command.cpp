@@ -12,6 +12,7 @@
 #include <output/readable.h>
 #include <output/sentence_parts.h>
 
+#include <functional>
 #include <numbers>
 
 namespace cdr::cli {
@@ -90,20 +91,20 @@ auto textOf(Text text) {
 template <typename Value>
 auto measuredValue(Value value) {
     return [value](const Row& row) -> output::Json {
-        return row.measured ? output::Json(value(*row.measured)) : output::absent();
+        return row.measured ? output::Json(std::invoke(value, *row.measured)) : output::absent();
     };
 }
 
 output::Columns<Row> measuredColumns(base::LengthUnit unit) {
     using Measured = depth::Measurement;
     return {{.key = "resolved",
-             .value = measuredValue([](const Measured& m) { return output::finiteOrNull(m.resolvedView); }),
+             .value = measuredValue(&Measured::resolvedView),
              .heading = "measured",
              .text = textOf([unit](const Measured& m) { return measuredText(m, unit); }),
              .before = "enough"},
-            {.key = "largest", .value = measuredValue([](const Measured& m) { return m.largestView; })},
+            {.key = "largest", .value = measuredValue(&Measured::largestView)},
             {.key = "time_ratio",
-             .value = measuredValue([](const Measured& m) { return m.timeRatio; }),
+             .value = measuredValue(&Measured::timeRatio),
              .heading = "time over standard",
              .text = textOf(timeText),
              .before = "enough"},
@@ -114,7 +115,7 @@ output::Columns<Row> measuredColumns(base::LengthUnit unit) {
 /// @param measured whether the table shows measurements, else costs in words.
 output::Columns<Row> adviceColumns(bool measured, base::LengthUnit unit) {
     const auto step = [](auto value) {
-        return [value](const Row& row) { return output::finiteOrNull(value(row.forecast)); };
+        return [value](const Row& row) { return std::invoke(value, row.forecast); };
     };
     using Forecast = depth::Forecast;
     const output::CellFormat stepFormat{.missing = "none", .unit = unit};
@@ -131,7 +132,7 @@ output::Columns<Row> adviceColumns(bool measured, base::LengthUnit unit) {
          .value = [](const Row& row) { return row.forecast.cascades; },
          .heading = "cascades"},
         {.key = "buffer_step",
-         .value = step([](const Forecast& forecast) { return forecast.bufferStepView; }),
+         .value = step(&Forecast::bufferStepView),
          .heading = "depth step",
          .format = stepFormat},
         {.key = "vertex_step",
@@ -141,11 +142,10 @@ output::Columns<Row> adviceColumns(bool measured, base::LengthUnit unit) {
         {.key = "snap_step",
          .value = step([](const Forecast& forecast) { return forecast.rounding.snapGapView; })},
         {.key = "predicted",
-         .value = step([](const Forecast& forecast) { return forecast.resolvedView(); }),
+         .value = step(&Forecast::resolvedView),
          .heading = measured ? "predicted" : "resolves",
          .format = stepFormat},
-        {.key = "guaranteed",
-         .value = step([](const Forecast& forecast) { return forecast.guaranteedView(); })},
+        {.key = "guaranteed", .value = step(&Forecast::guaranteedView)},
         {.key = "suffices",
          .value = &Row::suffices,
          .heading = "enough",

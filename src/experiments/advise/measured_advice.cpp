@@ -29,15 +29,14 @@ std::vector<depth::NamedTechnique> techniquesToMeasure(const depth::Advice& advi
 std::vector<ProbeResult> probe(const gpu::Device& device, const depth::AdviceQuestion& question,
                                const std::vector<depth::NamedTechnique>& techniques,
                                const MeasuredAdviceOptions& options, const NamedProgress& progress) {
-    const ProbeOptions probing{.distancesView = {question.scene.atView},
-                               .techniques = techniques,
-                               .nearView = question.scene.nearView,
-                               .farView = question.scene.farView,
-                               .formats = question.formats,
-                               .width = options.width,
-                               .height = options.height,
-                               .threads = options.threads,
-                               .seed = options.seed};
+    const ProbeOptions probing{
+        .distancesView = {question.scene.atView},
+        .techniques = techniques,
+        .nearView = question.scene.nearView,
+        .farView = question.scene.farView,
+        .formats = question.formats,
+        .drawing = {.width = options.width, .height = options.height, .threads = options.threads},
+        .seed = options.seed};
     ranks::OneProcess alone;
     return runProbe(device, probing, progress, alone);
 }
@@ -52,11 +51,12 @@ std::vector<TimingResult> time(const gpu::Device& device,
                          .seed = options.seed};
     timing.modes = {{.name = "baseline",
                      .preset = "standard",
-                     .technique = depth::parseTechnique("standard"),
+                     .drawing = {.technique = depth::parseTechnique("standard")},
                      .thesisPercent = {}}};
-    timing.modes.front().technique.format = techniques.front().technique.format;
+    timing.modes.front().drawing.technique.format = techniques.front().technique.format;
     for (const auto& [name, technique] : techniques) {
-        timing.modes.push_back({.name = name, .preset = name, .technique = technique, .thesisPercent = {}});
+        timing.modes.push_back(
+            {.name = name, .preset = name, .drawing = {.technique = technique}, .thesisPercent = {}});
     }
     ranks::OneProcess alone;
     runs::TimedRanks here(alone);

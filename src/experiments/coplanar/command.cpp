@@ -45,7 +45,7 @@ output::Columns<experiments::CoplanarResult> coplanarColumns() {
             {.key = "pixels", .value = &Result::pixels},
             {.key = "wrong", .value = &Result::wrong, .heading = "wrong"},
             {.key = "wrong_share",
-             .value = [](const Result& result) { return output::finiteOrNull(result.wrongShare()); },
+             .value = &Result::wrongShare,
              .heading = "of all",
              .format = {.pattern = "{} %", .scale = 100.0}},
             {.key = "coverage", .value = &Result::coverage},
@@ -90,18 +90,18 @@ void run(Command& command, CoplanarArguments& arguments) {
     command.console().line(fmt::format(
         "\n{}; {} pairs of views of the scene coplanar, {}x{}; polygon offset is the best of {} settings over {} "
         "other views; commit {}",
-        command.opened().text(), options.views, options.width, options.height,
+        command.opened().text(), options.views, options.drawing.width, options.drawing.height,
         options.offsets.slopes.size() * options.offsets.constants.size(), options.searchViews,
         program::buildInfo().commit));
-    auto document = command.makeDocument({{"width", options.width},
-                                          {"height", options.height},
+    auto document = command.makeDocument({{"width", options.drawing.width},
+                                          {"height", options.drawing.height},
                                           {"views", options.views},
                                           {"search_views", options.searchViews},
                                           {"slopes", options.offsets.slopes},
                                           {"constants", options.offsets.constants},
-                                          {"threads", options.threads},
+                                          {"threads", options.drawing.threads},
                                           {"seed", options.seed},
-                                          {"snap_bits", options.snapBits}});
+                                          {"snap_bits", options.drawing.snapBits}});
     for (const experiments::CoplanarResult& result : results) {
         auto& row = document["results"].emplace_back(output::jsonOf(columns, result));
         if (!result.picture.pixels.empty()) {
@@ -128,11 +128,11 @@ void addOptions(CLI::App& command, CoplanarArguments& arguments) {
                "Slope factors of polygon offset, separated by commas");
     addFactors(command, "--constants", options.offsets.constants,
                "Constant factors of polygon offset for each slope factor, separated by commas");
-    addSize(command, options.width, options.height);
-    addThreads(command, options.threads);
+    addSize(command, options.drawing.width, options.drawing.height);
+    addThreads(command, options.drawing.threads);
     addSeed(command, options.seed);
     addState(command, arguments.state);
-    addSnapBits(command, options.snapBits);
+    addSnapBits(command, options.drawing.snapBits);
     addTechniques(command, options.techniques);
     options::addFolder(command, "--out", arguments.folder,
                        "Folder for a heat map of each method's worst view");

@@ -48,13 +48,13 @@ class CoplanarComparison {
     CoplanarComparison(const gpu::Device& device, const CoplanarOptions& options)
         : m_device(device),
           m_options(options),
-          m_workers(options.threads),
+          m_workers(options.drawing.threads),
           m_setup(scenes::makeCoplanar()),
           m_gpuScene(device, m_setup.scene),
           m_truth(m_setup.scene, m_workers),
           m_subPixelBits(device.info().subPixelBits) {
-        if (options.snapBits > 0) {
-            m_subPixelBits = std::min(m_subPixelBits, options.snapBits);
+        if (options.drawing.snapBits > 0) {
+            m_subPixelBits = std::min(m_subPixelBits, options.drawing.snapBits);
         }
         const auto& names = m_setup.scene.objectNames;
         m_hiddenId = static_cast<std::uint32_t>(std::ranges::find(names, "hidden sign") - names.begin()) + 1;
@@ -149,18 +149,15 @@ class CoplanarComparison {
 
   private:
     measure::TruthImage truthOf(const scene::Camera& camera) {
-        return m_truth.cast(camera, m_options.width, m_options.height, m_workers);
+        return m_truth.cast(camera, m_options.drawing.width, m_options.drawing.height, m_workers);
     }
 
     std::unique_ptr<render::Renderer> makeRenderer(const depth::Technique& technique,
                                                    const render::LayerOptions& layers) {
-        return std::make_unique<render::Renderer>(m_device, m_setup.scene, m_gpuScene,
-                                                  render::RenderOptions{.width = m_options.width,
-                                                                        .height = m_options.height,
-                                                                        .technique = technique,
-                                                                        .threads = m_options.threads,
-                                                                        .layers = layers,
-                                                                        .snapBits = m_options.snapBits});
+        render::RenderOptions drawing = m_options.drawing;
+        drawing.technique = technique;
+        drawing.layers = layers;
+        return std::make_unique<render::Renderer>(m_device, m_setup.scene, m_gpuScene, drawing);
     }
 
     std::uint64_t wrongOver(const depth::Technique& technique, const render::LayerOptions& layers) {

@@ -4,7 +4,7 @@
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/compare/share.h>
-#include <cdr/render/layer_options.h>
+#include <cdr/render/render_options.h>
 #include <experiments/progress.h>
 
 #include <ranks/ranks.h>
@@ -29,13 +29,10 @@ struct OffsetSettings {
 /// nothing is done; Vulkan's depth bias (polygon offset) at the best of many settings; layers in scene units.
 struct CoplanarOptions {
     std::uint64_t seed = 2013;
-    std::uint32_t width = 320;
-    std::uint32_t height = 180;
-    std::uint32_t views = 500;      ///< each with a second one from 0.01 aside
+    render::RenderOptions drawing{.width = 320, .height = 180}; ///< but for technique and layers
+    std::uint32_t views = 500;                                  ///< each with a second one from 0.01 aside
     std::uint32_t searchViews = 24; ///< that settings of polygon offset are compared over
     OffsetSettings offsets;
-    std::size_t threads = 1;
-    std::uint32_t snapBits = 0; ///< render::RenderOptions::snapBits
     std::vector<depth::NamedTechnique> techniques{depth::presets().begin(), depth::presets().end()};
 };
 

@@ -69,10 +69,10 @@ std::vector<std::string> detailFiles() {
 void run(Command& command, DetailArguments& arguments) {
     command.measuresTime();
     experiments::DetailOptions& options = arguments.options;
-    options.technique = depth::Technique{depth::parseMapping(arguments.depth),
-                                         depth::parseSplit(arguments.split), depth::DepthFormat::d32f};
-    visibility::requireUsable(
-        visibility::Detail{.mode = visibility::DetailMode::perObject, .pixels = options.pixels});
+    options.drawing.technique = {depth::parseMapping(arguments.depth), depth::parseSplit(arguments.split),
+                                 depth::DepthFormat::d32f};
+    visibility::requireUsable(visibility::Detail{.mode = visibility::DetailMode::perObject,
+                                                 .pixels = options.drawing.detail.pixels});
     const PictureFolder folder(arguments.folder, command.files(), PictureFolder::oneOf(detailFiles()));
     scene::SceneSetup setup = command.openScene(options.scene, options.seed, arguments.choice);
     command.keepUnits(arguments.state);
@@ -86,16 +86,17 @@ void run(Command& command, DetailArguments& arguments) {
 
     const auto columns = detailColumns();
     command.console().table(output::tableOf(columns, report.results));
-    command.console().line(fmt::format(
-        "\n{}; {} of {} triangles, {} levels and {} clusters made in {} ms; {} frames, {}x{}, {} "
-        "pixels of error, {} {}, {} threads; commit {}",
-        command.opened().text(), options.scene, report.sceneTriangles, report.meshLevels, report.clusters,
-        output::Readable{report.makeMs}, options.frames, options.width, options.height, options.pixels,
-        arguments.depth, arguments.split, options.threads, program::buildInfo().commit));
+    command.console().line(
+        fmt::format("\n{}; {} of {} triangles, {} levels and {} clusters made in {} ms; {} frames, {}x{}, {} "
+                    "pixels of error, {} {}, {} threads; commit {}",
+                    command.opened().text(), options.scene, report.sceneTriangles, report.meshLevels,
+                    report.clusters, output::Readable{report.makeMs}, options.frames, options.drawing.width,
+                    options.drawing.height, options.drawing.detail.pixels, arguments.depth, arguments.split,
+                    options.drawing.threads, program::buildInfo().commit));
     nlohmann::ordered_json settings = settingsOf(options, arguments.choice);
-    settings.update({{"mapping", nameOf(options.technique.mapping)},
-                     {"split", nameOf(options.technique.split)},
-                     {"error_pixels", options.pixels}});
+    settings.update({{"mapping", nameOf(options.drawing.technique.mapping)},
+                     {"split", nameOf(options.drawing.technique.split)},
+                     {"error_pixels", options.drawing.detail.pixels}});
     auto document = command.makeDocument(std::move(settings));
     for (const auto& result : report.results) {
         auto& row = document["results"].emplace_back(output::jsonOf(columns, result));
@@ -113,7 +114,8 @@ void addOptions(CLI::App& command, DetailArguments& arguments) {
     experiments::DetailOptions& options = arguments.options;
     addComparison(command, options, arguments.choice, arguments.folder);
     addState(command, arguments.state);
-    addValue(command, "--pixels", options.pixels, "Largest error on screen of a level of detail, in pixels");
+    addValue(command, "--pixels", options.drawing.detail.pixels,
+             "Largest error on screen of a level of detail, in pixels");
     addValue(command, "--depth", arguments.depth, options::mappingHelp());
     addValue(command, "--split", arguments.split, options::kSplitHelp);
 }

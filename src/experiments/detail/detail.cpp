@@ -77,20 +77,17 @@ class DetailComparison {
   public:
     DetailComparison(const gpu::Device& device, scene::SceneSetup setup, const DetailOptions& options)
         : m_options(options),
-          m_workers(options.threads),
+          m_workers(options.drawing.threads),
           m_setup(std::move(setup)),
           m_makeMs(makeLevels()),
           m_gpuScene(device, m_setup.scene),
           m_frames(kDetailModes.size(), options.seed),
           m_results(kDetailModes.size()) {
+        render::RenderOptions drawing = options.drawing;
         for (const ComparedMode& mode : kDetailModes) {
-            m_renderers.push_back(std::make_unique<render::Renderer>(
-                device, m_setup.scene, m_gpuScene,
-                render::RenderOptions{.width = options.width,
-                                      .height = options.height,
-                                      .technique = options.technique,
-                                      .threads = options.threads,
-                                      .detail = {.mode = mode.mode, .pixels = options.pixels}}));
+            drawing.detail.mode = mode.mode;
+            m_renderers.push_back(
+                std::make_unique<render::Renderer>(device, m_setup.scene, m_gpuScene, drawing));
         }
     }
 
@@ -208,15 +205,16 @@ class DetailComparison {
 
     /// Counted by the very functions that the frame was drawn with.
     std::uint64_t trianglesOf(const render::Frame& frame, visibility::DetailMode mode) {
-        const scene::Frustum frustum = scene::frustumOf(frame.camera, m_options.width, m_options.height);
+        const scene::Frustum frustum =
+            scene::frustumOf(frame.camera, m_options.drawing.width, m_options.drawing.height);
         visibility::cullCells(m_gpuScene.cells(m_workers), frame.camera, frustum, m_workers, m_visible);
         depth::Cascades ranges;
         for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
-            ranges.push_back(depth::clipRange(m_options.technique.mapping, frame.cascades, i));
+            ranges.push_back(depth::clipRange(m_options.drawing.technique.mapping, frame.cascades, i));
         }
         constexpr double kNoneWide = std::numeric_limits<double>::infinity();
         m_binner.bin(m_visible, ranges, kNoneWide, m_workers, m_lists);
-        const visibility::Detail detail{.mode = mode, .pixels = m_options.pixels};
+        const visibility::Detail detail{.mode = mode, .pixels = m_options.drawing.detail.pixels};
         visibility::chooseDetail(m_setup.scene,
                                  {.camera = frame.camera,
                                   .frustum = frustum,

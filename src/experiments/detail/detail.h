@@ -1,10 +1,9 @@
 #pragma once
 
-#include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/statistics/statistics.h>
-#include <cdr/visibility/level_choice.h>
+#include <cdr/render/render_options.h>
 #include <experiments/progress.h>
 #include <scenes/open_scene.h>
 
@@ -22,13 +21,8 @@ namespace cdr::experiments {
 struct DetailOptions {
     std::string scene = "boulders"; ///< as scenes::openScene() takes it
     std::uint64_t seed = scenes::kDefaultSeed;
-    std::uint32_t width = 1280;
-    std::uint32_t height = 720;
-    std::uint32_t frames = 24; ///< spread over the scene's camera path
-    std::size_t threads = 1;
-    depth::Technique technique =
-        depth::Technique{depth::Mapping::standard, depth::SplitCount{5}, depth::DepthFormat::d32f};
-    double pixels = 0.5; ///< visibility::Detail::pixels
+    render::RenderOptions drawing{}; ///< but for the mode of detail
+    std::uint32_t frames = 24;       ///< spread over the scene's camera path
 };
 
 /// One mode over all frames. Times are medians, milliseconds.

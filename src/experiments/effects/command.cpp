@@ -77,8 +77,8 @@ void run(Command& command, EffectsArguments& arguments) {
     command.console().line(fmt::format(
         "{}; {}, {} frames, {}x{}, radius {}, visibility {}, {} threads; differing: by "
         "more than {} of 255 from anchored, which technique most",
-        command.opened().text(), options.scene, options.frames, options.width, options.height,
-        options.occlusionRadius, options.visibility, options.threads, experiments::kEffectTolerance));
+        command.opened().text(), options.scene, options.frames, options.drawing.width, options.drawing.height,
+        options.occlusionRadius, options.visibility, options.drawing.threads, experiments::kEffectTolerance));
     nlohmann::ordered_json settings = settingsOf(options, arguments.choice);
     settings.update({{"occlusion_radius", options.occlusionRadius}, {"visibility", options.visibility}});
     if (!options.techniques.empty()) {

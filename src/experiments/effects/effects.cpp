@@ -113,15 +113,13 @@ class EffectsComparison {
 
   private:
     std::unique_ptr<render::Renderer> makeRenderer(EffectMode mode, const depth::Technique& technique) const {
-        const render::RenderOptions options{.width = m_options.width,
-                                            .height = m_options.height,
-                                            .technique = technique,
-                                            .targets = mode == EffectMode::occlusionLayers
-                                                           ? render::TargetsKind::accumulate
-                                                           : render::TargetsKind::single,
-                                            .threads = m_options.threads,
-                                            .effects = effectsOf(mode, m_options)};
-        return std::make_unique<render::Renderer>(m_device, m_setup.scene, m_gpuScene, options);
+        render::RenderOptions drawing = m_options.drawing;
+        drawing.technique = technique;
+        if (mode == EffectMode::occlusionLayers) {
+            drawing.targets = render::TargetsKind::accumulate;
+        }
+        drawing.effects = effectsOf(mode, m_options);
+        return std::make_unique<render::Renderer>(m_device, m_setup.scene, m_gpuScene, drawing);
     }
 
     const gpu::Device& m_device;

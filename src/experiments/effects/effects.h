@@ -4,6 +4,7 @@
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/statistics/statistics.h>
+#include <cdr/render/render_options.h>
 #include <experiments/progress.h>
 #include <scenes/open_scene.h>
 
@@ -23,10 +24,8 @@ namespace cdr::experiments {
 struct EffectsOptions {
     std::string scene = "alley"; ///< as scenes::openScene() takes it
     std::uint64_t seed = scenes::kDefaultSeed;
-    std::uint32_t width = 1280;
-    std::uint32_t height = 720;
-    std::uint32_t frames = 20; ///< timed, of every mode, all of the scene's first camera
-    std::size_t threads = 1;
+    render::RenderOptions drawing{};               ///< but for technique, targets and effects
+    std::uint32_t frames = 20;                     ///< timed, of every mode, all of the scene's first camera
     double occlusionRadius = 1.0;                  ///< scene units
     double visibility = 100.0;                     ///< in fog, scene units
     std::vector<depth::NamedTechnique> techniques; ///< that are compared; none: all presets

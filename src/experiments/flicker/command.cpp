@@ -48,7 +48,7 @@ output::Columns<experiments::FlickerResult> flickerColumns() {
            .heading = "flips"},
           {.key = "compared", .value = [](const Result& result) { return result.flips.compared; }},
           {.key = "flips_per_thousand",
-           .value = [](const Result& result) { return output::finiteOrNull(result.flips.perThousand()); },
+           .value = [](const Result& result) { return result.flips.perThousand(); },
            .heading = "flips / 1000"},
           {.key = "mean_flip",
            .value =
@@ -132,7 +132,8 @@ std::vector<experiments::FlickerResult> measure(Command& command, const FlickerA
     }
     std::optional<experiments::PairVideos> videos;
     if (arguments.videos && command.ranks().isFirst()) {
-        videos.emplace(*arguments.videos, names, options.width, options.height, options.frames);
+        videos.emplace(*arguments.videos, names, options.drawing.width, options.drawing.height,
+                       options.frames);
     }
     auto results = experiments::runFlicker(command.device(), options,
                                            {.progress = command.progress(), .ranks = &command.ranks()});
@@ -204,14 +205,14 @@ void run(Command& command, FlickerArguments& arguments) {
     }
     printNeeds(console, options.rivalsBeside);
     console.line(fmt::format("\n{}; {} frames of {}x{}, FLIP of one frame in {}, seed {}",
-                             command.opened().text(), options.frames, options.width, options.height,
-                             options.flipEvery, options.seed));
+                             command.opened().text(), options.frames, options.drawing.width,
+                             options.drawing.height, options.flipEvery, options.seed));
 
-    auto document = command.makeDocument({{"width", options.width},
-                                          {"height", options.height},
+    auto document = command.makeDocument({{"width", options.drawing.width},
+                                          {"height", options.drawing.height},
                                           {"frames", options.frames},
                                           {"seed", options.seed},
-                                          {"snap_bits", options.snapBits},
+                                          {"snap_bits", options.drawing.snapBits},
                                           {"near_object", options.nearObject},
                                           {"flip_every", options.flipEvery}});
     document["results"] = output::jsonOf(columns, results);
@@ -223,12 +224,12 @@ void run(Command& command, FlickerArguments& arguments) {
 void addOptions(CLI::App& command, FlickerArguments& arguments) {
     experiments::FlickerOptions& options = arguments.options;
     addFrames(command, options.frames, "Frames, spread evenly over one turn of the camera");
-    addSize(command, options.width, options.height);
+    addSize(command, options.drawing.width, options.drawing.height);
     addTechniques(command, options.techniques);
     addRivalList(command, options.rivalsBeside, "none");
     options::addDepthFormat(command, arguments.format);
     addSeed(command, options.seed);
-    addSnapBits(command, options.snapBits);
+    addSnapBits(command, options.drawing.snapBits);
     command.add_flag("--near-object", options.nearObject,
                      "Keep a tiny object beside the camera, so that the near plane must stay close to it");
     command.add_flag(
@@ -240,7 +241,7 @@ void addOptions(CLI::App& command, FlickerArguments& arguments) {
     addValue(command, "--flip-every", options.flipEvery,
              "Interval of the frames for which FLIP is computed; 1 is every frame")
         ->check(CLI::Range(1u, kMaxFrames));
-    addThreads(command, options.threads);
+    addThreads(command, options.drawing.threads);
     options::addFile(command, "--state", arguments.state, std::string(kStateHelp) + ". FILE may be a folder");
     options::addFolder(command, "--videos", arguments.videos,
                        "Folder for the six videos of the thesis (needs ffmpeg)");

@@ -64,23 +64,20 @@ class Flicker {
         : m_options(options),
           m_rangeLength(std::clamp(options.frames / 32, 1u, 8u)),
           m_hooks(hooks),
-          m_workers(options.threads),
+          m_workers(options.drawing.threads),
           m_setup(scenes::openScene(options.nearObject ? "afc-near" : "afc", options.seed).setup),
           m_gpuScene(device, m_setup.scene),
           m_caster(m_setup.scene, m_workers) {
+        render::RenderOptions drawing = options.drawing;
         for (const auto& [name, technique] : options.techniques) {
-            const render::RenderOptions drawn{.width = options.width,
-                                              .height = options.height,
-                                              .technique = technique,
-                                              .threads = options.threads,
-                                              .snapBits = options.snapBits};
+            drawing.technique = technique;
             addLane(name, technique.format,
-                    Drawer(std::make_unique<render::Renderer>(device, m_setup.scene, m_gpuScene, drawn)));
+                    Drawer(std::make_unique<render::Renderer>(device, m_setup.scene, m_gpuScene, drawing)));
         }
         for (const auto& [name, rival] : options.rivalsBeside) {
             addLane(name, std::nullopt,
-                    Drawer(device, {m_setup.scene, m_gpuScene}, rival, {options.width, options.height},
-                           m_workers));
+                    Drawer(device, {m_setup.scene, m_gpuScene}, rival,
+                           {options.drawing.width, options.drawing.height}, m_workers));
         }
     }
 
@@ -179,9 +176,10 @@ class Flicker {
 
     TruthFrame truthAt(std::uint32_t frame) {
         const scene::Camera camera = cameraAt(frame);
-        TruthFrame made{.truth = m_caster.cast(camera, m_options.width, m_options.height, m_workers),
-                        .inner = {},
-                        .picture = {}};
+        TruthFrame made{
+            .truth = m_caster.cast(camera, m_options.drawing.width, m_options.drawing.height, m_workers),
+            .inner = {},
+            .picture = {}};
         made.inner = measure::innerMask(made.truth);
         if (takesFlip(frame)) {
             made.picture = measure::shadeTruth(m_setup.scene, camera, made.truth, m_workers);

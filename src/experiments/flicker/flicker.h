@@ -5,6 +5,7 @@
 #include <cdr/image/image.h>
 #include <cdr/measure/compare/flips.h>
 #include <cdr/measure/compare/wrong_pixels.h>
+#include <cdr/render/render_options.h>
 #include <experiments/progress.h>
 
 #include <ranks/ranks.h>
@@ -21,12 +22,9 @@ namespace cdr::experiments {
 
 /// The 2AFC experiment (thesis section 6.1) without people: the same frames, measured against the truth.
 struct FlickerOptions {
-    std::uint32_t width = 1280;
-    std::uint32_t height = 720;
-    std::uint32_t frames = 360; ///< spread evenly over one turn of the camera
-    std::size_t threads = 1;
+    render::RenderOptions drawing{}; ///< but for the technique; rivals are not snapped
+    std::uint32_t frames = 360;      ///< spread evenly over one turn of the camera
     std::uint64_t seed = 2013;
-    std::uint32_t snapBits = 0; ///< render::RenderOptions::snapBits; rivals are not snapped
     std::vector<depth::NamedTechnique> techniques{depth::presets().begin(), depth::presets().end()};
     std::vector<rivals::NamedRival> rivalsBeside{}; ///< measured as the techniques are, behind them
     /// Puts a tiny object beside the camera (scene afc-near), so that fitting near and far does not help.

@@ -84,9 +84,9 @@ void run(Command& command, FocusArguments& arguments) {
     command.console().line(fmt::format(
         "\n{}; {}, {} frames, {}x{}, in focus at {}, lens diameter {}, {} cameras, {}, {} threads; "
         "commit {}",
-        command.opened().text(), options.scene, options.frames, options.width, options.height,
+        command.opened().text(), options.scene, options.frames, options.drawing.width, options.drawing.height,
         options.lens.distance, options.lens.aperture, options.cameras, nameOf(options.mapping),
-        options.threads, program::buildInfo().commit));
+        options.drawing.threads, program::buildInfo().commit));
     nlohmann::ordered_json settings = settingsOf(options, arguments.choice);
     settings.update({{"mapping", nameOf(options.mapping)},
                      {"split", options.split ? nameOf(*options.split) : "circles"},

@@ -52,11 +52,11 @@ class FocusComparison {
   public:
     FocusComparison(const gpu::Device& device, const scene::SceneSetup& setup, const FocusOptions& options)
         : m_options(options),
-          m_workers(options.threads),
+          m_workers(options.drawing.threads),
           m_setup(setup),
           m_camera(m_setup.path.at(0)),
-          m_lens(options.lens, scene::frustumOf(m_camera, options.width, options.height).tanY,
-                 options.height),
+          m_lens(options.lens, scene::frustumOf(m_camera, options.drawing.width, options.drawing.height).tanY,
+                 options.drawing.height),
           m_gpuScene(device, m_setup.scene),
           m_frames(kFocusModes.size(), options.seed) {
         for (const FocusMode& mode : kFocusModes) {
@@ -109,12 +109,9 @@ class FocusComparison {
   private:
     render::RenderOptions renderOptions(const FocusMode& mode) const {
         const depth::Split split = m_options.split.value_or(depth::SplitAt{m_lens.boundaries()});
-        render::RenderOptions options{
-            .width = m_options.width,
-            .height = m_options.height,
-            .technique = depth::Technique{m_options.mapping, split, depth::DepthFormat::d32f},
-            .targets = mode.targets,
-            .threads = m_options.threads};
+        render::RenderOptions options = m_options.drawing;
+        options.technique = {m_options.mapping, split, depth::DepthFormat::d32f};
+        options.targets = mode.targets;
         if (mode.isFocused) {
             options.focus = m_options.lens;
             options.focus.blend = mode.blends;
@@ -135,11 +132,12 @@ class FocusComparison {
         std::uint64_t pixels = 0;
         for (const FocusCascade& cascade : cascades) {
             const std::uint32_t scale = mode.isFocused ? cascade.scale : 1;
-            const std::uint64_t columns = (m_options.width + scale - 1) / scale;
-            pixels += columns * ((m_options.height + scale - 1) / scale);
+            const std::uint64_t columns = (m_options.drawing.width + scale - 1) / scale;
+            pixels += columns * ((m_options.drawing.height + scale - 1) / scale);
         }
-        return mode.targets == render::TargetsKind::single ? std::uint64_t{m_options.width} * m_options.height
-                                                           : pixels;
+        return mode.targets == render::TargetsKind::single
+                   ? std::uint64_t{m_options.drawing.width} * m_options.drawing.height
+                   : pixels;
     }
 
     FocusResult summarise(std::size_t mode) const {

@@ -4,7 +4,7 @@
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/statistics/statistics.h>
-#include <cdr/render/focus.h>
+#include <cdr/render/render_options.h>
 #include <experiments/progress.h>
 #include <scenes/open_scene.h>
 
@@ -22,11 +22,9 @@ namespace cdr::experiments {
 struct FocusOptions {
     std::string scene = "alley"; ///< as scenes::openScene() takes it
     std::uint64_t seed = scenes::kDefaultSeed;
-    std::uint32_t width = 1280;
-    std::uint32_t height = 720;
-    std::uint32_t frames = 20;  ///< timed, of every mode, all of the scene's first camera
-    std::uint32_t cameras = 64; ///< on the lens of the reference
-    std::size_t threads = 1;
+    render::RenderOptions drawing{}; ///< but for technique, targets and focus
+    std::uint32_t frames = 20;       ///< timed, of every mode, all of the scene's first camera
+    std::uint32_t cameras = 64;      ///< on the lens of the reference
     depth::Mapping mapping = depth::Mapping::reversed;
     std::optional<depth::Split> split; ///< without: cut where circles of confusion are 2, 4, 8 and 16 pixels
     render::Focus lens{.distance = 12.0, .aperture = 0.15};

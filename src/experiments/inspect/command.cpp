@@ -186,7 +186,7 @@ void run(Command& command, InspectArguments& arguments) {
 
     print(command, arguments, inspection, setup.scene);
     command.console().line(fmt::format("\n{}; {} views of {}x{}", command.opened().text(), cameras.size(),
-                                       options.width, options.height));
+                                       options.drawing.width, options.drawing.height));
     if (!arguments.heatMap.empty()) {
         image::writeImage(arguments.heatMap, inspection.heatMap);
     }
@@ -194,16 +194,16 @@ void run(Command& command, InspectArguments& arguments) {
         arguments.failAbove && (inspection.badFraction() > *arguments.failAbove || !inspection.couldJudge());
     auto document = command.makeDocument({{"scene", arguments.scene},
                                           {"views", cameras.size()},
-                                          {"width", options.width},
-                                          {"height", options.height},
+                                          {"width", options.drawing.width},
+                                          {"height", options.drawing.height},
                                           {"seed", arguments.seed},
-                                          {"snap_bits", options.snapBits},
-                                          {"snapping", nameOf(options.snapping)},
+                                          {"snap_bits", options.drawing.snapBits},
+                                          {"snapping", nameOf(options.drawing.snapping)},
                                           {"technique", options.judged.name},
                                           {"format", nameOf(options.judged.technique.format)}});
     options::addChoiceJson(document["options"], arguments.choice);
     addResults(document, inspection, setup.scene);
-    document["fail_above"] = arguments.failAbove ? nlohmann::ordered_json(*arguments.failAbove) : nullptr;
+    document["fail_above"] = arguments.failAbove;
     document["fails"] = fails;
     command.writeDocument(document);
     if (fails) {
@@ -233,11 +233,11 @@ void addOptions(CLI::App& command, InspectArguments& arguments) {
     options::addFile(
         command, "--heat-map", arguments.heatMap,
         "Write the worst view to FILE, .png: red is wrong, orange wrong at an edge, magenta coplanar");
-    addSize(command, options.width, options.height);
-    addThreads(command, options.threads);
+    addSize(command, options.drawing.width, options.drawing.height);
+    addThreads(command, options.drawing.threads);
     addSeed(command, arguments.seed);
-    addSnapBits(command, options.snapBits);
-    addSnapping(command, options.snapping);
+    addSnapBits(command, options.drawing.snapBits);
+    addSnapping(command, options.drawing.snapping);
 }
 
 } // namespace

@@ -76,7 +76,7 @@ InspectedView viewOf(const measure::TruthCaster& caster, const PairCollector& pa
                      const scene::Camera& camera, const InspectOptions& options,
                      platform::WorkerPool& workers) {
     InspectedView view{.camera = camera,
-                       .truth = caster.cast(camera, options.width, options.height, workers),
+                       .truth = caster.cast(camera, options.drawing.width, options.drawing.height, workers),
                        .coplanar = {},
                        .blended = {},
                        .judgedPixels = {}};
@@ -178,15 +178,14 @@ image::ImageRgba8 heatMapOf(const InspectedView& view, const render::Frame& fram
 class TechniqueRun {
   public:
     TechniqueRun(const gpu::Device& device, const scene::Scene& scene, const render::GpuScene& onDevice,
-                 const InspectOptions& options, InspectedTechnique& result)
-        : TechniqueRun(device, scene, onDevice,
-                       render::RenderOptions{.width = options.width,
-                                             .height = options.height,
-                                             .technique = result.technique,
-                                             .threads = options.threads,
-                                             .snapBits = options.snapBits,
-                                             .snapping = options.snapping},
-                       result) {}
+                 const render::RenderOptions& options, InspectedTechnique& result)
+        : m_renderer(device, scene, onDevice, options),
+          m_isSnapped(options.snapBits > 0),
+          m_result(result) {
+        if (options.snapping == render::Snapping::byDevice) {
+            m_subPixelBits = render::subPixelBits(device, options);
+        }
+    }
 
     void add(const InspectedView& view, const PairCollector& pairs, std::uint64_t& worst,
              image::ImageRgba8& heatMap) {
@@ -207,16 +206,6 @@ class TechniqueRun {
     }
 
   private:
-    TechniqueRun(const gpu::Device& device, const scene::Scene& scene, const render::GpuScene& onDevice,
-                 const render::RenderOptions& options, InspectedTechnique& result)
-        : m_renderer(device, scene, onDevice, options),
-          m_isSnapped(options.snapBits > 0),
-          m_result(result) {
-        if (options.snapping == render::Snapping::byDevice) {
-            m_subPixelBits = render::subPixelBits(device, options);
-        }
-    }
-
     render::Renderer m_renderer;
     std::optional<unsigned> m_subPixelBits; ///< nothing: vertices move in the planes of surfaces
     bool m_isSnapped;                       ///< for sure, whatever the device does
@@ -252,7 +241,8 @@ Inspection runInspect(const gpu::Device& device, const scene::Scene& scene,
     Inspection inspection{.pairs = {}, .techniques = techniquesOf(device, options), .heatMap = {}};
     std::vector<InspectedTechnique>& techniques = inspection.techniques;
     const render::GpuScene onDevice(device, scene);
-    platform::WorkerPool workers(options.threads);
+    render::RenderOptions drawing = options.drawing;
+    platform::WorkerPool workers(options.drawing.threads);
     const measure::TruthCaster caster(scene, workers);
     PairCollector pairs(scene);
     std::uint64_t worst = 0;
@@ -268,7 +258,8 @@ Inspection runInspect(const gpu::Device& device, const scene::Scene& scene,
             inspection.coplanarPixels += views.back().inPlane();
         }
         for (InspectedTechnique& technique : techniques) {
-            TechniqueRun run(device, scene, onDevice, options, technique);
+            drawing.technique = technique.technique;
+            TechniqueRun run(device, scene, onDevice, drawing, technique);
             for (const InspectedView& view : views) {
                 progress(done++, all, technique.name);
                 run.add(view, pairs, worst, inspection.heatMap);

@@ -7,7 +7,7 @@
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/compare/wrong_pixels.h>
-#include <cdr/render/geometry/snapping.h>
+#include <cdr/render/render_options.h>
 #include <cdr/scene/scene.h>
 #include <experiments/pictures/pictures.h>
 
@@ -23,11 +23,7 @@ namespace cdr::experiments {
 
 /// What to look at a scene with.
 struct InspectOptions {
-    std::uint32_t width = 1280;
-    std::uint32_t height = 720;
-    std::size_t threads = 1;
-    std::uint32_t snapBits = 0;                             ///< as render::RenderOptions has it
-    render::Snapping snapping = render::Snapping::byDevice; ///< likewise
+    render::RenderOptions drawing{}; ///< but for the technique
     std::vector<depth::NamedTechnique>
         techniques;               ///< all presets when empty, each in every format that the device has
     double allowedShare = 0.0;    ///< of object pixels that may be wrong, and that may be undecided

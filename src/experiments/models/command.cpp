@@ -119,11 +119,12 @@ void requireModels(const std::vector<std::string>& files) {
 /// base::InputError where the pictures of all models take more memory than is allowed.
 void requirePictureMemory(std::size_t models, const experiments::ModelsOptions& options) {
     const std::uint64_t bytes = models * experiments::kModelPictures * sizeof(image::Rgba8) *
-                                std::uint64_t{options.width} * options.height;
+                                std::uint64_t{options.drawing.width} * options.drawing.height;
     if (bytes > kMaxPictureBytes) {
         throw base::inputError("the pictures of {} models at {}x{} take {} MiB, {} are allowed: give "
                                "fewer models or a smaller --size",
-                               models, options.width, options.height, bytes >> 20u, kMaxPictureBytes >> 20u);
+                               models, options.drawing.width, options.drawing.height, bytes >> 20u,
+                               kMaxPictureBytes >> 20u);
     }
 }
 
@@ -165,7 +166,7 @@ void run(Command& command, ModelsArguments& arguments) {
     const std::vector<std::string> names = pictureNames(arguments.files);
     requirePictureMemory(arguments.files.size(), arguments.options);
     arguments.options.closer = !arguments.camera.has_value();
-    arguments.options.technique = depth::parseTechnique(arguments.technique);
+    arguments.options.drawing.technique = depth::parseTechnique(arguments.technique);
     const scene::ModelLight light = scene::parseModelLight(arguments.light);
     const PictureFolder folder(arguments.folder, command.files(), PictureFolder::oneOf(modelFiles(names)));
     std::vector<experiments::ModelResult> results;
@@ -196,12 +197,12 @@ void run(Command& command, ModelsArguments& arguments) {
     command.console().table(output::tableOf(columns, results));
     command.console().line(
         fmt::format("\n{}; {}x{}, {}; a FLIP of 0 means no difference{}", command.opened().text(),
-                    arguments.options.width, arguments.options.height, arguments.technique,
+                    arguments.options.drawing.width, arguments.options.drawing.height, arguments.technique,
                     folder.isWanted() ? fmt::format("; pictures in {}, all on {}", folder.path().string(),
                                                     (folder.path() / kModelSheet).string())
                                       : ""));
-    auto document = command.makeDocument({{"width", arguments.options.width},
-                                          {"height", arguments.options.height},
+    auto document = command.makeDocument({{"width", arguments.options.drawing.width},
+                                          {"height", arguments.options.drawing.height},
                                           {"technique", arguments.technique},
                                           {"light", arguments.light}});
     document["results"] = output::jsonOf(columns, results);
@@ -216,8 +217,8 @@ void addOptions(CLI::App& command, ModelsArguments& arguments) {
     command.add_option("--time", arguments.seconds, "Time in the first animation of a model, in seconds");
     command.add_option("--camera", arguments.camera, options::kCameraHelp)
         ->default_str("one that the model fills");
-    addSize(command, arguments.options.width, arguments.options.height);
-    addThreads(command, arguments.options.threads);
+    addSize(command, arguments.options.drawing.width, arguments.options.drawing.height);
+    addThreads(command, arguments.options.drawing.threads);
 }
 
 } // namespace

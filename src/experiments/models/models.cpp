@@ -25,10 +25,7 @@ scene::Scene withoutDetail(scene::Scene scene) {
 render::Frame drawn(const gpu::Device& device, const scene::Scene& scene, const scene::Camera& camera,
                     const ModelsOptions& options) {
     const render::GpuScene onDevice(device, scene);
-    render::RenderOptions chosen{.width = options.width,
-                                 .height = options.height,
-                                 .technique = options.technique,
-                                 .threads = options.threads};
+    render::RenderOptions chosen = options.drawing;
     chosen.translucency.method = render::Translucency::sorted;
     chosen.translucency.countsFragments = true;
     render::Renderer renderer(device, scene, onDevice, chosen);
@@ -127,10 +124,10 @@ ModelResult compareModel(const gpu::Device& device, const scene::SceneSetup& mod
                          const scene::SceneSetup& plain, scene::ModelLight light,
                          const ModelsOptions& options) {
     const scene::Camera camera = options.closer ? closer(device, model, options) : model.path.at(0);
-    platform::WorkerPool workers(options.threads);
+    platform::WorkerPool workers(options.drawing.threads);
     const render::Frame frame = drawn(device, model.scene, camera, options);
     const measure::LayeredTruth truth =
-        measure::castLayers(model.scene, camera, options.width, options.height, workers);
+        measure::castLayers(model.scene, camera, options.drawing.width, options.drawing.height, workers);
     ModelResult result{.model = model.scene.name,
                        .light = std::string(nameOf(light)),
                        .triangles = trianglesOf(model.scene),

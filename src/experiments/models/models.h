@@ -3,6 +3,7 @@
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
+#include <cdr/render/render_options.h>
 #include <cdr/scene/gltf/open_gltf.h>
 #include <cdr/scene/scene_setup.h>
 
@@ -14,10 +15,7 @@ namespace cdr::experiments {
 
 /// Models as the renderer shows them, compared with a float64 reference that shares no code with it.
 struct ModelsOptions {
-    std::uint32_t width = 640;
-    std::uint32_t height = 360;
-    std::size_t threads = 1; ///< that cast the reference too
-    depth::Technique technique;
+    render::RenderOptions drawing{.width = 640, .height = 360}; ///< but for translucency
     bool closer = true; ///< narrows the lens until the model fills the picture
 };
 

@@ -119,8 +119,8 @@ void run(Command& command, OrbitArguments& arguments) {
     const std::string device = command.opened().text();
     printTable(console, result.results);
     printNeeds(console, options.rivalsBeside);
-    console.line(fmt::format("\nShare of wrong pixels, except at edges; {}, {}x{}", device, options.width,
-                             options.height));
+    console.line(fmt::format("\nShare of wrong pixels, except at edges; {}, {}x{}", device,
+                             options.drawing.width, options.drawing.height));
     const bool hasWindow = !result.window.pixels.empty();
     if (folder.isWanted()) {
         writePictures(folder, result.last, result.window, command.device().info().name);
@@ -129,14 +129,14 @@ void run(Command& command, OrbitArguments& arguments) {
                                  folder.path().string()));
     }
     if (!arguments.plot.empty()) {
-        output::writePlot(arguments.plot,
-                          experiments::orbitPlot(result.results, fmt::format("{}x{}, {}", options.width,
-                                                                             options.height, device)));
+        output::writePlot(arguments.plot, experiments::orbitPlot(
+                                              result.results, fmt::format("{}x{}, {}", options.drawing.width,
+                                                                          options.drawing.height, device)));
     }
-    auto document = command.makeDocument({{"width", options.width},
-                                          {"height", options.height},
+    auto document = command.makeDocument({{"width", options.drawing.width},
+                                          {"height", options.drawing.height},
                                           {"frames", options.frames},
-                                          {"snap_bits", options.snapBits},
+                                          {"snap_bits", options.drawing.snapBits},
                                           {"instances", setup.scene.instances.size()}});
     if (folder.isWanted()) {
         document["window_picture"] = hasWindow ? output::Json(kWindowPicture) : output::Json(nullptr);
@@ -158,9 +158,9 @@ void addOptions(CLI::App& command, OrbitArguments& arguments) {
     addTechniques(command, options.techniques);
     addRivalList(command, options.rivalsBeside, "none");
     addState(command, arguments.state);
-    addSize(command, options.width, options.height);
-    addThreads(command, options.threads);
-    addSnapBits(command, options.snapBits);
+    addSize(command, options.drawing.width, options.drawing.height);
+    addThreads(command, options.drawing.threads);
+    addSnapBits(command, options.drawing.snapBits);
     options::addFolder(
         command, "--out", arguments.folder,
         "Folder for pictures of the first and the last frame, their wrong pixels, and one sheet of all");

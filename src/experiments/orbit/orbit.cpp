@@ -26,21 +26,18 @@ class Zoom {
           m_options(options),
           m_numbers(zoomFrames(setup.path.frames, options.frames)),
           m_gpuScene(device, setup.scene),
-          m_workers(options.threads),
+          m_workers(options.drawing.threads),
           m_caster(setup.scene, m_workers) {
+        render::RenderOptions drawing = options.drawing;
         for (const auto& [name, technique] : options.techniques) {
-            const render::RenderOptions drawn{.width = options.width,
-                                              .height = options.height,
-                                              .technique = technique,
-                                              .threads = options.threads,
-                                              .snapBits = options.snapBits};
+            drawing.technique = technique;
             m_drawers.emplace_back(
-                std::make_unique<render::Renderer>(device, setup.scene, m_gpuScene, drawn));
+                std::make_unique<render::Renderer>(device, setup.scene, m_gpuScene, drawing));
             m_names.push_back(name);
         }
         for (const auto& [name, rival] : options.rivalsBeside) {
             m_drawers.emplace_back(device, render::DrawnScene{setup.scene, m_gpuScene}, rival,
-                                   vk::Extent2D{options.width, options.height}, m_workers);
+                                   vk::Extent2D{options.drawing.width, options.drawing.height}, m_workers);
             m_names.push_back(name);
         }
     }
@@ -56,7 +53,8 @@ class Zoom {
         }
         ++m_next;
         const scene::Camera camera = cameraOf(unit);
-        const measure::TruthImage truth = m_caster.cast(camera, m_options.width, m_options.height, m_workers);
+        const measure::TruthImage truth =
+            m_caster.cast(camera, m_options.drawing.width, m_options.drawing.height, m_workers);
         const image::Raster<std::uint8_t> inner = measure::innerMask(truth);
         std::vector<Measured> measured;
         output::Json made{{"last", output::Json::array()}};

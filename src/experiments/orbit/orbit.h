@@ -3,6 +3,7 @@
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 #include <cdr/measure/compare/wrong_pixels.h>
+#include <cdr/render/render_options.h>
 #include <cdr/scene/scene_setup.h>
 #include <experiments/pictures/pictures.h>
 
@@ -18,11 +19,8 @@ namespace cdr::experiments {
 /// The zoom of the scene orbit, from a station's window to the numbers of a runway: which technique still
 /// reads them.
 struct OrbitOptions {
-    std::uint32_t width = 1280;
-    std::uint32_t height = 720;
-    std::uint32_t frames = 25; ///< spread evenly over the path, its last among them
-    std::size_t threads = 1;
-    std::uint32_t snapBits = 0; ///< render::RenderOptions::snapBits; rivals are not snapped
+    render::RenderOptions drawing{}; ///< but for the technique; rivals are not snapped
+    std::uint32_t frames = 25;       ///< spread evenly over the path, its last among them
     std::vector<depth::NamedTechnique> techniques{depth::presets().begin(), depth::presets().end()};
     std::vector<rivals::NamedRival> rivalsBeside{}; ///< measured as the techniques are, behind them
 };

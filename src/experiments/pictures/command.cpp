@@ -112,12 +112,12 @@ void run(Command& command, PicturesArguments& arguments) {
     command.console().line(fmt::format("\n{}; {} frames per row, seed {}; pictures in {}, all on {}",
                                        command.opened().text(), options.frames, options.seed,
                                        folder.path().string(), (folder.path() / kSheet).string()));
-    auto document = command.makeDocument({{"width", options.width},
-                                          {"height", options.height},
+    auto document = command.makeDocument({{"width", options.drawing.width},
+                                          {"height", options.drawing.height},
                                           {"frames", options.frames},
                                           {"seed", options.seed},
-                                          {"snap_bits", options.snapBits},
-                                          {"snapping", nameOf(options.snapping)}});
+                                          {"snap_bits", options.drawing.snapBits},
+                                          {"snapping", nameOf(options.drawing.snapping)}});
     document["results"] = output::jsonOf(columns, results);
     command.writeDocument(document);
 }
@@ -127,12 +127,12 @@ void addOptions(CLI::App& command, PicturesArguments& arguments) {
     options::addFolder(command, "--out", arguments.folder, "Folder for the pictures")->capture_default_str();
     addList(command, "--scenes", arguments.scenes, "Scenes to render, separated by commas");
     addTechniques(command, options.techniques);
-    addSize(command, options.width, options.height);
+    addSize(command, options.drawing.width, options.drawing.height);
     addFrames(command, options.frames, "Frames of each scene, spread evenly over its camera path");
-    addThreads(command, options.threads);
+    addThreads(command, options.drawing.threads);
     addSeed(command, options.seed);
-    addSnapBits(command, options.snapBits);
-    addSnapping(command, options.snapping);
+    addSnapBits(command, options.drawing.snapBits);
+    addSnapping(command, options.drawing.snapping);
 }
 
 } // namespace

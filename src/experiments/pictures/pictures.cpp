@@ -39,20 +39,14 @@ std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOpt
                                     const scene::SceneSetup& setup,
                                     const std::function<void(const std::string&)>& step) {
     const render::GpuScene gpuScene(device, setup.scene);
-    platform::WorkerPool workers(options.threads);
+    render::RenderOptions drawing = options.drawing;
+    platform::WorkerPool workers(drawing.threads);
     std::vector<std::unique_ptr<render::Renderer>> renderers;
     std::vector<PictureResult> results;
     std::vector<std::optional<measure::IdFrame>> before(options.techniques.size());
     for (const auto& [name, technique] : options.techniques) {
-        renderers.push_back(
-            std::make_unique<render::Renderer>(device, setup.scene, gpuScene,
-                                               render::RenderOptions{.width = options.width,
-                                                                     .height = options.height,
-                                                                     .technique = technique,
-                                                                     .targets = render::TargetsKind::single,
-                                                                     .threads = options.threads,
-                                                                     .snapBits = options.snapBits,
-                                                                     .snapping = options.snapping}));
+        drawing.technique = technique;
+        renderers.push_back(std::make_unique<render::Renderer>(device, setup.scene, gpuScene, drawing));
         PictureResult result;
         result.scene = setup.scene.name;
         result.technique = name;
@@ -64,7 +58,7 @@ std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOpt
         const auto number = static_cast<std::uint32_t>(std::uint64_t{i} * setup.path.frames / frames);
         const scene::Camera camera = setup.path.at(number);
         const measure::TruthImage truth =
-            measure::castTruth(setup.scene, camera, options.width, options.height, workers);
+            measure::castTruth(setup.scene, camera, drawing.width, drawing.height, workers);
         for (std::size_t t = 0; t < renderers.size(); ++t) {
             step(results[t].scene + " " + results[t].technique);
             const render::Frame frame = renderers[t]->render(camera);

@@ -4,7 +4,7 @@
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/compare/wrong_pixels.h>
-#include <cdr/render/geometry/snapping.h>
+#include <cdr/render/render_options.h>
 #include <cdr/scene/scene_setup.h>
 #include <experiments/progress.h>
 
@@ -16,14 +16,10 @@ namespace cdr::experiments {
 
 /// Figures 6.1 to 6.3: one picture per technique, what is wrong in it beside it.
 struct PicturesOptions {
-    std::uint32_t width = 1280;
-    std::uint32_t height = 720;
-    std::uint32_t frames = 3; ///< spread evenly over each scene's camera path; a still scene has one
-    std::size_t threads = 1;
-    std::uint64_t seed = 2013; ///< of the scenes
+    render::RenderOptions drawing{}; ///< but for the technique
+    std::uint32_t frames = 3;        ///< spread evenly over each scene's camera path; a still scene has one
+    std::uint64_t seed = 2013;       ///< of the scenes
     std::vector<depth::NamedTechnique> techniques{depth::presets().begin(), depth::presets().end()};
-    std::uint32_t snapBits = 0;                             ///< as render::RenderOptions has it
-    render::Snapping snapping = render::Snapping::byDevice; ///< likewise
 };
 
 /// One technique over one scene.

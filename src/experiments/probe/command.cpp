@@ -55,26 +55,16 @@ output::Columns<experiments::ProbeResult> probeColumns(base::LengthUnit unit) {
         experiments::rivalColumn(&Result::isRival),
         experiments::formatColumn(&Result::format),
         {.key = "distance", .value = &Result::distanceView, .heading = "distance", .format = {.unit = unit}},
-        {.key = "resolved",
-         .value = [](const Result& result) { return output::finiteOrNull(result.resolvedView); },
-         .heading = "resolved",
-         .text = resolvedText},
+        {.key = "resolved", .value = &Result::resolvedView, .heading = "resolved", .text = resolvedText},
         {.key = "resolves_all",
          .value =
              [](const Result& result) {
                  return result.isRival() ? output::Json(result.resolvesAll) : output::absent();
              }},
         {.key = "pairs_seen", .value = &Result::pairsSeen},
-        {.key = "predicted",
-         .value = [](const Result& result) { return output::finiteOrNull(result.predictedView); },
-         .heading = "predicted",
-         .text = predictedText},
-        {.key = "ratio",
-         .value = [](const Result& result) { return output::finiteOrNull(ratioOf(result)); },
-         .heading = "measured / predicted",
-         .text = ratioText},
-        {.key = "guaranteed",
-         .value = [](const Result& result) { return output::finiteOrNull(result.guaranteedView); }},
+        {.key = "predicted", .value = &Result::predictedView, .heading = "predicted", .text = predictedText},
+        {.key = "ratio", .value = ratioOf, .heading = "measured / predicted", .text = ratioText},
+        {.key = "guaranteed", .value = &Result::guaranteedView},
         {.key = "smallest", .value = &Result::smallestView},
         {.key = "largest", .value = &Result::largestView},
         {.key = "cascades", .value = &Result::cascades, .heading = "cascades"}};
@@ -112,12 +102,12 @@ void run(Command& command, ProbeArguments& arguments) {
     }
     printNeeds(command.console(), options.rivalsBeside);
     command.console().line(fmt::format("\n{}; seed {}; one picture of {}x{} per row", command.opened().text(),
-                                       options.seed, options.width, options.height));
+                                       options.seed, options.drawing.width, options.drawing.height));
 
-    auto document = command.makeDocument({{"width", options.width},
-                                          {"height", options.height},
+    auto document = command.makeDocument({{"width", options.drawing.width},
+                                          {"height", options.drawing.height},
                                           {"seed", options.seed},
-                                          {"snap_bits", options.snapBits}});
+                                          {"snap_bits", options.drawing.snapBits}});
     document["results"] = output::jsonOf(columns, results);
     document["missing_formats"] = missing;
     addNeeds(document, options.rivalsBeside);
@@ -131,10 +121,10 @@ void addOptions(CLI::App& command, ProbeArguments& arguments) {
     addRivalList(command, options.rivalsBeside, "none");
     options::addParsedList(command, "--formats", options.formats, depth::parseDepthFormat, kFormatsHelp)
         ->default_str("all");
-    addSize(command, options.width, options.height);
-    addThreads(command, options.threads);
+    addSize(command, options.drawing.width, options.drawing.height);
+    addThreads(command, options.drawing.threads);
     addSeed(command, options.seed);
-    addSnapBits(command, options.snapBits);
+    addSnapBits(command, options.drawing.snapBits);
     addState(command, arguments.state);
 }
 

@@ -64,7 +64,7 @@ class Prober {
     Prober(const gpu::Device& device, const ProbeOptions& options)
         : m_device(device),
           m_options(options),
-          m_workers(options.threads) {
+          m_workers(options.drawing.threads) {
         if (m_options.formats.empty()) {
             m_options.formats = device.info().depthFormats;
         }
@@ -86,8 +86,9 @@ class Prober {
         const scene::SceneSetup setup = scenes::makeLadder(m_options.seed, ladder);
         const scene::Camera camera = setup.path.at(0);
         const render::GpuScene gpuScene(m_device, setup.scene);
+        render::RenderOptions drawing = m_options.drawing;
         const measure::TruthImage truth =
-            measure::castTruth(setup.scene, camera, m_options.width, m_options.height, m_workers);
+            measure::castTruth(setup.scene, camera, drawing.width, drawing.height, m_workers);
         const auto measured = [&](Drawer& drawer, double predictedView, double guaranteedView) -> Probed {
             const DrawnFrame frame = drawer.render(camera);
             return {.resolved = resolvedIn(frame.ids, truth, ladder),
@@ -100,20 +101,16 @@ class Prober {
             for (const depth::DepthFormat format : m_options.formats) {
                 technique.format = format;
                 progress(all.size(), name);
-                render::RenderOptions drawn{.width = m_options.width,
-                                            .height = m_options.height,
-                                            .technique = technique,
-                                            .threads = m_options.threads,
-                                            .snapBits = m_options.snapBits};
-                Drawer drawer(std::make_unique<render::Renderer>(m_device, setup.scene, gpuScene, drawn));
+                drawing.technique = technique;
+                Drawer drawer(std::make_unique<render::Renderer>(m_device, setup.scene, gpuScene, drawing));
                 const auto forecast = depth::forecast(
-                    technique, forecastScene(setup, ladder, m_options.height, m_options.snapBits));
+                    technique, forecastScene(setup, ladder, drawing.height, drawing.snapBits));
                 all.push_back(measured(drawer, forecast.resolvedView(), forecast.guaranteedView()));
             }
         }
         for (const rivals::NamedRival& named : m_options.rivalsBeside) {
             progress(all.size(), named.name);
-            Drawer drawer(m_device, {setup.scene, gpuScene}, named.rival, {m_options.width, m_options.height},
+            Drawer drawer(m_device, {setup.scene, gpuScene}, named.rival, {drawing.width, drawing.height},
                           m_workers);
             all.push_back(measured(drawer, kNotForecast, kNotForecast));
         }

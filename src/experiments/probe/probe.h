@@ -2,6 +2,7 @@
 
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
+#include <cdr/render/render_options.h>
 #include <experiments/progress.h>
 
 #include <ranks/ranks.h>
@@ -28,11 +29,8 @@ struct ProbeOptions {
     std::optional<double>
         farView; ///< at least 1.02 times the distance is taken, so that the field is before it
     std::vector<depth::DepthFormat> formats; ///< all that the device can draw to when empty
-    std::uint32_t width = 1280;
-    std::uint32_t height = 720;
-    std::size_t threads = 1;
+    render::RenderOptions drawing{};         ///< but for the technique; rivals are not snapped
     std::uint64_t seed = 2013;
-    std::uint32_t snapBits = 0; ///< render::RenderOptions::snapBits; rivals are not snapped
 };
 
 /// One technique and format, or one rival, at one distance.

@@ -85,7 +85,7 @@ output::Columns<experiments::ScalingFit> fitColumns() {
         {.key = "cascades", .value = &Fit::cascades, .heading = "cascades"},
         {.key = "cubes", .value = &Fit::cubes, .heading = "cubes"},
         {.key = "amdahl_serial_fraction",
-         .value = [](const Fit& fit) { return output::finiteOrNull(fit.serialFraction); },
+         .value = &Fit::serialFraction,
          .heading = "serial fraction (Amdahl)"},
         {.key = "usl_contention",
          .value = universal(&measure::UniversalScalability::contention),

@@ -8,7 +8,7 @@
 #include <scenes/cubes.h>
 
 #include <fmt/format.h>
-#include <program/sha256.h>
+#include <output/aov.h>
 #include <runs/part_frames.h>
 #include <runs/units.h>
 
@@ -79,10 +79,7 @@ class RankPart {
         return watch.milliseconds();
     }
 
-    std::string hash() const {
-        return program::sha256Of(program::sha256Of(m_frame.color.pixels) +
-                                 program::sha256Of(m_frame.gbuffer.pixels));
-    }
+    std::string hash() const { return output::hashOf(m_frame); }
 
     /// Empty where it takes no part.
     std::vector<RankShare> share(std::size_t rank) const {

@@ -129,7 +129,7 @@ ScalingResult runScaling(const gpu::Device& device, const ScalingOptions& option
             ThreadSweep sweep(device, options, setup, gpuScene, threadList(options), common);
             sweep.hash(step);
             for (std::uint32_t repeat = 0; repeat < options.repeats; ++repeat) {
-                sweep.repeat(repeat, step);
+                sweep.repeat(step);
             }
             const std::vector<ScalingPoint> points = sweep.points();
             result.fits.push_back(fit(points));

@@ -1,11 +1,9 @@
 #include "thread_sweep.h"
 
 #include <cdr/measure/statistics/statistics.h>
-#include <cdr/platform/stopwatch.h>
 
-#include <program/sha256.h>
+#include <output/aov.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace cdr::experiments {
@@ -18,19 +16,6 @@ Spread spreadOf(const std::vector<double>& samples) {
     return {.medianMs = middle, .spread = middle > 0.0 ? quartiles / middle : 0.0};
 }
 
-/// How much faster than `base`, repeat by repeat, so that what slows a whole repeat cancels.
-double speedUp(const std::vector<double>& base, const std::vector<double>& samples) {
-    std::vector<double> ratios(samples.size());
-    std::transform(base.begin(), base.end(), samples.begin(), ratios.begin(),
-                   [](double one, double many) { return many > 0.0 ? one / many : 1.0; });
-    return measure::median(ratios);
-}
-
-/// One hash over the whole G-buffer and the picture.
-std::string hashOf(const render::Frame& frame) {
-    return program::sha256Of(program::sha256Of(frame.color.pixels) + program::sha256Of(frame.gbuffer.pixels));
-}
-
 } // namespace
 
 ThreadSweep::ThreadSweep(const gpu::Device& device, const ScalingOptions& options,
@@ -41,7 +26,7 @@ ThreadSweep::ThreadSweep(const gpu::Device& device, const ScalingOptions& option
       m_camera(setup.path.at(0)),
       m_threads(std::move(threads)),
       m_common(std::move(common)),
-      m_samples(m_threads.size()) {
+      m_frames(m_threads.size(), options.seed) {
     depth::Technique technique = depth::parseTechnique("cdr");
     technique.split = depth::SplitCount{m_common.cascades};
     for (const std::size_t count : m_threads) {
@@ -63,44 +48,37 @@ void ThreadSweep::hash(const std::function<void()>& step) {
     for (const auto& renderer : m_renderers) {
         step();
         const render::Frame frame = renderer->render(m_camera);
-        m_hashes.push_back(hashOf(frame));
+        m_hashes.push_back(output::hashOf(frame));
         m_common.draws = frame.stats.draws;
     }
 }
 
-void ThreadSweep::repeat(std::size_t number, const std::function<void()>& step) {
+void ThreadSweep::repeat(const std::function<void()>& step) {
     const platform::PinnedThread pin(0, m_cpus);
-    for (std::size_t i = 0; i < m_renderers.size(); ++i) {
-        const std::size_t point = (number + i) % m_renderers.size();
+    m_frames.draw([&](std::size_t point) {
         step();
-        const platform::Stopwatch watch;
-        const render::FrameTimes times = m_renderers[point]->draw(m_camera).times;
-        const double frameMs = watch.milliseconds();
-        Samples& samples = m_samples[point];
-        samples.cull.push_back(times.cullMs);
-        samples.bin.push_back(times.binMs);
-        samples.cullAndBin.push_back(times.cullMs + times.binMs);
-        samples.record.push_back(times.recordMs);
-        samples.execute.push_back(times.executeMs);
-        samples.frame.push_back(frameMs);
-    }
+        return runs::timed([&] { return m_renderers[point]->draw(m_camera); });
+    });
 }
 
 std::vector<ScalingPoint> ThreadSweep::points() const {
+    using Sample = runs::FrameSample;
     std::vector<ScalingPoint> points;
-    const Samples& one = m_samples.front();
     for (std::size_t i = 0; i < m_threads.size(); ++i) {
-        const Samples& samples = m_samples[i];
+        const auto spread = [&](double Sample::*part) { return spreadOf(m_frames.samples(i, part)); };
+        const auto speedUp = [&](double Sample::*part) {
+            return measure::median(m_frames.ratios(0, i, part));
+        };
         ScalingPoint point = m_common;
         point.threads = m_threads[i];
-        point.cull = spreadOf(samples.cull);
-        point.bin = spreadOf(samples.bin);
-        point.record = spreadOf(samples.record);
-        point.execute = spreadOf(samples.execute);
-        point.frame = spreadOf(samples.frame);
-        point.recordSpeedUp = speedUp(one.record, samples.record);
-        point.cullAndBinSpeedUp = speedUp(one.cullAndBin, samples.cullAndBin);
-        point.frameSpeedUp = speedUp(one.frame, samples.frame);
+        point.cull = spread(&Sample::cullMs);
+        point.bin = spread(&Sample::binMs);
+        point.record = spread(&Sample::recordMs);
+        point.execute = spread(&Sample::executeMs);
+        point.frame = spread(&Sample::frameMs);
+        point.recordSpeedUp = speedUp(&Sample::recordMs);
+        point.cullAndBinSpeedUp = speedUp(&Sample::cullAndBinMs);
+        point.frameSpeedUp = speedUp(&Sample::frameMs);
         point.hash = m_hashes[i];
         point.sameImage = m_hashes[i] == m_hashes.front();
         points.push_back(point);

@@ -5,6 +5,8 @@
 #include <cdr/render/renderer.h>
 #include <cdr/scene/scene_setup.h>
 
+#include <runs/interleaved_frames.h>
+
 #include <functional>
 #include <memory>
 #include <string>
@@ -22,29 +24,19 @@ class ThreadSweep {
 
     /// Renders and hashes one frame of each number of threads, which also warms them up. Once, and first.
     void hash(const std::function<void()>& step);
-    /// Times one frame of each number of threads in turn; the first to go moves on with each repeat.
-    void repeat(std::size_t number, const std::function<void()>& step);
+    /// Times one frame of each number of threads, in an order that is shuffled again for each repeat.
+    void repeat(const std::function<void()>& step);
 
     /// In the order of the threads; after at least one repeat.
     std::vector<ScalingPoint> points() const;
 
   private:
-    /// What each repeat of one point took, milliseconds.
-    struct Samples {
-        std::vector<double> cull;
-        std::vector<double> bin;
-        std::vector<double> cullAndBin;
-        std::vector<double> record;
-        std::vector<double> execute;
-        std::vector<double> frame;
-    };
-
     std::vector<std::size_t> m_cpus; ///< to pin the caller to the first of; empty to leave it free
     scene::Camera m_camera;
     std::vector<std::size_t> m_threads;
     ScalingPoint m_common;
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by number of threads, as the next two
-    std::vector<Samples> m_samples;
+    runs::InterleavedFrames m_frames;
     std::vector<std::string> m_hashes;
 };
 

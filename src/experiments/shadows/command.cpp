@@ -49,7 +49,7 @@ output::Columns<experiments::ShadowResult> shadowColumns() {
         {.key = "shadowed", .value = &Wrong::shadowed, .heading = "shadowed"},
         {.key = "wrong", .value = &Wrong::wrong, .heading = "wrong"},
         {.key = "wrong_fraction",
-         .value = [](const Wrong& count) { return output::finiteOrNull(count.fraction()); },
+         .value = &Wrong::fraction,
          .heading = "wrong",
          .format = {.pattern = "{} %", .scale = 100.0}},
         {.key = "edge_wrong", .value = &Wrong::edgeWrong, .heading = "wrong at edges"}};

@@ -26,7 +26,7 @@ TimingMode makeMode(std::string name, const char* preset, std::optional<double> 
     TimingMode mode;
     mode.name = std::move(name);
     mode.preset = preset;
-    mode.technique = depth::parseTechnique(preset);
+    mode.drawing.technique = depth::parseTechnique(preset);
     mode.thesisPercent = thesisPercent;
     return mode;
 }
@@ -36,7 +36,7 @@ void addCascaded(const char* preset, const double (&thesis)[kMaxCascades - kMinC
     for (unsigned count = kMinCascades; count <= kMaxCascades; ++count) {
         modes.push_back(makeMode(std::string(preset) + "-" + std::to_string(count), preset,
                                  thesis[count - kMinCascades]));
-        modes.back().technique.split = depth::SplitCount{count};
+        modes.back().drawing.technique.split = depth::SplitCount{count};
     }
 }
 
@@ -49,26 +49,28 @@ struct ModeVariant {
 
 /// A variant for each of an option's values but that of plain modes.
 template <typename Choice, std::size_t Count>
-void addChoices(std::string_view name, const std::array<Choice, Count>& choices, Choice TimingMode::*option,
-                std::vector<ModeVariant>& variants) {
-    static const TimingMode kPlain;
+void addChoices(std::string_view name, const std::array<Choice, Count>& choices,
+                Choice render::RenderOptions::*option, std::vector<ModeVariant>& variants) {
+    static const render::RenderOptions kPlain;
     for (const Choice choice : choices) {
         if (choice != kPlain.*option) {
-            variants.push_back({nameOf(choice), name, [=](TimingMode& mode) { mode.*option = choice; }});
+            variants.push_back(
+                {nameOf(choice), name, [=](TimingMode& mode) { mode.drawing.*option = choice; }});
         }
     }
 }
 
 std::vector<ModeVariant> allVariants() {
-    std::vector<ModeVariant> variants{
-        {"occlusion-culling", "occlusion culling", [](TimingMode& mode) { mode.occlusionCulling = true; }}};
-    addChoices("batching", render::kBatchings, &TimingMode::batching, variants);
-    addChoices("submission", render::kSubmissions, &TimingMode::submission, variants);
-    addChoices("surface", render::kSurfacePaths, &TimingMode::surface, variants);
-    addChoices("snapping", render::kSnappings, &TimingMode::snapping, variants);
+    std::vector<ModeVariant> variants{{"occlusion-culling", "occlusion culling",
+                                       [](TimingMode& mode) { mode.drawing.occlusionCulling = true; }}};
+    addChoices("batching", render::kBatchings, &render::RenderOptions::batching, variants);
+    addChoices("submission", render::kSubmissions, &render::RenderOptions::submission, variants);
+    addChoices("surface", render::kSurfacePaths, &render::RenderOptions::surface, variants);
+    addChoices("snapping", render::kSnappings, &render::RenderOptions::snapping, variants);
     for (const render::TargetsKind kind : render::kTargetsKinds) {
         if (kind != render::TargetsKind::single) {
-            variants.push_back({nameOf(kind), "targets", [=](TimingMode& mode) { mode.targets = kind; }});
+            variants.push_back(
+                {nameOf(kind), "targets", [=](TimingMode& mode) { mode.drawing.targets = kind; }});
         }
     }
     return variants;
@@ -109,11 +111,11 @@ void vary(TimingMode& mode, const ModeVariant& variant) {
 TimingMode modeNamed(std::string_view name) {
     std::vector<TimingMode> plain = plainModes();
     plain.push_back(makeMode("naive", "standard", std::nullopt));
-    plain.back().batching = render::Batching::perObject;
+    plain.back().drawing.batching = render::Batching::perObject;
     plain.back().meshes = TimingMeshes::unshared;
     plain.push_back(makeMode("log-fragment", "log", std::nullopt));
-    plain.back().technique.mapping = depth::Mapping::logFragment;
-    plain.back().preset = partsOf(plain.back().technique);
+    plain.back().drawing.technique.mapping = depth::Mapping::logFragment;
+    plain.back().preset = partsOf(plain.back().drawing.technique);
 
     std::size_t end = std::min(name.find('/'), name.size());
     TimingMode mode = namedOf("mode", plain, name.substr(0, end),
@@ -135,16 +137,6 @@ TimingMode modeNamed(std::string_view name) {
 
 } // namespace
 
-render::RenderOptions renderOptionsOf(const TimingMode& mode) {
-    return {.technique = mode.technique,
-            .targets = mode.targets,
-            .submission = mode.submission,
-            .batching = mode.batching,
-            .surface = mode.surface,
-            .snapping = mode.snapping,
-            .occlusionCulling = mode.occlusionCulling};
-}
-
 std::vector<TimingMode> timingModes() {
     const std::vector<TimingMode> plain = plainModes();
     std::vector<TimingMode> modes{plain.front()};
@@ -165,7 +157,7 @@ std::vector<TimingMode> rivalTimingModes(const std::vector<rivals::NamedRival>& 
     std::vector<TimingMode> modes;
     if (!rivals.empty()) {
         modes.push_back(makeMode("standard/ids", "standard", std::nullopt));
-        modes.back().idsAlone = modes.back().technique;
+        modes.back().idsAlone = modes.back().drawing.technique;
     }
     for (const auto& [name, rival] : rivals) {
         TimingMode& mode = modes.emplace_back();

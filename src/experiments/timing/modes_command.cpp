@@ -25,22 +25,22 @@ auto partOf(double experiments::TimingParts::*part) {
 }
 
 /// The device's own time; null where it has no clock, and for frames in flight.
-output::Json deviceTimeOf(const experiments::TimingResult& result) {
-    return output::finiteOrNull(result.parts ? result.parts->deviceUs : std::nullopt);
+std::optional<double> deviceTimeOf(const experiments::TimingResult& result) {
+    return result.parts ? result.parts->deviceUs : std::nullopt;
 }
 
 /// How a mode renders; null where ids alone are drawn.
 template <typename Part>
-auto howOf(Part experiments::TimingMode::*part) {
+auto howOf(Part render::RenderOptions::*part) {
     return [part](const experiments::TimingResult& result) {
-        return result.mode.idsAlone ? output::Json(nullptr) : output::Json(nameOf(result.mode.*part));
+        return result.mode.idsAlone ? output::Json(nullptr) : output::Json(nameOf(result.mode.drawing.*part));
     };
 }
 
 /// @param floor standard over itself
 output::Columns<experiments::TimingResult> timingColumns(const std::optional<measure::Interval>& floor) {
     using Result = experiments::TimingResult;
-    using Mode = experiments::TimingMode;
+    using Drawing = render::RenderOptions;
     using Parts = experiments::TimingParts;
     const output::CellFormat micros{.missing = "-"};
     // The overheads of rivals are over another mode, whose noise is not measured.
@@ -59,11 +59,11 @@ output::Columns<experiments::TimingResult> timingColumns(const std::optional<mea
              [](const Result& result) {
                  return result.mode.isRival() ? output::Json(true) : output::absent();
              }},
-        {.key = "targets", .value = howOf(&Mode::targets)},
-        {.key = "submission", .value = howOf(&Mode::submission)},
-        {.key = "batching", .value = howOf(&Mode::batching)},
-        {.key = "surface", .value = howOf(&Mode::surface)},
-        {.key = "snapping", .value = howOf(&Mode::snapping)},
+        {.key = "targets", .value = howOf(&Drawing::targets)},
+        {.key = "submission", .value = howOf(&Drawing::submission)},
+        {.key = "batching", .value = howOf(&Drawing::batching)},
+        {.key = "surface", .value = howOf(&Drawing::surface)},
+        {.key = "snapping", .value = howOf(&Drawing::snapping)},
         {.key = "cascades", .value = &Result::cascades, .heading = "cascades"},
         {.key = "median_us", .value = &Result::medianUs, .heading = "frame us", .format = micros},
         {.key = "p5_us", .value = &Result::lowUs, .heading = "5-95 %", .text = range},
@@ -95,7 +95,7 @@ output::Columns<experiments::TimingResult> timingColumns(const std::optional<mea
                  return std::string(seen.is_boolean() ? (seen.get<bool>() ? "yes" : "no") : "");
              }},
         {.key = "thesis_pct",
-         .value = [](const Result& result) { return output::finiteOrNull(result.mode.thesisPercent); },
+         .value = [](const Result& result) { return result.mode.thesisPercent; },
          .heading = "thesis",
          .format = {"{:+} %"}}};
 }

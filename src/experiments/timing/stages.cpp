@@ -95,7 +95,7 @@ class StageRace {
 
     void addRenderer(const gpu::Device& device, const scene::Scene& scene, const render::GpuScene& gpuScene,
                      vk::Extent2D extent) {
-        render::RenderOptions options = renderOptionsOf(m_options.modes.front());
+        render::RenderOptions options = m_options.modes.front().drawing;
         options.width = extent.width;
         options.height = extent.height;
         options.threads = m_options.threads;

@@ -14,7 +14,7 @@ output::Columns<Comparison> againstColumns() {
         {.key = "ratio", .value = &Comparison::ratio, .heading = "ratio"},
         output::intervalColumn(&Comparison::ratio95),
         {.key = "noise_pct",
-         .value = [](const Comparison& comparison) { return output::finiteOrNull(comparison.noisePercent); },
+         .value = &Comparison::noisePercent,
          .heading = "noise",
          .format = {.pattern = "±{} %", .missing = "-"}},
         {.key = "seen", .value = &Comparison::isSeen, .heading = "over the other build", .text = verdictOf}};
@@ -41,10 +41,9 @@ output::Columns<MemoryCost> memoryColumns() {
 }
 
 output::Json machineJson(const program::MachineState& before) {
-    const std::optional<double> after = program::machineState().load;
-    return {{"governor", before.governor ? output::Json(*before.governor) : output::Json(nullptr)},
-            {"load", before.load ? output::Json(*before.load) : output::Json(nullptr)},
-            {"load_after", after ? output::Json(*after) : output::Json(nullptr)},
+    return {{"governor", before.governor},
+            {"load", before.load},
+            {"load_after", program::machineState().load},
             {"busy", before.isBusy()}};
 }
 

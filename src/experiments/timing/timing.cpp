@@ -44,8 +44,8 @@ scene::SceneSetup openTimed(const TimingOptions& options) {
         if (mode.idsAlone && options.framesInFlight > 1) {
             throw base::InputError("mode " + mode.name + " draws one frame at a time, not several in flight");
         }
-        if (moves && (mode.meshes == TimingMeshes::unshared || mode.surface != render::SurfacePath::gbuffer ||
-                      mode.idsAlone)) {
+        if (moves && (mode.meshes == TimingMeshes::unshared ||
+                      mode.drawing.surface != render::SurfacePath::gbuffer || mode.idsAlone)) {
             throw base::InputError("mode " + mode.name + " needs a scene that does not move, not traffic");
         }
     }
@@ -173,7 +173,7 @@ class Race {
     }
 
     std::unique_ptr<render::Renderer> makeRenderer(const gpu::Device& device, const TimingMode& mode) {
-        render::RenderOptions options = renderOptionsOf(mode);
+        render::RenderOptions options = mode.drawing;
         options.width = m_options.width;
         options.height = m_options.height;
         options.threads = m_options.threads;

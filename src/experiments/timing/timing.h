@@ -1,11 +1,9 @@
 #pragma once
 
-#include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 #include <cdr/measure/statistics/statistics.h>
 #include <cdr/platform/trace.h>
 #include <cdr/render/render_options.h>
-#include <cdr/render/surface_path.h>
 #include <cdr/render/targets/targets.h>
 #include <experiments/progress.h>
 
@@ -29,16 +27,10 @@ enum class TimingMeshes : std::uint8_t {
 
 /// One way to render that Figure 6.4 compares.
 struct TimingMode {
-    std::string name;   ///< of no other mode, such as "cdr-3" or "cdr-3/one-pass"
-    std::string preset; ///< that it derives from: "cdr" for all numbers of cascades
-    depth::Technique technique;
-    render::TargetsChoice targets = render::TargetsKind::single;
-    render::Submission submission = render::Submission::secondaries;
-    render::Batching batching = render::Batching::instanced;
-    render::SurfacePath surface = render::SurfacePath::gbuffer;
-    render::Snapping snapping = render::Snapping::byDevice;
+    std::string name;                ///< of no other mode, such as "cdr-3" or "cdr-3/one-pass"
+    std::string preset;              ///< that it derives from: "cdr" for all numbers of cascades
+    render::RenderOptions drawing{}; ///< but for size and threads, and how frames are timed
     TimingMeshes meshes = TimingMeshes::indexed;
-    bool occlusionCulling = false;
     std::optional<double> thesisPercent; ///< overhead over standard that Figure 6.4 gives
     /// If set, it draws ids and distances alone, as rivals do, and nothing is shaded. Then only the names of the members
     /// above are used.
@@ -46,10 +38,6 @@ struct TimingMode {
 
     bool isRival() const { return idsAlone && std::holds_alternative<rivals::Rival>(*idsAlone); }
 };
-
-/// How a mode that shades draws: what it says of a renderer, and each other option's default.
-/// @errors None.
-render::RenderOptions renderOptionsOf(const TimingMode& mode);
 
 /// The modes of Figure 6.4 and ours, each again under one-pass. The first is standard, the baseline; the
 /// second is standard again, whose overhead is the noise floor.

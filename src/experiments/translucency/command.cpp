@@ -84,7 +84,7 @@ output::Columns<experiments::TranslucencyResult> translucencyColumns() {
            .heading = "MiB",
            .text = mebibytes},
           {.key = "execute_ms",
-           .value = [](const Result& result) { return output::finiteOrNull(result.executeMs); },
+           .value = &Result::executeMs,
            .heading = "execute ms",
            .format = {.missing = "-"}},
           {.key = "note", .value = &Result::note}}});
