@@ -59,10 +59,7 @@ class Words {
     std::string m_line;
 };
 
-void addFinish(Words& words, const ViewSettings& settings) {
-    render::RenderOptions options;
-    options.targets = settings.targets;
-    apply(settings.finish, options);
+void addFinish(Words& words, const render::RenderOptions& options) {
     const render::RenderOptions defaults;
     words.addUnless(options.detail.mode == defaults.detail.mode, "--detail",
                     visibility::nameOf(options.detail));
@@ -108,7 +105,8 @@ void addEyes(Words& words, const ViewSettings& settings) {
                     nameOf(*picture));
 }
 
-void addTechnique(Words& words, const ViewSettings& settings, const depth::Technique& technique) {
+void addDrawing(Words& words, const render::RenderOptions& options) {
+    const depth::Technique& technique = options.technique;
     if (const std::string name = depth::nameOf(technique); name != depth::partsOf(technique)) {
         words.add("--technique", name);
     } else {
@@ -117,14 +115,14 @@ void addTechnique(Words& words, const ViewSettings& settings, const depth::Techn
     }
     words.addUnless(technique.format == depth::DepthFormat::d32f, "--format",
                     depth::nameOf(technique.format));
-    const ViewSettings defaults;
-    words.addUnless(settings.targets == defaults.targets, "--targets", render::nameOf(settings.targets));
-    words.addUnless(settings.submission == defaults.submission, "--submission",
-                    render::nameOf(settings.submission));
-    words.addUnless(settings.batching == defaults.batching, "--batching", render::nameOf(settings.batching));
-    words.addUnless(settings.snapping == defaults.snapping, "--snapping", render::nameOf(settings.snapping));
-    addFinish(words, settings);
-    words.addUnless(settings.threads == defaults.threads, "--threads", fmt::format("{}", settings.threads));
+    const render::RenderOptions defaults;
+    words.addUnless(options.targets == defaults.targets, "--targets", render::nameOf(options.targets));
+    words.addUnless(options.submission == defaults.submission, "--submission",
+                    render::nameOf(options.submission));
+    words.addUnless(options.batching == defaults.batching, "--batching", render::nameOf(options.batching));
+    words.addUnless(options.snapping == defaults.snapping, "--snapping", render::nameOf(options.snapping));
+    addFinish(words, options);
+    words.addUnless(options.threads == defaults.threads, "--threads", fmt::format("{}", options.threads));
 }
 
 bool isSamePose(const scene::Camera& a, const scene::Camera& b) {
@@ -156,7 +154,7 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
     words.add("render");
     // A file whose name begins with a minus would be an option.
     words.add(settings.scene.starts_with('-') ? fmt::format("./{}", settings.scene) : settings.scene);
-    addTechnique(words, settings, renderOptions(settings, view.side, view.extent).technique);
+    addDrawing(words, renderOptions(settings, view.side, view.extent));
     words.addUnless(view.frame == 0, "--frame", fmt::format("{}", view.frame));
     addCamera(words, view);
     addEyes(words, settings);
