@@ -60,7 +60,7 @@ struct ReportArguments {
 nlohmann::ordered_json describe(const report::Section& section, const SectionOutcome& outcome,
                                 const GlobalOptions& global) {
     nlohmann::ordered_json row{{"section", section.name},
-                               {"command", report::commandLine(section, textOf(global.device))},
+                               {"command", report::commandLine(section, global.device)},
                                {"seconds", outcome.seconds},
                                {"folder", section.folder},
                                {"json", nullptr},
@@ -81,7 +81,7 @@ nlohmann::ordered_json makeManifest(const Command& command, const report::PlanOp
                                                             {"threads", options.threads},
                                                             {"seed", options.seed},
                                                             {"sections", options.sections}});
-    if (const std::string device = textOf(command.global().device); !device.empty()) {
+    if (const std::string& device = command.global().device; !device.empty()) {
         manifest["options"]["device"] = device;
     }
     manifest["videos"] = options.videos;
