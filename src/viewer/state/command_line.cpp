@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <options/layer_text.h>
 #include <output/aov.h>
+#include <program/child_process.h>
 
 #include <algorithm>
 #include <vector>
@@ -14,9 +15,6 @@
 namespace cdr::viewer {
 
 namespace {
-
-constexpr std::string_view kHarmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                                       "_-./:,=+@%";
 
 using output::Aov;
 
@@ -44,7 +42,7 @@ class Words {
         if (!m_line.empty()) {
             m_line += ' ';
         }
-        m_line += shellQuoted(word);
+        m_line += program::shellQuoted(word);
     }
     /// An option and its value in one word, since a value may begin with a minus.
     void add(std::string_view option, std::string_view value) { add(fmt::format("{}={}", option, value)); }
@@ -202,22 +200,6 @@ ViewKind viewOfAov(std::string_view aov) {
         }
     }
     throw base::InputError(base::unknownName("output", aov, known));
-}
-
-std::string shellQuoted(std::string_view word) {
-    if (!word.empty() && word.find_first_not_of(kHarmless) == std::string_view::npos) {
-        return std::string(word);
-    }
-    std::string quoted = "'";
-    for (const char c : word) {
-        if (c == '\'') {
-            quoted += "'\\''";
-        } else {
-            quoted += c;
-        }
-    }
-    quoted += '\'';
-    return quoted;
 }
 
 std::string exactText(const glm::dvec3& point) {

@@ -221,25 +221,6 @@ TEST(RenderCommand, BringsRolledCamerasBackToTheBit) {
     }
 }
 
-TEST(ShellQuoted, GivesTheWordBackInAShell) {
-    EXPECT_EQ(shellQuoted("plain-1.5e-7,x"), "plain-1.5e-7,x");
-    EXPECT_EQ(shellQuoted(""), "''");
-    EXPECT_EQ(shellQuoted("a b"), "'a b'");
-    EXPECT_EQ(shellQuoted("it's"), "'it'\\''s'");
-    EXPECT_EQ(shellQuoted("$(rm -rf ~)\n;`x`"), "'$(rm -rf ~)\n;`x`'");
-    EXPECT_EQ(shellQuoted("~/a"), "'~/a'");
-    // What a shell makes of them, by a shell.
-    for (const std::string word : {"it's a $HOME \\ \"x\" `y`", "*", "a&b|c>d<e;f", "!x #y", "--", "ö"}) {
-        const std::string command = "printf %s " + shellQuoted(word);
-        FILE* pipe = popen(command.c_str(), "r");
-        ASSERT_NE(pipe, nullptr);
-        char read[256] = {};
-        const std::size_t size = fread(read, 1, sizeof(read) - 1, pipe);
-        pclose(pipe);
-        EXPECT_EQ(std::string(read, size), word);
-    }
-}
-
 TEST(RenderCommand, AFileThatBeginsWithAMinusIsNoOption) {
     ReproducedView view = viewWith(kOwn);
     view.settings.scene = "-o.glb";
