@@ -8,7 +8,6 @@
 #include <cdr/platform/stopwatch.h>
 #include <cdr/platform/thread_placement.h>
 #include <scenes/open_scene.h>
-#include <scenes/orbit/data.h>
 
 #include <fmt/format.h>
 #include <output/document.h>
@@ -80,12 +79,15 @@ void Command::reads(const std::filesystem::path& path) {
     readsAll(path.string(), files);
 }
 
-void Command::readsEarth(const std::filesystem::path& folder) {
-    std::vector<scene::GltfReference> files;
-    for (const std::filesystem::path& file : scenes::earthFiles(folder)) {
-        files.push_back({.uri = file.filename().string(), .path = file});
+void Command::readsEarth(const scenes::OrbitFiles& files) {
+    std::vector<scene::GltfReference> pictures;
+    for (const std::filesystem::path& file : scenes::earthFiles(files.folder)) {
+        pictures.push_back({.uri = file.filename().string(), .path = file});
     }
-    readsAll("orbit", files);
+    readsAll("orbit", pictures);
+    if (!files.model.empty()) {
+        reads(files.model);
+    }
 }
 
 void Command::readsAll(const std::string& what, const std::vector<scene::GltfReference>& files) {
@@ -134,9 +136,8 @@ scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_
         reads(nameOrPath);
     } else if (scenes::readsEarth(nameOrPath)) {
         const scenes::OrbitFiles files = scenes::orbitFiles();
-        readsEarth(files.folder);
+        readsEarth(files);
         if (!files.model.empty()) {
-            reads(files.model);
             source = files.model.string();
         }
     }

@@ -9,6 +9,7 @@
 #include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/gltf/open_gltf.h>
 #include <cdr/scene/scene_setup.h>
+#include <scenes/orbit/data.h>
 
 #include <nlohmann/json.hpp>
 #include <runs/kept_ranks.h>
@@ -47,8 +48,8 @@ class Command {
     /// command writes it, and where it is glTF and cannot be read.
     void reads(const std::filesystem::path& path);
 
-    /// The same of the Earth's pictures in a folder, which may be missing.
-    void readsEarth(const std::filesystem::path& folder);
+    /// The same of the Earth's pictures, which may be missing, and of the model if there is one.
+    void readsEarth(const scenes::OrbitFiles& files);
 
     /// A SHA-256 of everything that results depend on: version, device, options, and the files that the command has read so far.
     /// @param more that they depend on.

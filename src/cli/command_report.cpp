@@ -10,7 +10,6 @@
 #include <report/manifest.h>
 #include <report/page.h>
 #include <report/plan.h>
-#include <scenes/orbit/data.h>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -61,7 +60,7 @@ nlohmann::ordered_json describe(const report::Section& section, const output::Js
                                 const GlobalOptions& global) {
     const bool hasDocument = !outcome.at("document").is_null();
     return {{"section", section.name},
-            {"command", report::commandLine(section, textOf(global.device))},
+            {"command", report::commandLine(section, global.device)},
             {"seconds", outcome.at("seconds")},
             {"folder", section.folder},
             {"json", hasDocument ? output::Json(section.jsonFile().generic_string()) : output::Json(nullptr)},
@@ -75,7 +74,7 @@ nlohmann::ordered_json makeManifest(const Command& command, const report::PlanOp
                                                             {"threads", options.threads},
                                                             {"seed", options.seed},
                                                             {"sections", options.sections}});
-    if (const std::string device = textOf(command.global().device); !device.empty()) {
+    if (const std::string& device = command.global().device; !device.empty()) {
         manifest["options"]["device"] = device;
     }
     manifest["videos"] = options.videos;
@@ -140,15 +139,6 @@ void requireOutside(const fs::path& folder, const fs::path& file) {
     }
 }
 
-/// The scene that sections open on some rank.
-void readOrbit(Command& command) {
-    const scenes::OrbitFiles files = scenes::orbitFiles();
-    command.readsEarth(files.folder);
-    if (!files.model.empty()) {
-        command.reads(files.model);
-    }
-}
-
 /// Writes the report; the manifest, which is null on other ranks than the first.
 nlohmann::ordered_json makeReport(Command& command, const ReportArguments& arguments) {
     if (!command.ranks().isFirst()) {
@@ -177,7 +167,7 @@ void runReport(Command& command, ReportArguments& arguments) {
     arguments.plan.videos = hasVideos.front() != 0;
     requireOutside(arguments.folder, command.output().json.value_or(""));
     requireOutside(arguments.folder, arguments.state);
-    readOrbit(command);
+    command.readsEarth(scenes::orbitFiles()); // for sections that open it on some rank
     command.keepUnits(arguments.state, arguments.plan.videos ? "videos" : "");
     const nlohmann::ordered_json manifest = makeReport(command, arguments);
     if (!command.ranks().isFirst()) {

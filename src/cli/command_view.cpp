@@ -33,8 +33,8 @@ std::string viewerProgram() {
 
 /// Becomes the viewer. base::InputError where there is none.
 [[noreturn]] void becomeViewer(std::vector<std::string> arguments, const GlobalOptions& global) {
-    if (const std::string device = textOf(global.device); !device.empty()) {
-        arguments.insert(arguments.begin(), "--device=" + device);
+    if (!global.device.empty()) {
+        arguments.insert(arguments.begin(), "--device=" + global.device);
     }
     if (global.validate) {
         arguments.insert(arguments.begin(), "--validate");

@@ -116,10 +116,9 @@ int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
     if (ranks.place().node) {
         global.hostCpus = cdr::platform::cpusOfParent().size();
     }
-    program.add_option_function<std::string>(
-        "--device", [&global](const std::string& text) { global.device = cdr::cli::parseDevice(text); },
-        std::string(cdr::options::kDeviceHelp) +
-            ". With each, the ranks of a machine take its devices in turn");
+    program.add_option("--device", global.device,
+                       std::string(cdr::options::kDeviceHelp) +
+                           ". With each, the ranks of a machine take its devices in turn");
     program.add_flag("--validate", global.validate, cdr::options::kValidateHelp);
     program
         .add_option_function<std::string>(

@@ -6,8 +6,10 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,13 @@ class PictureFolder {
 
     /// Whether a file is one of those that write() makes of these names.
     static std::function<bool(const std::string& name)> oneOf(const std::vector<std::string>& names);
+    /// The same, of what has one picture each.
+    template <typename List, typename NameOf>
+    static std::function<bool(const std::string& name)> oneOf(const List& list, const NameOf& nameOf) {
+        std::vector<std::string> names;
+        std::ranges::transform(list, std::back_inserter(names), nameOf);
+        return oneOf(names);
+    }
 
     bool isWanted() const { return !m_path.empty(); }
     const std::filesystem::path& path() const { return m_path; }

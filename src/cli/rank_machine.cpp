@@ -14,7 +14,6 @@
 #include <set>
 #include <string>
 #include <thread>
-#include <variant>
 #include <vector>
 
 namespace cdr::cli {
@@ -78,9 +77,9 @@ void keepTo(const ranks::Cpus& part) {
 
 } // namespace
 
-std::string deviceOf(const DeviceChoice& choice, const ranks::Place& place) {
-    if (const auto* named = std::get_if<std::string>(&choice)) {
-        return *named;
+std::string deviceOf(const std::string& choice, const ranks::Place& place) {
+    if (choice != kEachDevice) {
+        return choice;
     }
     std::vector<gpu::DeviceInfo> devices = gpu::listDevices(gpu::Instance({.extensions = {}}));
     std::erase_if(devices, [](const gpu::DeviceInfo& info) { return !info.missing.empty(); });

@@ -9,10 +9,10 @@
 
 namespace cdr::cli {
 
-/// The device that --device stands for on this rank, as gpu::Device takes it. DealtDevices: the ranks of a machine take its
+/// The device that --device stands for on this rank, as gpu::Device takes it. kEachDevice: the ranks of a machine take its
 /// devices in turn, by number. Devices that are processors are taken only if there are no others. Empty, which means the
 /// best, if the machine has none.
-std::string deviceOf(const DeviceChoice& choice, const ranks::Place& place);
+std::string deviceOf(const std::string& choice, const ranks::Place& place);
 
 /// Where the threads of a rank may run.
 enum class ProcessorUse : std::uint8_t {

@@ -22,8 +22,6 @@ namespace cdr::cli {
 
 namespace {
 
-constexpr const char* kEach = "each"; // of --device
-
 image::PictureSize parseSize(const std::string& text) {
     const auto size = image::parsePictureSize(text);
     if (!size) {
@@ -80,18 +78,6 @@ void addTrace(CLI::App& command, std::filesystem::path& file, const std::string&
 
 void addState(CLI::App& command, std::filesystem::path& state) {
     options::addFile(command, "--state", state, kStateHelp);
-}
-
-DeviceChoice parseDevice(const std::string& text) {
-    if (text == kEach) {
-        return DealtDevices{};
-    }
-    return text;
-}
-
-std::string textOf(const DeviceChoice& choice) {
-    const auto* named = std::get_if<std::string>(&choice);
-    return named != nullptr ? *named : kEach;
 }
 
 std::string textOf(const CLI::App& command) {

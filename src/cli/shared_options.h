@@ -18,23 +18,16 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace cdr::cli {
 
 /// `--device each`: the ranks of a machine take its devices in turn.
-struct DealtDevices {};
-
-/// `--device`: index or part of a name, empty for the best; or each rank another one.
-using DeviceChoice = std::variant<std::string, DealtDevices>;
-DeviceChoice parseDevice(const std::string& text);
-/// As parseDevice() takes it.
-std::string textOf(const DeviceChoice& choice);
+inline constexpr const char* kEachDevice = "each";
 
 /// Options that stand before the command.
 struct GlobalOptions {
-    DeviceChoice device;
+    std::string device; ///< index or part of a name, empty for the best; or kEachDevice
     bool validate = false;
     bool quiet = false;
     bool shareMachine = false; ///< time though other ranks of the run keep the same machine busy

@@ -1,6 +1,8 @@
 #include <program/allocator.h>
+#include <unistd.h>
 
 #include <cstdlib> // defines __GLIBC__, where that is the C library
+#include <fstream>
 
 #if defined(__GLIBC__)
 #include <malloc.h>
@@ -27,6 +29,17 @@ std::optional<std::uint64_t> allocatedBytes() {
 #else
     return std::nullopt;
 #endif
+}
+
+std::optional<std::uint64_t> residentBytes() {
+    std::ifstream file("/proc/self/statm");
+    std::uint64_t size = 0;
+    std::uint64_t resident = 0;
+    const long page = ::sysconf(_SC_PAGESIZE);
+    if (!(file >> size >> resident) || page <= 0) {
+        return std::nullopt;
+    }
+    return resident * static_cast<std::uint64_t>(page);
 }
 
 void keepFreeMemoryLow() {

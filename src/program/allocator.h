@@ -5,8 +5,8 @@
 
 namespace cdr::program {
 
-// The C library's allocator, for programs and not for libraries: it is the whole process's. Where the library is not glibc,
-// each does nothing.
+// The memory of the process, and the C library's allocator: for programs and not for libraries, since both are the whole
+// process's. Where the library is not glibc, what is about the allocator does nothing.
 
 /// Has the process keep freed memory for its next allocation, up to 256 MiB, instead of returning it to the system. A
 /// software driver allocates and frees several MiB in each frame, and memory that was returned costs a page fault per 4 KiB.
@@ -17,6 +17,8 @@ bool keepFreedMemory();
 /// Bytes that the program and its drivers have allocated, without free pieces too small to return to the system.
 /// Empty where the library does not tell.
 std::optional<std::uint64_t> allocatedBytes();
+/// Bytes of this process that are in physical memory. Empty where the system does not tell.
+std::optional<std::uint64_t> residentBytes();
 
 /// Makes the allocator return large blocks to the system when they are freed, and use one heap for all threads.
 /// Otherwise it keeps more and more of them, and returnFreeMemory() cannot shrink the heaps of threads.

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cdr::program {
@@ -55,5 +56,8 @@ class ChildProcess {
 
 /// Whether a program of that name can be started.
 bool isInstalled(const std::string& program);
+
+/// `word` as a POSIX shell must read it to mean it: as it is where nothing in it is special, else in single quotes.
+std::string shellQuoted(std::string_view word);
 
 } // namespace cdr::program

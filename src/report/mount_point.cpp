@@ -1,42 +1,14 @@
 #include "mount_point.h"
 
-#include <fstream>
-#include <sstream>
-#include <string>
+#include <fcntl.h>
+#include <sys/stat.h>
 
 namespace cdr::report {
 
-namespace {
-
-/// Spaces, tabs, line breaks and backslashes are three octal digits in the kernel's list.
-std::string unescaped(const std::string& text) {
-    std::string plain;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == '\\' && i + 3 < text.size()) {
-            plain += static_cast<char>(std::stoi(text.substr(i + 1, 3), nullptr, 8));
-            i += 3;
-        } else {
-            plain += text[i];
-        }
-    }
-    return plain;
-}
-
-} // namespace
-
 bool isMountPoint(const std::filesystem::path& path) {
-    std::ifstream mounts("/proc/self/mountinfo"); // proc(5): the fifth field is the mount point
-    for (std::string line; std::getline(mounts, line);) {
-        std::istringstream fields(line);
-        std::string field;
-        for (int i = 0; i < 5; ++i) {
-            fields >> field;
-        }
-        if (unescaped(field) == path.string()) {
-            return true;
-        }
-    }
-    return false;
+    struct statx found {};
+    return ::statx(AT_FDCWD, path.c_str(), AT_SYMLINK_NOFOLLOW, 0, &found) == 0 &&
+           (found.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
 }
 
 } // namespace cdr::report

@@ -5,7 +5,7 @@
 namespace cdr::report {
 
 /// Whether another file system, or another folder, is mounted on this one, so that it cannot be renamed.
-/// @param path absolute, without links.
+/// Linux before 5.8 does not tell, so there it is false.
 bool isMountPoint(const std::filesystem::path& path);
 
 } // namespace cdr::report

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <program/child_process.h>
 
 #include <algorithm>
 #include <optional>
@@ -74,20 +75,6 @@ void requireSections(const std::vector<std::string>& names) {
     }
 }
 
-/// Safe to paste into a shell.
-std::string quoted(const std::string& argument) {
-    constexpr std::string_view kPlain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./,:=+%";
-    if (!argument.empty() && argument.find_first_not_of(kPlain) == std::string::npos) {
-        return argument;
-    }
-    std::string text = "'";
-    for (const char c : argument) {
-        text += c == '\'' ? "'\\''" : std::string(1, c);
-    }
-    return text + "'";
-}
-
 } // namespace
 
 std::filesystem::path Section::jsonFile() const {
@@ -122,10 +109,10 @@ std::vector<Section> makePlan(const PlanOptions& options) {
 std::string commandLine(const Section& section, std::string_view device) {
     std::string line = "cdr";
     if (!device.empty()) {
-        line += " --device " + quoted(std::string(device));
+        line += " --device " + program::shellQuoted(device);
     }
     for (const std::string& argument : section.commandIn("")) {
-        line += " " + quoted(argument);
+        line += " " + program::shellQuoted(argument);
     }
     return line;
 }

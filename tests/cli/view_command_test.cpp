@@ -118,8 +118,8 @@ TEST_F(ViewCommand, DrawsARolledViewOfTheRightSideOfASplitScreen) {
         .extent = kExtent};
     view.settings.second = depth::parseTechnique("cdr");
     view.settings.second->format = depth::DepthFormat::d16;
-    view.settings.targets = render::TargetsKind::layers;
-    view.settings.threads = 2;
+    view.settings.drawing.targets = render::TargetsKind::layers;
+    view.settings.drawing.threads = 2;
     view.settings.view = viewer::ViewKind::ids;
     const render::Frame frame = show(setup.scene, view);
     const json result = pictureOf(view);

@@ -7,6 +7,7 @@
 #include <program/child_process.h>
 
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <string>
@@ -115,6 +116,25 @@ TEST_F(ChildProcessTest, AMissingProgramIsBadInput) {
 
 TEST_F(ChildProcessTest, OneThatIsNotWaitedForIsEnded) {
     const ChildProcess endless({"cat", "/dev/zero"}, {});
+}
+
+TEST(ShellQuoted, GivesTheWordBackInAShell) {
+    EXPECT_EQ(shellQuoted("plain-1.5e-7,x"), "plain-1.5e-7,x");
+    EXPECT_EQ(shellQuoted(""), "''");
+    EXPECT_EQ(shellQuoted("a b"), "'a b'");
+    EXPECT_EQ(shellQuoted("it's"), "'it'\\''s'");
+    EXPECT_EQ(shellQuoted("$(rm -rf ~)\n;`x`"), "'$(rm -rf ~)\n;`x`'");
+    EXPECT_EQ(shellQuoted("~/a"), "'~/a'");
+    // What a shell makes of them, by a shell.
+    for (const std::string word : {"it's a $HOME \\ \"x\" `y`", "*", "a&b|c>d<e;f", "!x #y", "--", "ö"}) {
+        const std::string command = "printf %s " + shellQuoted(word);
+        FILE* pipe = popen(command.c_str(), "r");
+        ASSERT_NE(pipe, nullptr);
+        char read[256] = {};
+        const std::size_t size = fread(read, 1, sizeof(read) - 1, pipe);
+        pclose(pipe);
+        EXPECT_EQ(std::string(read, size), word);
+    }
 }
 
 } // namespace

@@ -9,7 +9,6 @@
 #include <output/readable.h>
 
 #include <string>
-#include <vector>
 
 namespace cdr::cli {
 
@@ -41,15 +40,6 @@ std::string effectPicture(experiments::EffectMode mode) {
     return fmt::format("{}.png", nameOf(mode));
 }
 
-/// The files that are written.
-std::vector<std::string> effectFiles() {
-    std::vector<std::string> files;
-    for (const experiments::EffectMode mode : experiments::kEffectModes) {
-        files.push_back(effectPicture(mode));
-    }
-    return files;
-}
-
 void run(Command& command, EffectsArguments& arguments) {
     experiments::EffectsOptions& options = arguments.options;
     requireDistinct(options.techniques);
@@ -59,7 +49,8 @@ void run(Command& command, EffectsArguments& arguments) {
         throw base::InputError(
             "--occlusion and --fog must be above 0: without an effect there is nothing to compare");
     }
-    const PictureFolder folder(arguments.folder, command.files(), PictureFolder::oneOf(effectFiles()));
+    const PictureFolder folder(arguments.folder, command.files(),
+                               PictureFolder::oneOf(experiments::kEffectModes, effectPicture));
     const scene::SceneSetup setup = command.openScene(options.scene, options.seed, arguments.choice);
     runs::TimedRanks ranks(command.ranks());
     const experiments::EffectsReport report = experiments::runEffects(

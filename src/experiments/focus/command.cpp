@@ -10,7 +10,6 @@
 #include <program/build_info.h>
 
 #include <string>
-#include <vector>
 
 namespace cdr::cli {
 
@@ -52,19 +51,11 @@ std::string focusPicture(const std::string& mode) {
     return mode + ".png";
 }
 
-/// The files that are written.
-std::vector<std::string> focusFiles() {
-    std::vector<std::string> files;
-    for (const std::string& mode : experiments::focusModeNames()) {
-        files.push_back(focusPicture(mode));
-    }
-    return files;
-}
-
 void run(Command& command, FocusArguments& arguments) {
     experiments::FocusOptions& options = arguments.options;
     requireUsable(options.lens);
-    const PictureFolder folder(arguments.folder, command.files(), PictureFolder::oneOf(focusFiles()));
+    const PictureFolder folder(arguments.folder, command.files(),
+                               PictureFolder::oneOf(experiments::focusModeNames(), focusPicture));
     const scene::SceneSetup setup = command.openScene(options.scene, options.seed, arguments.choice);
     runs::TimedRanks ranks(command.ranks());
     const experiments::FocusReport report = experiments::runFocus(

@@ -100,10 +100,7 @@ void run(Command& command, OrbitArguments& arguments) {
     });
     requireDistinct(options.techniques);
     command.files().mayPlot(arguments.plot);
-    if (!arguments.files.model.empty()) {
-        command.reads(arguments.files.model);
-    }
-    command.readsEarth(arguments.files.folder);
+    command.readsEarth(arguments.files);
     const scene::OpenedScene opened = scenes::openOrbit(arguments.files);
     const scene::SceneSetup& setup = opened.setup;
     command.note(arguments.files.model.string(), opened.notes);

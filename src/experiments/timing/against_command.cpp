@@ -17,7 +17,7 @@ namespace {
 std::vector<std::string> runArguments(const Command& command, const TimingArguments& arguments) {
     const experiments::TimingOptions& options = arguments.options;
     std::vector<std::string> all{"--quiet"};
-    if (const std::string device = textOf(command.global().device); !device.empty()) {
+    if (const std::string& device = command.global().device; !device.empty()) {
         all.insert(all.end(), {"--device", device});
     }
     all.insert(all.end(),

@@ -53,14 +53,6 @@ export function observerWins(document) {
     return wins;
 }
 
-/** Flips per thousand pixel-frames of a row, however the row gives them. */
-export function flipsPerThousand(row) {
-    if (row.flips_per_thousand !== undefined) {
-        return row.flips_per_thousand;
-    }
-    return row.pixels > 0 ? (1000 * row.flips) / row.pixels : null;
-}
-
 function isMovedBoundary(row) {
     return row.technique.startsWith("cdr-");
 }

@@ -61,7 +61,7 @@ export function reliability(document) {
     };
 }
 
-/** Whether a pixel tells what is resolved. Reports of earlier programs do not say. */
+/** Whether a pixel tells what is resolved. */
 function isTold(row) {
     return row.pairs_seen !== 0;
 }

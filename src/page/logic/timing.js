@@ -11,7 +11,7 @@ export function bars(document) {
         const thesis = row.thesis_pct ?? null;
         const { low, high } = endsOf(row.ci95);
         return {
-            name: row.name ?? row.mode,
+            name: row.name,
             targets: row.targets,
             cascades: row.cascades,
             medianUs: row.median_us,
@@ -26,8 +26,7 @@ export function bars(document) {
 
 /** The interval of standard over itself: differences inside it are nothing. Its ends are null as those of bars(). */
 export function noiseFloor(document) {
-    const overhead = document.noise_floor_pct ?? document.results[1].overhead_pct;
-    return { overhead, ...endsOf(document.noise_floor_ci95 ?? document.results[1].ci95) };
+    return { overhead: document.noise_floor_pct, ...endsOf(document.noise_floor_ci95) };
 }
 
 function endsOf(interval) {

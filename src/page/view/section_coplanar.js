@@ -1,4 +1,4 @@
-import { coplanarRows, worstResult } from "../logic/coplanar.js";
+import { worstResult } from "../logic/coplanar.js";
 import { number } from "../logic/format.js";
 import { techniqueTitle } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
@@ -17,10 +17,10 @@ export function fillCoplanar(document, folder) {
 function makeTable(document) {
     return table(`Pixels off edges over ${number(2 * document.options.views, 7)} views.`,
         ["Technique", "method", "slope, constant", "wrong", "wrong share", "views with any", "through a wall", "by rounded vertices alone", "flips", "of these by rounded vertices"],
-        coplanarRows(document).map((row) => [
+        document.results.map((row) => [
             techniqueLabel(row.technique), methodOf(row),
-            row.setting ? h("span", {}, figure(row.setting.slope), ", ", figure(row.setting.constant)) : "",
-            figure(row.wrong), share(row.wrongShare), figure(row.views), figure(row.through), figure(row.coverage), figure(row.flips), figure(row.coverageFlips)]));
+            row.slope_factor === null ? "" : h("span", {}, figure(row.slope_factor), ", ", figure(row.constant_factor)),
+            figure(row.wrong), share(row.wrong_share), figure(row.wrong_views), figure(row.through), figure(row.coverage), figure(row.flips), figure(row.coverage_flips)]));
 }
 
 function makePicture(row, folder) {

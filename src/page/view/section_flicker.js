@@ -1,4 +1,4 @@
-import { flipsPerThousand, movedBoundaries, observerWins, pairRows, techniques } from "../logic/flicker.js";
+import { movedBoundaries, observerWins, pairRows, techniques } from "../logic/flicker.js";
 import { list, number, percent } from "../logic/format.js";
 import { table62, techniqueTitle, thesisTechniques } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel, wideOnly } from "./elements.js";
@@ -32,7 +32,7 @@ function measures(caption, rows) {
         ["Technique", "wrong", wideOnly("wrong pixels"), "flips per 1,000", "mean FLIP", wideOnly("cascades")],
         rows.map((row) => [
             techniqueLabel(row.technique), share(row.wrong_fraction), wideOnly(figure(row.wrong)),
-            figure(flipsPerThousand(row)), figure(row.mean_flip), wideOnly(row.cascades)]));
+            figure(row.flips_per_thousand), figure(row.mean_flip), wideOnly(row.cascades)]));
 }
 
 function boundary(document) {

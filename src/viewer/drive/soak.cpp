@@ -2,7 +2,6 @@
 
 #include <cdr/image/codec.h>
 #include <cdr/platform/standard_streams.h>
-#include <viewer/panels/resident_memory.h>
 #include <viewer/session/camera_control.h>
 #include <viewer/state/shown_picture.h>
 
@@ -102,7 +101,7 @@ void Soak::measure(Window& window, Session& session, ViewerModel& model) {
         return;
     }
     program::returnFreeMemory();
-    const std::uint64_t resident = residentBytes().value_or(0);
+    const std::uint64_t resident = program::residentBytes().value_or(0);
     if (m_phase == Phase::resting) {
         m_before = resident;
         session.renewDevice();

@@ -46,27 +46,27 @@ void SoakInput::moveMouse(CameraInput& input) {
 void SoakInput::changeFinish() {
     constexpr double kOff = 0.5;
     const auto lengthOrOff = [&](double longest) { return chance(kOff) ? 0.0 : uniform(0.1, longest); };
-    Finish& finish = m_settings.finish;
+    render::RenderOptions& drawing = m_settings.drawing;
     switch (pick(6)) {
     case 0:
-        finish.effects.antialias = render::kAntialiases.at(pick(render::kAntialiases.size()));
+        drawing.effects.antialias = render::kAntialiases.at(pick(render::kAntialiases.size()));
         break;
     case 1:
-        finish.effects.occlusion = {.radius = lengthOrOff(10.0), .perLayer = chance(0.5)};
+        drawing.effects.occlusion = {.radius = lengthOrOff(10.0), .perLayer = chance(0.5)};
         break;
     case 2:
-        finish.effects.fog.visibility = lengthOrOff(1e6);
+        drawing.effects.fog.visibility = lengthOrOff(1e6);
         break;
     case 3:
-        finish.focus = {.distance = lengthOrOff(1e3), .aperture = uniform(0.1, 10.0), .blend = chance(0.5)};
+        drawing.focus = {.distance = lengthOrOff(1e3), .aperture = uniform(0.1, 10.0), .blend = chance(0.5)};
         break;
     case 4:
-        finish.shadows.method = render::kShadowMethods.at(pick(render::kShadowMethods.size()));
+        drawing.shadows.method = render::kShadowMethods.at(pick(render::kShadowMethods.size()));
         break;
     default:
-        finish.translucency.method = finish.translucency.method == render::Translucency::weighted
-                                         ? render::Translucency::sorted
-                                         : render::Translucency::weighted;
+        drawing.translucency.method = drawing.translucency.method == render::Translucency::weighted
+                                          ? render::Translucency::sorted
+                                          : render::Translucency::weighted;
     }
 }
 
@@ -91,13 +91,13 @@ void SoakInput::changeSettings() {
         technique.format = depth::kDepthFormats.at(pick(depth::kDepthFormats.size()));
         break;
     case 5:
-        s.targets = render::kTargetsKinds.at(pick(render::kTargetsKinds.size()));
+        s.drawing.targets = render::kTargetsKinds.at(pick(render::kTargetsKinds.size()));
         break;
     case 6:
-        s.threads = 1 + pick(std::max<std::size_t>(m_options.mostThreads, 1));
+        s.drawing.threads = 1 + pick(std::max<std::size_t>(m_options.mostThreads, 1));
         break;
     case 7:
-        s.submission = render::kSubmissions.at(pick(render::kSubmissions.size()));
+        s.drawing.submission = render::kSubmissions.at(pick(render::kSubmissions.size()));
         break;
     case 8:
         s.second = s.second ? std::nullopt : std::optional(presetOfKey(1 + pick(kPresetKeys)));
@@ -110,10 +110,10 @@ void SoakInput::changeSettings() {
         s.view = kViewKinds.at(pick(kViewKinds.size()));
         break;
     case 11:
-        s.snapping = render::kSnappings.at(pick(render::kSnappings.size()));
+        s.drawing.snapping = render::kSnappings.at(pick(render::kSnappings.size()));
         break;
     default:
-        s.batching = render::kBatchings.at(pick(render::kBatchings.size()));
+        s.drawing.batching = render::kBatchings.at(pick(render::kBatchings.size()));
     }
 }
 

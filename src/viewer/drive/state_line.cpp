@@ -23,9 +23,9 @@ std::string stateLine(const ViewerModel& model) {
         "motion={} colours={} eye={}",
         settings.scene, techniqueName(settings.technique),
         settings.second ? techniqueName(*settings.second) : "none", nameOf(settings.view),
-        nameOf(settings.targets), settings.threads, settings.divider, scene::degreesOf(model.camera.now.fovY),
-        model.camera.orbits ? 1 : 0, kMotions.nameOf(model.camera.motion), nameOf(settings.colours),
-        exactText(model.camera.now.position));
+        nameOf(settings.drawing.targets), settings.drawing.threads, settings.divider,
+        scene::degreesOf(model.camera.now.fovY), model.camera.orbits ? 1 : 0,
+        kMotions.nameOf(model.camera.motion), nameOf(settings.colours), exactText(model.camera.now.position));
     if (const auto eyes = stereoPictureOf(settings)) {
         line +=
             fmt::format(" eyes={} stereo={} apart={} meet={}", nameOf(*eyes), nameOf(*settings.views.stereo),

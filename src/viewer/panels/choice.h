@@ -3,7 +3,6 @@
 #include "widgets.h"
 
 #include <viewer/state/explanations.h>
-#include <viewer/state/finish.h>
 
 #include <array>
 #include <cstddef>

@@ -38,28 +38,28 @@ void chooseLength(const Widgets& widgets, std::string_view name, double& length)
 
 void drawFinishPanel(const Widgets& widgets, ViewSettings& settings) {
     widgets.heading("Finish");
-    Finish& finish = settings.finish;
-    choose(widgets, "detail", visibility::kDetailModes, finish.detail.mode);
-    choose(widgets, "translucency", render::kTranslucencies, finish.translucency.method);
-    choose(widgets, "shadows", render::kShadowMethods, finish.shadows.method);
-    if (finish.shadows.isOn() && !castsShadows(finish, settings.targets.kind)) {
+    render::RenderOptions& drawing = settings.drawing;
+    choose(widgets, "detail", visibility::kDetailModes, drawing.detail.mode);
+    choose(widgets, "translucency", render::kTranslucencies, drawing.translucency.method);
+    choose(widgets, "shadows", render::kShadowMethods, drawing.shadows.method);
+    if (drawing.shadows.isOn() && !castsShadows(drawing)) {
         widgets.sentence("So no shadows are drawn now.");
     }
-    choose(widgets, "edges", render::kAntialiases, finish.effects.antialias);
-    choose(widgets, "tone mapping", render::kToneMaps, finish.effects.finish.toneMap);
-    chooseLength(widgets, "occlusion", finish.effects.occlusion.radius);
-    if (hasLayers(settings.targets.kind)) {
-        widgets.checkbox("on each cascade alone", finish.effects.occlusion.perLayer);
+    choose(widgets, "edges", render::kAntialiases, drawing.effects.antialias);
+    choose(widgets, "tone mapping", render::kToneMaps, drawing.effects.finish.toneMap);
+    chooseLength(widgets, "occlusion", drawing.effects.occlusion.radius);
+    if (hasLayers(drawing.targets.kind)) {
+        widgets.checkbox("on each cascade alone", drawing.effects.occlusion.perLayer);
     }
-    widgets.sentence(explanationOf(finish.effects.occlusion));
-    chooseLength(widgets, "fog", finish.effects.fog.visibility);
-    widgets.sentence(explanationOf(finish.effects.fog));
-    if (settings.targets.kind == render::TargetsKind::layers) {
-        chooseLength(widgets, "focus", finish.focus.distance);
-        chooseLength(widgets, "aperture", finish.focus.aperture);
-        widgets.checkbox("fade between cascades", finish.focus.blend);
+    widgets.sentence(explanationOf(drawing.effects.occlusion));
+    chooseLength(widgets, "fog", drawing.effects.fog.visibility);
+    widgets.sentence(explanationOf(drawing.effects.fog));
+    if (drawing.targets.kind == render::TargetsKind::layers) {
+        chooseLength(widgets, "focus", drawing.focus.distance);
+        chooseLength(widgets, "aperture", drawing.focus.aperture);
+        widgets.checkbox("fade between cascades", drawing.focus.blend);
     }
-    widgets.sentence(explanationOf(finish.focus));
+    widgets.sentence(explanationOf(drawing.focus));
 }
 
 } // namespace cdr::viewer

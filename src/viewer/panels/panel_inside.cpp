@@ -1,12 +1,12 @@
 #include "panels.h"
 
-#include <viewer/panels/resident_memory.h>
 #include <viewer/state/plain_words.h>
 #include <viewer/state/technique_label.h>
 #include <viewer/state/view_picture.h>
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <program/allocator.h>
 
 #include <string>
 
@@ -72,7 +72,7 @@ void drawCascadesPanel(const Widgets& widgets, const RenderResult* result, base:
 void drawMemoryPanel(const Widgets& widgets, const RenderResult* result,
                      const PerformanceModel& performance) {
     widgets.heading("Memory");
-    if (const auto resident = residentBytes()) {
+    if (const auto resident = program::residentBytes()) {
         widgets.value("program", megabytes(*resident));
     }
     if (result != nullptr && !result->sides.empty()) {

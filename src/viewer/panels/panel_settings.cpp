@@ -110,25 +110,26 @@ void drawViewPanel(const Widgets& widgets, ViewSettings& settings) {
 
 void drawRenderingPanel(const Widgets& widgets, ViewSettings& settings) {
     widgets.heading("Rendering");
-    render::TargetsKind targets = settings.targets.kind;
+    render::RenderOptions& drawing = settings.drawing;
+    render::TargetsKind targets = drawing.targets.kind;
     choose(widgets, "targets", render::kTargetsKinds, targets);
-    if (targets != settings.targets.kind) {
-        settings.targets = targets;
+    if (targets != drawing.targets.kind) {
+        drawing.targets = targets;
     }
-    if (settings.targets.kind == render::TargetsKind::pool) {
-        int layers = static_cast<int>(settings.targets.layers);
+    if (drawing.targets.kind == render::TargetsKind::pool) {
+        int layers = static_cast<int>(drawing.targets.layers);
         if (widgets.count("layers", layers, render::kMinPoolLayers, render::kMaxPoolLayers)) {
-            settings.targets = render::TargetsChoice::pool(static_cast<std::uint32_t>(layers));
+            drawing.targets = render::TargetsChoice::pool(static_cast<std::uint32_t>(layers));
         }
     }
-    int threads = static_cast<int>(settings.threads);
+    int threads = static_cast<int>(drawing.threads);
     if (widgets.count("threads", threads, 1, kMaxThreads)) {
-        settings.threads = static_cast<std::size_t>(std::clamp(threads, 1, kMaxThreads));
+        drawing.threads = static_cast<std::size_t>(std::clamp(threads, 1, kMaxThreads));
     }
     widgets.sentence(explainThreads());
-    choose(widgets, "submission", render::kSubmissions, settings.submission);
-    choose(widgets, "batching", render::kBatchings, settings.batching);
-    choose(widgets, "snapping", render::kSnappings, settings.snapping);
+    choose(widgets, "submission", render::kSubmissions, drawing.submission);
+    choose(widgets, "batching", render::kBatchings, drawing.batching);
+    choose(widgets, "snapping", render::kSnappings, drawing.snapping);
 }
 
 } // namespace cdr::viewer

@@ -28,7 +28,7 @@ bool suffices(visibility::DetailMode made, visibility::DetailMode needed) {
 bool isOpenedAlike(const ViewSettings& opened, const ViewSettings& asked) {
     return asked.scene == opened.scene && asked.openings == opened.openings && asked.seed == opened.seed &&
            asked.colours == opened.colours && asked.choice == opened.choice &&
-           asked.deform == opened.deform && suffices(opened.finish.detail.mode, asked.finish.detail.mode);
+           asked.deform == opened.deform && suffices(opened.drawing.detail.mode, asked.drawing.detail.mode);
 }
 
 /// Of a scene in which something moves, or whose materials have other layers than its own; else null.
@@ -65,8 +65,8 @@ void SceneRenderer::open(const ViewSettings& settings) {
     }
     auto opened = std::make_shared<scene::OpenedScene>(openNamed(settings));
     scenes::paint(opened->setup.scene, settings.scene, settings.colours);
-    platform::WorkerPool workers(settings.threads);
-    visibility::prepareDetail(opened->setup.scene, settings.finish.detail.mode, workers);
+    platform::WorkerPool workers(settings.drawing.threads);
+    visibility::prepareDetail(opened->setup.scene, settings.drawing.detail.mode, workers);
     const scene::SceneSetup& setup = opened->setup;
     auto moving = worldOf(setup, settings.layers, deformer(setup.motion, settings));
     render::GpuScene onDevice = moving != nullptr ? render::GpuScene(m_device, moving->world())
@@ -210,7 +210,7 @@ RenderResult SceneRenderer::answer(const RenderRequest& request, const std::stop
                         .settings = request.settings,
                         .scene = m_scene->opened};
     result.frame = request.frame;
-    platform::WorkerPool workers(request.settings.threads);
+    platform::WorkerPool workers(request.settings.drawing.threads);
     move(request, workers);
     result.obstacles = m_scene->obstacles;
     result.camera = request.camera ? *request.camera : m_scene->opened->setup.path.at(0);

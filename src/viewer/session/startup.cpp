@@ -43,7 +43,6 @@ void requireUsable(const Arguments& arguments) {
 }
 
 ViewSettings settingsOf(const Arguments& arguments) {
-    const render::RenderOptions& drawn = arguments.drawing;
     ViewSettings settings;
     settings.scene = arguments.scene;
     settings.seed = arguments.seed;
@@ -51,18 +50,9 @@ ViewSettings settingsOf(const Arguments& arguments) {
                                                                            : scenes::Colours::thesis);
     settings.layers = arguments.layers.choices;
     settings.deform = arguments.deform;
-    settings.targets = drawn.targets;
-    settings.submission = drawn.submission;
-    settings.batching = drawn.batching;
-    settings.snapping = drawn.snapping;
-    settings.threads = drawn.threads;
+    settings.drawing = arguments.drawing;
     settings.choice = arguments.choice;
     settings.view = arguments.view;
-    settings.finish = {.detail = drawn.detail,
-                       .translucency = drawn.translucency,
-                       .shadows = drawn.shadows,
-                       .effects = drawn.effects,
-                       .focus = drawn.focus};
     settings.views = arguments.views;
     settings.givenEyes = arguments.views;
     options::ViewsPlan(settings.views, 1, 1); // refuses what contradicts itself

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <options/layer_text.h>
 #include <output/aov.h>
+#include <program/child_process.h>
 
 #include <algorithm>
 #include <vector>
@@ -14,9 +15,6 @@
 namespace cdr::viewer {
 
 namespace {
-
-constexpr std::string_view kHarmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                                       "_-./:,=+@%";
 
 using output::Aov;
 
@@ -44,7 +42,7 @@ class Words {
         if (!m_line.empty()) {
             m_line += ' ';
         }
-        m_line += shellQuoted(word);
+        m_line += program::shellQuoted(word);
     }
     /// An option and its value in one word, since a value may begin with a minus.
     void add(std::string_view option, std::string_view value) { add(fmt::format("{}={}", option, value)); }
@@ -59,10 +57,7 @@ class Words {
     std::string m_line;
 };
 
-void addFinish(Words& words, const ViewSettings& settings) {
-    render::RenderOptions options;
-    options.targets = settings.targets;
-    apply(settings.finish, options);
+void addFinish(Words& words, const render::RenderOptions& options) {
     const render::RenderOptions defaults;
     words.addUnless(options.detail.mode == defaults.detail.mode, "--detail",
                     visibility::nameOf(options.detail));
@@ -108,7 +103,8 @@ void addEyes(Words& words, const ViewSettings& settings) {
                     nameOf(*picture));
 }
 
-void addTechnique(Words& words, const ViewSettings& settings, const depth::Technique& technique) {
+void addDrawing(Words& words, const render::RenderOptions& options) {
+    const depth::Technique& technique = options.technique;
     if (const std::string name = depth::nameOf(technique); name != depth::partsOf(technique)) {
         words.add("--technique", name);
     } else {
@@ -117,14 +113,14 @@ void addTechnique(Words& words, const ViewSettings& settings, const depth::Techn
     }
     words.addUnless(technique.format == depth::DepthFormat::d32f, "--format",
                     depth::nameOf(technique.format));
-    const ViewSettings defaults;
-    words.addUnless(settings.targets == defaults.targets, "--targets", render::nameOf(settings.targets));
-    words.addUnless(settings.submission == defaults.submission, "--submission",
-                    render::nameOf(settings.submission));
-    words.addUnless(settings.batching == defaults.batching, "--batching", render::nameOf(settings.batching));
-    words.addUnless(settings.snapping == defaults.snapping, "--snapping", render::nameOf(settings.snapping));
-    addFinish(words, settings);
-    words.addUnless(settings.threads == defaults.threads, "--threads", fmt::format("{}", settings.threads));
+    const render::RenderOptions defaults;
+    words.addUnless(options.targets == defaults.targets, "--targets", render::nameOf(options.targets));
+    words.addUnless(options.submission == defaults.submission, "--submission",
+                    render::nameOf(options.submission));
+    words.addUnless(options.batching == defaults.batching, "--batching", render::nameOf(options.batching));
+    words.addUnless(options.snapping == defaults.snapping, "--snapping", render::nameOf(options.snapping));
+    addFinish(words, options);
+    words.addUnless(options.threads == defaults.threads, "--threads", fmt::format("{}", options.threads));
 }
 
 bool isSamePose(const scene::Camera& a, const scene::Camera& b) {
@@ -156,7 +152,7 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
     words.add("render");
     // A file whose name begins with a minus would be an option.
     words.add(settings.scene.starts_with('-') ? fmt::format("./{}", settings.scene) : settings.scene);
-    addTechnique(words, settings, renderOptions(settings, view.side, view.extent).technique);
+    addDrawing(words, renderOptions(settings, view.side, view.extent));
     words.addUnless(view.frame == 0, "--frame", fmt::format("{}", view.frame));
     addCamera(words, view);
     addEyes(words, settings);
@@ -204,22 +200,6 @@ ViewKind viewOfAov(std::string_view aov) {
         }
     }
     throw base::InputError(base::unknownName("output", aov, known));
-}
-
-std::string shellQuoted(std::string_view word) {
-    if (!word.empty() && word.find_first_not_of(kHarmless) == std::string_view::npos) {
-        return std::string(word);
-    }
-    std::string quoted = "'";
-    for (const char c : word) {
-        if (c == '\'') {
-            quoted += "'\\''";
-        } else {
-            quoted += c;
-        }
-    }
-    quoted += '\'';
-    return quoted;
 }
 
 std::string exactText(const glm::dvec3& point) {

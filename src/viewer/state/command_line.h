@@ -33,10 +33,6 @@ std::string renderCommand(const ReproducedView& view, std::string_view output = 
 /// The view that renderCommand() calls so. base::InputError with a suggestion for another name.
 ViewKind viewOfAov(std::string_view aov);
 
-/// `word` as a POSIX shell must read it to mean it: as it is where nothing in it is special, else in single
-/// quotes.
-std::string shellQuoted(std::string_view word);
-
 /// "x,y,z" with as many digits as bring each back to the bit.
 std::string exactText(const glm::dvec3& point);
 

@@ -21,6 +21,17 @@ bool isOf(const scenes::LayerChoice& choice, const scene::Scene& scene, std::uin
            (!choice.material.starts_with('#') && choice.material == scene.materials[material].name);
 }
 
+void leaveOutUnused(render::RenderOptions& options) {
+    render::Occlusion& occlusion = options.effects.occlusion;
+    occlusion.perLayer = occlusion.perLayer && hasLayers(options.targets.kind);
+    if (options.targets.kind != render::TargetsKind::layers) {
+        options.focus = {};
+    }
+    if (!castsShadows(options)) {
+        options.shadows = {};
+    }
+}
+
 } // namespace
 
 std::string_view nameOf(ViewKind view) {
@@ -83,19 +94,19 @@ bool remembersFrames(const ViewSettings& settings) {
     return isFitted(settings.technique) || (settings.second && isFitted(*settings.second));
 }
 
+bool castsShadows(const render::RenderOptions& options) {
+    const bool isFocused = options.targets.kind == render::TargetsKind::layers && options.focus.isOn();
+    return options.shadows.isOn() && !isFocused && render::castsShadows(options.detail.mode);
+}
+
 render::RenderOptions renderOptions(const ViewSettings& settings, std::size_t side,
                                     const PictureExtent& extent) {
     const std::uint32_t eyes = stereoPictureOf(settings) == options::StereoPicture::sideBySide ? 2 : 1;
-    render::RenderOptions options{.width = std::max(extent.width / eyes, 1u),
-                                  .height = extent.height,
-                                  .technique =
-                                      side == 1 && settings.second ? *settings.second : settings.technique,
-                                  .targets = settings.targets,
-                                  .threads = settings.threads,
-                                  .submission = settings.submission,
-                                  .batching = settings.batching,
-                                  .snapping = settings.snapping};
-    apply(settings.finish, options);
+    render::RenderOptions options = settings.drawing;
+    options.width = std::max(extent.width / eyes, 1u);
+    options.height = extent.height;
+    options.technique = side == 1 && settings.second ? *settings.second : settings.technique;
+    leaveOutUnused(options);
     return options;
 }
 

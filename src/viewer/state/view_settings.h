@@ -1,7 +1,6 @@
 #pragma once
 
 #include "camera/camera_input.h"
-#include "finish.h"
 
 #include <cdr/render/renderer.h>
 #include <scenes/colours.h>
@@ -44,13 +43,8 @@ struct ViewSettings {
     depth::Technique technique = depth::parseTechnique("anchored"); ///< the left one of a split screen
     std::optional<depth::Technique> second{}; ///< right of the divider; empty for one picture
     double divider = 0.5;                     ///< share of the width that the left picture has, 0 to 1
-    render::TargetsChoice targets = render::TargetsKind::single;
-    render::Submission submission = render::Submission::secondaries;
-    render::Batching batching = render::Batching::instanced;
-    render::Snapping snapping = render::Snapping::byDevice;
-    std::size_t threads = 1;
+    render::RenderOptions drawing{};          ///< but for sizes and techniques; some of it may be unused
     ViewKind view = ViewKind::shaded;
-    Finish finish{};
     options::ViewsArguments views{};     ///< one eye, or two
     options::ViewsArguments givenEyes{}; ///< the two of the command line, which come back after one; or none
     /// Who bends skins and morph targets; nothing: the device, if it is a graphics card that can.
@@ -80,7 +74,12 @@ void compareTwo(ViewSettings& settings, bool compares);
 /// Whether what is drawn depends on the frames before, as fitted splits do.
 bool remembersFrames(const ViewSettings& settings);
 
-/// How one side, 0 left or 1 right, is rendered. With two eyes beside each other, each has half of the width.
+/// Whether the shadows that are chosen are drawn, beside what else is chosen.
+bool castsShadows(const render::RenderOptions& options);
+
+/// How one side, 0 left or 1 right, is rendered. With two eyes beside each other, each has half of the width. Occlusion
+/// per cascade is for layered targets, so with others it is worked out over the whole picture. A focus is for `layers`
+/// alone, so with others there is none. There are no shadows with a focus, nor where levels of detail cast none.
 render::RenderOptions renderOptions(const ViewSettings& settings, std::size_t side,
                                     const PictureExtent& extent);
 

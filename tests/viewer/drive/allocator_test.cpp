@@ -1,5 +1,3 @@
-#include <viewer/panels/resident_memory.h>
-
 #include <gtest/gtest.h>
 #include <program/allocator.h>
 
@@ -23,9 +21,9 @@ TEST(Allocator, MakesABlockResidentThatNobodyWrites) {
     }
     constexpr std::size_t kBytes = std::size_t{16} << 20;
     program::writeAllBlocks();
-    const std::uint64_t before = viewer::residentBytes().value_or(0);
+    const std::uint64_t before = program::residentBytes().value_or(0);
     void* volatile block = std::malloc(kBytes); // volatile, or a compiler may leave both calls out
-    const std::uint64_t after = viewer::residentBytes().value_or(0);
+    const std::uint64_t after = program::residentBytes().value_or(0);
     std::free(block);
     EXPECT_GT(after, before + kBytes / 2); // the system counts each thread's pages with a delay
 }

@@ -86,26 +86,26 @@ TEST(SoakInput, IsBoundedAndReachesEverything) {
         }
         if (step.settings) {
             const ViewSettings& s = *step.settings;
-            ASSERT_GE(s.threads, 1u);
-            ASSERT_LE(s.threads, 4u);
+            ASSERT_GE(s.drawing.threads, 1u);
+            ASSERT_LE(s.drawing.threads, 4u);
             ASSERT_TRUE(s.divider >= 0.0 && s.divider <= 1.0);
             depth::parseSplit(depth::nameOf(s.technique.split));
             seen.insert("scene " + s.scene);
             seen.insert("view " + std::string(nameOf(s.view)));
-            seen.insert("targets " + render::nameOf(s.targets));
+            seen.insert("targets " + render::nameOf(s.drawing.targets));
             seen.insert("mapping " + std::string(depth::nameOf(s.technique.mapping)));
             seen.insert("format " + std::string(depth::nameOf(s.technique.format)));
-            seen.insert("submission " + std::string(render::nameOf(s.submission)));
-            seen.insert("batching " + std::string(render::nameOf(s.batching)));
-            seen.insert("snapping " + std::string(render::nameOf(s.snapping)));
-            const render::Effects& effects = s.finish.effects;
+            seen.insert("submission " + std::string(render::nameOf(s.drawing.submission)));
+            seen.insert("batching " + std::string(render::nameOf(s.drawing.batching)));
+            seen.insert("snapping " + std::string(render::nameOf(s.drawing.snapping)));
+            const render::Effects& effects = s.drawing.effects;
             seen.insert(effects.antialias == render::Antialias::edges ? "smooth edges" : "");
             seen.insert(effects.occlusion.radius > 0.0 ? "occlusion" : "");
             seen.insert(effects.fog.visibility > 0.0 ? "fog" : "");
-            seen.insert(s.finish.focus.isOn() ? "focus" : "");
-            seen.insert(s.finish.translucency.method == render::Translucency::sorted ? "sorted" : "");
+            seen.insert(s.drawing.focus.isOn() ? "focus" : "");
+            seen.insert(s.drawing.translucency.method == render::Translucency::sorted ? "sorted" : "");
             render::requireUsable(effects);
-            render::requireUsable(s.finish.focus);
+            render::requireUsable(s.drawing.focus);
             seen.insert(s.second ? "split screen" : "one picture");
         }
     }

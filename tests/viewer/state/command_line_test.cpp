@@ -70,9 +70,9 @@ TEST(RenderCommand, KeepsTheTexturesBudget) {
 
 TEST(RenderCommand, KeepsTheColorOfFog) {
     ReproducedView view = viewWith(kOwn);
-    view.settings.finish.effects.fog.visibility = 30.0;
+    view.settings.drawing.effects.fog.visibility = 30.0;
     EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--fog"), "30");
-    view.settings.finish.effects.fog.color = {1.0f, 0.0f, 0.25f};
+    view.settings.drawing.effects.fog.color = {1.0f, 0.0f, 0.25f};
     EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--fog"), "30,1,0,0.25");
 }
 
@@ -96,13 +96,13 @@ TEST(RenderCommand, KeepsWhoBendsMeshes) {
 /// cdr render refuses limits of what is not drawn.
 TEST(RenderCommand, LeavesOutLimitsOfWhatIsOff) {
     ReproducedView view = viewWith(kOwn);
-    view.settings.finish.shadows.maxTexels = 512;
-    view.settings.finish.translucency.maxBytes = std::uint64_t{8} << 20u;
+    view.settings.drawing.shadows.maxTexels = 512;
+    view.settings.drawing.translucency.maxBytes = std::uint64_t{8} << 20u;
     const std::string line = renderCommand(view, "a.png");
     EXPECT_EQ(line.find("--shadow-texels"), std::string::npos) << line;
     EXPECT_EQ(line.find("--translucency-memory"), std::string::npos) << line;
-    view.settings.finish.shadows.method = render::ShadowMethod::anchored;
-    view.settings.finish.translucency.method = render::Translucency::sorted;
+    view.settings.drawing.shadows.method = render::ShadowMethod::anchored;
+    view.settings.drawing.translucency.method = render::Translucency::sorted;
     EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--shadow-texels"), "512");
     EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--translucency-memory"), "8");
 }
@@ -125,11 +125,11 @@ TEST(RenderCommand, SaysEverythingThatIsChosen) {
     view.settings.scene = "my scene.glb";
     view.settings.technique = depth::Technique{
         depth::Mapping::anchoredReversed, depth::parseSplit("fitted:0.5px,max=3"), depth::DepthFormat::d24};
-    view.settings.targets = render::TargetsChoice::pool(4);
-    view.settings.submission = render::Submission::primaries;
-    view.settings.batching = render::Batching::perObject;
-    view.settings.snapping = render::Snapping::inPlane;
-    view.settings.threads = 2;
+    view.settings.drawing.targets = render::TargetsChoice::pool(4);
+    view.settings.drawing.submission = render::Submission::primaries;
+    view.settings.drawing.batching = render::Batching::perObject;
+    view.settings.drawing.snapping = render::Snapping::inPlane;
+    view.settings.drawing.threads = 2;
     view.settings.seed = 5;
     view.settings.view = ViewKind::ids;
     EXPECT_EQ(
@@ -218,25 +218,6 @@ TEST(RenderCommand, BringsRolledCamerasBackToTheBit) {
         EXPECT_NE(line.find("--up="), std::string::npos);
         expectSame(cameraIn(line), camera);
         ASSERT_FALSE(testing::Test::HasFailure()) << i << line;
-    }
-}
-
-TEST(ShellQuoted, GivesTheWordBackInAShell) {
-    EXPECT_EQ(shellQuoted("plain-1.5e-7,x"), "plain-1.5e-7,x");
-    EXPECT_EQ(shellQuoted(""), "''");
-    EXPECT_EQ(shellQuoted("a b"), "'a b'");
-    EXPECT_EQ(shellQuoted("it's"), "'it'\\''s'");
-    EXPECT_EQ(shellQuoted("$(rm -rf ~)\n;`x`"), "'$(rm -rf ~)\n;`x`'");
-    EXPECT_EQ(shellQuoted("~/a"), "'~/a'");
-    // What a shell makes of them, by a shell.
-    for (const std::string word : {"it's a $HOME \\ \"x\" `y`", "*", "a&b|c>d<e;f", "!x #y", "--", "ö"}) {
-        const std::string command = "printf %s " + shellQuoted(word);
-        FILE* pipe = popen(command.c_str(), "r");
-        ASSERT_NE(pipe, nullptr);
-        char read[256] = {};
-        const std::size_t size = fread(read, 1, sizeof(read) - 1, pipe);
-        pclose(pipe);
-        EXPECT_EQ(std::string(read, size), word);
     }
 }
 

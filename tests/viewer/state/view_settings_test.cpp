@@ -55,20 +55,19 @@ TEST(ViewSettings, AnotherFileKeepsALampOrASky) {
 
 TEST(ViewSettings, ShadowsAreDrawnWhereLevelsOfDetailAndFocusLeaveThem) {
     using visibility::DetailMode;
-    constexpr auto kSingle = render::TargetsKind::single;
     for (const render::ShadowMethod method : {render::ShadowMethod::anchored, render::ShadowMethod::plain}) {
-        Finish finish;
-        EXPECT_FALSE(castsShadows(finish, kSingle)) << "none are chosen";
-        finish.shadows.method = method;
+        render::RenderOptions options;
+        EXPECT_FALSE(castsShadows(options)) << "none are chosen";
+        options.shadows.method = method;
         for (const DetailMode mode : visibility::kDetailModes) {
-            finish.detail.mode = mode;
-            EXPECT_EQ(castsShadows(finish, kSingle),
-                      mode == DetailMode::none || mode == DetailMode::perObject);
+            options.detail.mode = mode;
+            EXPECT_EQ(castsShadows(options), mode == DetailMode::none || mode == DetailMode::perObject);
         }
-        finish.detail.mode = DetailMode::none;
-        finish.focus = {.distance = 3.0, .aperture = 0.1};
-        EXPECT_TRUE(castsShadows(finish, kSingle)) << "a focus is for layers";
-        EXPECT_FALSE(castsShadows(finish, render::TargetsKind::layers));
+        options.detail.mode = DetailMode::none;
+        options.focus = {.distance = 3.0, .aperture = 0.1};
+        EXPECT_TRUE(castsShadows(options)) << "a focus is for layers";
+        options.targets = render::TargetsKind::layers;
+        EXPECT_FALSE(castsShadows(options));
         EXPECT_NE(explanationOf(method).find("nor with levels of detail by cascade or cluster"),
                   std::string_view::npos);
     }
@@ -77,8 +76,8 @@ TEST(ViewSettings, ShadowsAreDrawnWhereLevelsOfDetailAndFocusLeaveThem) {
 TEST(ViewSettings, SidesBecomeRenderOptions) {
     ViewSettings settings;
     settings.second = presetOfKey(3);
-    settings.threads = 3;
-    settings.targets = render::TargetsKind::layers;
+    settings.drawing.threads = 3;
+    settings.drawing.targets = render::TargetsKind::layers;
     const render::RenderOptions left = renderOptions(settings, 0, {640, 360});
     const render::RenderOptions right = renderOptions(settings, 1, {640, 360});
     EXPECT_EQ(nameOf(left.technique), "anchored");

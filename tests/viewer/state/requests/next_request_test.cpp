@@ -42,7 +42,7 @@ TEST(NextRequest, EachThingThatIsShownIsAskedForAtOnce) {
     EXPECT_FALSE(asksAfter([](RenderRequest& request) { request.serial = 9; }));
     EXPECT_TRUE(asksAfter([](RenderRequest& request) { request.camera->position.x = 1.0; }));
     EXPECT_TRUE(asksAfter([](RenderRequest& request) { request.frame = 1; }));
-    EXPECT_TRUE(asksAfter([](RenderRequest& request) { request.settings.threads = 2; }));
+    EXPECT_TRUE(asksAfter([](RenderRequest& request) { request.settings.drawing.threads = 2; }));
     EXPECT_TRUE(asksAfter([](RenderRequest& request) { ++request.extent.width; }));
 }
 
