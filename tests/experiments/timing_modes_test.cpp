@@ -17,8 +17,8 @@ TEST(TimingModes, BeginWithStandardTwiceAndHaveNamesOfTheirOwn) {
     const std::vector<TimingMode> modes = timingModes();
     ASSERT_GE(modes.size(), 12u);
     EXPECT_EQ(modes[0].name, "standard");
-    EXPECT_EQ(nameOf(modes[1].technique), "standard");
-    EXPECT_EQ(modes[0].targets, modes[1].targets);
+    EXPECT_EQ(nameOf(modes[1].drawing.technique), "standard");
+    EXPECT_EQ(modes[0].drawing.targets, modes[1].drawing.targets);
     std::set<std::string> names;
     for (const TimingMode& mode : modes) {
         EXPECT_TRUE(names.insert(mode.name).second) << mode.name;
