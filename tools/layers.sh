@@ -39,6 +39,6 @@ fetch() {
 libraries=$(dirname "$(find "$unpacked" -name libVkLayer_khronos_validation.so)")
 export VK_LAYER_PATH=$unpacked/usr/share/vulkan/explicit_layer.d
 export VK_KHRONOS_VALIDATION_SYNCVAL_LOAD_OP_AFTER_STORE_OP_VALIDATION=1
-# Surfaces write the light that they emit even where no attachment takes it, which the specification allows.
+# Surfaces write their emission, and translucent ones their count, even where no attachment takes it, as the specification allows.
 export VK_KHRONOS_VALIDATION_MESSAGE_ID_FILTER=Undefined-Value-ShaderOutputNotConsumed-DynamicRendering
 exec "$(find "$libraries" -name 'ld-linux*')" --library-path "$libraries" "$@"

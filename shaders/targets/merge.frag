@@ -10,16 +10,10 @@ layout(set = 0, binding = 1) uniform usampler2D layerEmission;
 layout(location = 1) out uint outEmission;
 #endif
 
-// FACETS: the buffers are visibility buffers, of one uint.
-#ifdef FACETS
-layout(location = 0) out uint outTexel;
-uint texelAt(ivec2 pixel) { return texelFetch(layerBuffer, pixel, 0).x; }
-bool isBackground(uint texel) { return texel == 0u; }
-#else
+// Whether the buffers are visibility buffers, of one uint, in place of G-buffers.
+layout(constant_id = 0) const uint kFacets = 0u;
 layout(location = 0) out uvec4 outTexel;
-uvec4 texelAt(ivec2 pixel) { return texelFetch(layerBuffer, pixel, 0); }
-bool isBackground(uvec4 texel) { return texel.w == 0u; }
-#endif
+bool isBackground(uvec4 texel) { return (kFacets != 0u ? texel.x : texel.w) == 0u; }
 
 #ifdef OCCLUDED
 // And works out ambient occlusion on the layer alone, as the thesis' method 2 has it: what other cascades hold is not there.
@@ -44,7 +38,7 @@ void main() {
 #else
     ivec2 pixel = ivec2(gl_FragCoord.xy);
 #endif
-    outTexel = texelAt(pixel);
+    outTexel = texelFetch(layerBuffer, pixel, 0);
     if (isBackground(outTexel)) {
         discard; // background: what lies farther stays
     }

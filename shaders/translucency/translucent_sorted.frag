@@ -7,9 +7,7 @@
 
 // Keeps every translucent fragment. In which order they come, and so which node each gets, changes nothing: the list
 // is sorted by what the nodes hold.
-#ifdef COUNTED
-layout(location = 0) out vec4 outCount; // red, by gpu::Blend::accumulate
-#endif
+layout(location = 0) out vec4 outCount; // red, by gpu::Blend::accumulate, where fragments are counted
 
 void main() {
     TranslucentFragment fragment = translucentFragment();
@@ -23,7 +21,5 @@ void main() {
     } else if (node > kMostCounted) {
         atomicMin(fragmentCount, kMostCounted); // at 2^32 it would begin anew, and give nodes twice
     }
-#ifdef COUNTED
     outCount = vec4(1.0, 0.0, 0.0, 0.0);
-#endif
 }

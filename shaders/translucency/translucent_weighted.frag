@@ -7,9 +7,7 @@
 // in the cascade's range on a logarithmic scale.
 layout(location = 0) out vec4 outSum;    // colours, and in alpha the transmittance, by gpu::Blend::accumulate
 layout(location = 1) out vec4 outWeight; // red
-#ifdef COUNTED
-layout(location = 2) out vec4 outCount; // red
-#endif
+layout(location = 2) out vec4 outCount; // red, where fragments are counted
 
 void main() {
     TranslucentFragment fragment = translucentFragment();
@@ -20,7 +18,5 @@ void main() {
     float weight = fragment.color.a * max(2e-4, 60.0 * nearness * nearness * nearness);
     outSum = vec4(fragment.color.rgb * fragment.color.a * weight, fragment.color.a);
     outWeight = vec4(fragment.color.a * weight, 0.0, 0.0, 0.0);
-#ifdef COUNTED
     outCount = vec4(1.0, 0.0, 0.0, 0.0);
-#endif
 }

@@ -210,14 +210,14 @@ void requireDeviceBytes(const Device& device, std::uint64_t bytes, const std::st
 }
 
 void growRecords(const Device& device, Buffer& records, std::size_t count, std::size_t recordBytes,
-                 const std::string& what) {
+                 const std::string& what, vk::BufferUsageFlagBits usage) {
     if (records.size() > 0 && count <= records.size() / recordBytes) {
         return;
     }
     // Half as many again, so that a camera that turns does not make a new buffer at every frame.
     const std::size_t bytes = std::max<std::size_t>(count + count / 2, 64) * recordBytes;
     requireDeviceBytes(device, bytes, fmt::format("the records of {} {}", count, what));
-    records = Buffer(device, bytes, vk::BufferUsageFlagBits::eVertexBuffer, MemoryUse::hostWrites, what);
+    records = Buffer(device, bytes, usage, MemoryUse::hostWrites, what);
 }
 
 } // namespace cdr::gpu

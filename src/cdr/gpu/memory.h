@@ -102,9 +102,10 @@ std::uint64_t allocatedDeviceBytes(const Device& device);
 /// base::RunError with both figures when `bytes` for `what` exceed what is free. Call before allocating.
 void requireDeviceBytes(const Device& device, std::uint64_t bytes, const std::string& what);
 
-/// Makes a vertex buffer that the host writes again where it has no room for `count` records. It holds nothing then.
+/// Makes a buffer that the host writes again where it has no room for `count` records. It holds nothing then.
 /// @param what the records are of, in the plural. base::RunError names it where memory is missing.
 void growRecords(const Device& device, Buffer& records, std::size_t count, std::size_t recordBytes,
-                 const std::string& what);
+                 const std::string& what,
+                 vk::BufferUsageFlagBits usage = vk::BufferUsageFlagBits::eVertexBuffer);
 
 } // namespace cdr::gpu

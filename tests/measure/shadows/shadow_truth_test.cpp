@@ -206,7 +206,8 @@ TEST(ShadowTruth, InstancesThatReferToNothingAreRefused) {
         scene::Scene bad = good;
         (bad.instances.*member)[1] = 3; // of 2 materials and 3 meshes
         EXPECT_THROW(measure::ShadowTruthCaster(bad, shapes.shapes()), base::InputError);
-        EXPECT_THROW(measure::castShadowedLayers(bad, makePlainCamera(), 8, 8, workers), base::InputError);
+        EXPECT_THROW(measure::castLayers(bad, makePlainCamera(), 8, 8, workers, measure::Lights::castShadows),
+                     base::InputError);
     }
 }
 

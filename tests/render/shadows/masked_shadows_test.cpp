@@ -140,9 +140,9 @@ TEST_F(MaskedShadowsTest, HolesLetLightOnTranslucentSurfaces) {
     platform::WorkerPool workers(2);
     const auto differs = [&](const scene::Scene& drawn) {
         const render::Frame frame = draw(drawn, camera, options);
-        return measure::compareLayers(
-            frame.color, frame.fragmentCounts,
-            measure::castShadowedLayers(scene, camera, options.width, options.height, workers));
+        return measure::compareLayers(frame.color, frame.fragmentCounts,
+                                      measure::castLayers(scene, camera, options.width, options.height,
+                                                          workers, measure::Lights::castShadows));
     };
     const measure::LayerDifference difference = differs(scene);
     EXPECT_GT(difference.translucent, 20'000u);

@@ -27,7 +27,7 @@ class TranslucentShadowsTest : public RenderTest {
     }
     measure::LayeredTruth truthOf(const scene::Scene& scene, const scene::Camera& camera) const {
         platform::WorkerPool workers(2);
-        return measure::castShadowedLayers(scene, camera, kWidth, kHeight, workers);
+        return measure::castLayers(scene, camera, kWidth, kHeight, workers, measure::Lights::castShadows);
     }
     /// The sheets' is cast once.
     const measure::LayeredTruth& truthOfSheets() const {

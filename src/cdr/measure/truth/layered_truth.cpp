@@ -150,41 +150,29 @@ void castBand(const View& view, const platform::IndexRange& band, LayeredTruth& 
     }
 }
 
-enum class Lights : std::uint8_t { reachAll, castShadows };
+} // namespace
 
-LayeredTruth castView(const scene::Scene& scene, const scene::Camera& camera, const glm::uvec2& size,
-                      Lights lights, platform::WorkerPool& workers) {
+LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
+                        std::uint32_t height, platform::WorkerPool& workers, Lights lights) {
     scene::requireUsable(camera);
-    if (size.x == 0 || size.y == 0) {
+    if (width == 0 || height == 0) {
         throw base::InputError("truth: a picture needs at least one pixel");
     }
-    platform::requireHostBytes(platform::saturatingProduct({size.x, size.y, sizeof(LayeredPixel)}),
-                               fmt::format("the truth of {}x{} pixels with layers", size.x, size.y));
+    platform::requireHostBytes(platform::saturatingProduct({width, height, sizeof(LayeredPixel)}),
+                               fmt::format("the truth of {}x{} pixels with layers", width, height));
     std::vector<Shape> shapes(scene.meshes.begin(), scene.meshes.end());
     const TruthTextures textures(scene);
     std::optional<ShadowTruthCaster> shadows;
     if (lights == Lights::castShadows) {
         shadows.emplace(scene, shapes);
     }
-    const View view = viewOf(scene, shapes, camera, size, textures, shadows, workers);
-    LayeredTruth truth(size.x, size.y);
-    const std::size_t bands = (std::size_t{size.y} + kLayeredBandRows - 1) / kLayeredBandRows;
+    const View view = viewOf(scene, shapes, camera, {width, height}, textures, shadows, workers);
+    LayeredTruth truth(width, height);
+    const std::size_t bands = (std::size_t{height} + kLayeredBandRows - 1) / kLayeredBandRows;
     workers.run(bands, [&](std::size_t band, std::size_t) {
-        castBand(view, platform::evenRange(size.y, band, bands), truth);
+        castBand(view, platform::evenRange(height, band, bands), truth);
     });
     return truth;
-}
-
-} // namespace
-
-LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
-                        std::uint32_t height, platform::WorkerPool& workers) {
-    return castView(scene, camera, {width, height}, Lights::reachAll, workers);
-}
-
-LayeredTruth castShadowedLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
-                                std::uint32_t height, platform::WorkerPool& workers) {
-    return castView(scene, camera, {width, height}, Lights::castShadows, workers);
 }
 
 std::vector<LayeredPixel> castLayersAt(const scene::Scene& scene, std::span<const Shape> shapes,

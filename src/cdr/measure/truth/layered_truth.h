@@ -26,19 +26,19 @@ struct LayeredPixel {
 
 using LayeredTruth = image::Raster<LayeredPixel>;
 
+/// What lights reach: all surfaces, or those that no opaque one hides from them (scene::shadowLights()). A float64 ray goes to each
+/// of these lights from each surface, translucent ones too. A pixel on a shadow's edge is no inner one.
+enum class Lights : std::uint8_t { reachAll, castShadows };
+
 /// Casts one float64 ray through every pixel's centre and sorts all that it meets up to the first opaque
 /// surface. Lights every surface in float64 as the shading pass does, and lays the translucent ones over each
 /// other. Shares no code with the renderer. Tries each triangle of an instance at every pixel that it may
 /// cover, so meant for meshes of few triangles. base::InputError and base::RunError as TruthCaster.
 LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
-                        std::uint32_t height, platform::WorkerPool& workers);
+                        std::uint32_t height, platform::WorkerPool& workers,
+                        Lights lights = Lights::reachAll);
 
-/// The same where lights cast shadows (scene::shadowLights()): from each surface, translucent ones too, a float64 ray to each of
-/// them. Opaque surfaces alone stop it. A pixel on a shadow's edge is no inner one.
-LayeredTruth castShadowedLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
-                                std::uint32_t height, platform::WorkerPool& workers);
-
-/// What some pixels of such a picture show, as castLayers() or, with shadows, castShadowedLayers() has it, but for `isInner`.
+/// What some pixels of such a picture show, as castLayers() has it, but for `isInner`.
 /// @param shapes of the scene's meshes. @param pixels within the size.
 std::vector<LayeredPixel> castLayersAt(const scene::Scene& scene, std::span<const Shape> shapes,
                                        const scene::Camera& camera, const glm::uvec2& size,

@@ -22,6 +22,9 @@ shaders::ReceiverPush receiverPush(const LightView& view, const FrameView& frame
     const glm::dvec3 place =
         view.toLight((camera.position - view.origin) - camera.back * static_cast<double>(referenceView));
     const double halfStep = std::exp2(-1.0 - options.subPixelBits); // pixels, and texels
+    // Of the map; the rest of the image is of other maps.
+    const shaders::ivec2 last(static_cast<std::int32_t>(view.size.width) - 1,
+                              static_cast<std::int32_t>(view.size.height) - 1);
     const auto row = [&](const glm::dvec3& axis, double offset) {
         return glm::vec4(glm::dot(axis, camera.right), glm::dot(axis, camera.up),
                          -glm::dot(axis, camera.back), offset);
@@ -30,7 +33,7 @@ shaders::ReceiverPush receiverPush(const LightView& view, const FrameView& frame
             .up = row(view.up, place.y),
             .ahead = row(view.ahead, place.z),
             .low = view.low,
-            .mapCorner = {},
+            .mapCorner = {options.corner.x, options.corner.y},
             .nearView = toFloat(view.nearView),
             .farView = toFloat(view.farView),
             .referenceView = referenceView,
@@ -39,11 +42,9 @@ shaders::ReceiverPush receiverPush(const LightView& view, const FrameView& frame
             .mapSnap = static_cast<float>(halfStep),
             .channel = static_cast<std::uint32_t>(options.channel),
             .isPlain = options.isPlain ? 1u : 0u,
-            .mapLast = {},
+            .mapLast = last,
             // A texel less than the border, so that neighbouring parts overlap.
-            .part = view.isPart ? shaders::vec2(static_cast<float>(view.size.width) - 1.0f,
-                                                static_cast<float>(view.size.height) - 1.0f)
-                                : shaders::vec2(0.0f)};
+            .part = view.isPart ? shaders::vec2(last) : shaders::vec2(0.0f)};
 }
 
 } // namespace cdr::render

@@ -126,9 +126,6 @@ void ShadowPass::prepare(Slot& slot, const FrameView& view, const Seen& seen, st
         receivers.push =
             receiverPush(slot.views[i], view,
                          {.channel = receivers.channel, .isPlain = isPlain, .subPixelBits = subPixelBits});
-        const vk::Extent2D drawn = slot.views[i].size; // the rest of the image is of other maps
-        receivers.push.mapLast = {static_cast<std::int32_t>(drawn.width) - 1,
-                                  static_cast<std::int32_t>(drawn.height) - 1};
     }
 }
 

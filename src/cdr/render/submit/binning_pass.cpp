@@ -201,12 +201,11 @@ bool BinningPass::follow(Copies& copies) {
         groupAll();
     }
     const std::uint64_t tablesBefore = std::exchange(m_meshes, m_drawn.uploaded.meshesRevision());
-    if (provideBuffers() || !isGrouped || wasStaged || changed.size() > m_scatter.most()) {
-        copyAll(copies);
-    } else {
-        m_isStaged =
-            copyChanges({.instances = changed, .before = before, .tables = tablesBefore != m_meshes}, copies);
-    }
+    const bool isWhole = provideBuffers() || !isGrouped || wasStaged || changed.size() > m_scatter.most();
+    m_isStaged = copyChanges(
+        isWhole ? Changes{.instances = {}, .before = {}, .tables = true}
+                : Changes{.instances = changed, .before = before, .tables = tablesBefore != m_meshes},
+        copies);
     return std::exchange(copies.buffers, m_sceneBuffers) != m_sceneBuffers;
 }
 
@@ -269,18 +268,6 @@ BinningPass::Tables BinningPass::tables() const {
             {static_cast<std::uint32_t>(group.begin), static_cast<std::uint32_t>(group.end)});
     }
     return made;
-}
-
-void BinningPass::copyAll(Copies& copies) const {
-    const Tables all = tables();
-    Stager stager;
-    stager.add(kSpheres, 0, m_spheres);
-    stager.add(kLooks, 0, m_looks);
-    stager.add(kMaterials, 0, all.materials);
-    stager.add(kRuns, 0, m_runs);
-    stager.add(kGroups, 0, all.groups);
-    stager.add(kLevels, 0, all.levels);
-    stager.write(m_device, copies.staging, copies.regions);
 }
 
 /// Whether anything changed.

@@ -101,7 +101,6 @@ class BinningPass {
     bool readChanged(std::vector<std::uint32_t>& changed);
     bool provideBuffers();
     Tables tables() const;
-    void copyAll(Copies& copies) const;
     bool copyChanges(const Changes& changes, Copies& copies) const;
     std::uint64_t listGroups(std::size_t cascades) const; ///< that list commands
     gpu::Pipeline makePipeline(const gpu::Spirv& spirv, const char* name) const;

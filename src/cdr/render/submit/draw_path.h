@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/gpu/commands.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/frame.h>
 #include <cdr/render/frame_view.h>
@@ -55,6 +56,31 @@ class DrawPath : public CascadeCommands {
     virtual vk::BufferView facets() const { return {}; }
     /// After the frame ran. False when room did not suffice, which it now does: bin and draw it again.
     virtual bool settle(FrameStats& stats) = 0;
+};
+
+/// A path whose draws are all in one primary: a host's, or one of its own.
+class OnePrimaryPath : public DrawPath {
+  public:
+    vk::CommandBuffer primary() override { return m_primary; }
+    void drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) override;
+    std::span<const vk::CommandBuffer> endDraws(const FrameView& view) override;
+    std::span<const vk::CommandBuffer> end(const FrameView& view) override;
+
+  protected:
+    /// @param flags of its rendering scopes.
+    OnePrimaryPath(const gpu::Device& device, const std::string& name, vk::RenderingFlags flags);
+    /// @param host recording; null: it begins its own.
+    void beginPrimary(vk::CommandBuffer host);
+    /// Inside a rendering scope.
+    virtual void drawCascade(std::size_t cascade) = 0;
+
+  private:
+    const gpu::Device& m_device;
+    gpu::CommandPool m_pool;
+    vk::RenderingFlags m_flags;
+    vk::CommandBuffer m_primary;
+    vk::CommandBuffer m_endedDraws; ///< by endDraws()
+    bool m_isOwn = true;            ///< the primary; else it is a host's
 };
 
 } // namespace cdr::render

@@ -1,10 +1,13 @@
 #include <cdr/base/format_error.h>
+#include <cdr/render/geometry/begin_cascade.h>
 #include <cdr/render/submit/facet_draws.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace cdr::render {
 
@@ -71,17 +74,59 @@ void FacetDraws::makeRoom(std::size_t draws) {
 }
 
 void FacetDraws::record(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const {
-    m_pass.record(commands, job,
-                  {.scene = scene(),
-                   .view = view,
-                   .lists = lists(),
-                   .streams = {.vertices = static_cast<shaders::FacetVertex*>(m_vertices.mapped()),
-                               .indices = static_cast<std::uint32_t*>(m_indices.mapped()),
-                               .facets = static_cast<shaders::FacetRecord*>(m_facets.mapped()),
-                               .lit = static_cast<glm::vec3*>(m_lit.mapped())},
-                   .vertices = m_vertices.handle(),
-                   .indices = m_indices.handle(),
-                   .lit = m_lit.handle()});
+    const FacetCounts& most = m_pass.meshes().most();
+    const std::size_t first = job.draws.begin;
+    FacetStreams streams{.vertices =
+                             static_cast<shaders::FacetVertex*>(m_vertices.mapped()) + first * most.vertices,
+                         .indices = static_cast<std::uint32_t*>(m_indices.mapped()) + first * most.indices,
+                         .firstFacet = static_cast<std::uint32_t>(first * most.facets),
+                         .metallicRoughness = m_pass.pipelines().options().metallicRoughness};
+    std::optional<FacetLight> light;
+    if (m_pass.lights()) {
+        light.emplace(scene(), view.camera);
+        streams.lit = static_cast<glm::vec3*>(m_lit.mapped()) + first * most.vertices * light->stride();
+        commands.bindVertexBuffers(FacetPipelines::kLitBinding, {m_lit.handle()}, {0});
+    } else {
+        streams.facets = static_cast<shaders::FacetRecord*>(m_facets.mapped()) + first * most.facets;
+    }
+    FacetWriter writer(view, job.cascade, streams, light ? &*light : nullptr);
+
+    setCascadeViewport(commands, view, job.cascade);
+    commands.bindVertexBuffers(FacetPipelines::kVertexBinding, {m_vertices.handle()}, {0});
+    commands.bindIndexBuffer(m_indices.handle(), 0, vk::IndexType::eUint32);
+    commands.setCullMode(vk::CullModeFlagBits::eBack);
+    commands.setFrontFace(vk::FrontFace::eCounterClockwise);
+    const GpuScene& uploaded = m_pass.uploaded();
+    const std::size_t wideBegin = std::clamp(lists().wideBegin(job.cascade), first, job.draws.end);
+    std::size_t draw = first;
+    for (const auto& [end, span] :
+         {std::pair(wideBegin, Span::compact), std::pair(job.draws.end, Span::wide)}) {
+        const std::uint32_t firstIndex = writer.counts().indices;
+        for (; draw < end; ++draw) {
+            const DrawSource& source = uploaded.sources()[lists().instance[draw]];
+            const std::uint32_t level = lists().level.empty() ? 0 : lists().level[draw];
+            writer.add(m_pass.meshes().solid(source.kind, level), source,
+                       uploaded.materials()[source.material]);
+        }
+        if (const std::uint32_t count = writer.counts().indices - firstIndex; count > 0) {
+            bind(commands, span, job.cascade, view);
+            commands.drawIndexed(count, 1, static_cast<std::uint32_t>(first * most.indices) + firstIndex,
+                                 static_cast<std::int32_t>(first * most.vertices), 0);
+        }
+    }
+}
+
+void FacetDraws::bind(vk::CommandBuffer commands, Span span, std::size_t cascade,
+                      const FrameView& view) const {
+    const FacetPipelines& pipelines = m_pass.pipelines();
+    bindForCascade(commands, pipelines.pipeline(span, FacetLight::litBy(scene())), pipelines.layout(),
+                   makeCascadePush(view, cascade));
+    if (m_pass.lights()) {
+        const double anchorView = view.cascades[cascade].terms.anchorView;
+        commands.pushConstants<glm::vec4>(pipelines.layout(), GeometryPipelines::kStages,
+                                          shaders::kPushedLightsOffset,
+                                          pushedLights(scene(), view.camera, anchorView));
+    }
 }
 
 void FacetDraws::flush() const {

@@ -10,17 +10,20 @@ class FacetDraws final : public HostDraws {
   public:
     FacetDraws(const HostDrawsContext& context, const FacetPass& pass) : HostDraws(context), m_pass(pass) {}
 
+    /// Writes a job's corners, triangles and facets, and draws them by one command, or by two where some draws are
+    /// wide. Takes no lock and allocates nothing.
     void record(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const override;
     void flush() const override;
-    ScopeFormats formats() const override { return m_pass.formats(); }
+    ScopeFormats formats() const override { return m_pass.pipelines().formats(); }
     vk::BufferView facets() const override { return *m_facetTexels; }
 
   protected:
-    depth::Mapping mapping() const override { return m_pass.mapping(); }
+    depth::Mapping mapping() const override { return m_pass.pipelines().options().technique.mapping; }
     void makeRoom(std::size_t draws) override;
 
   private:
     void makeRecords(std::size_t facets);
+    void bind(vk::CommandBuffer commands, Span span, std::size_t cascade, const FrameView& view) const;
     /// The most draws whose facets the device reads. base::RunError if these are more.
     std::size_t mostDraws(std::size_t draws) const;
 

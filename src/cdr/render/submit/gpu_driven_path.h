@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cdr/gpu/commands.h>
 #include <cdr/render/occluders/device_occlusion.h>
 #include <cdr/render/submit/device_lists.h>
 
@@ -12,7 +11,7 @@ namespace cdr::render {
 /// Compute passes cull and bin into indirect draws with counts; the CPU writes the camera and a handful of
 /// commands. Ranks come from masks and sums, not from who is first, so the draws are the CPU path's in the
 /// CPU path's order.
-class GpuDrivenPath final : public DrawPath {
+class GpuDrivenPath final : public OnePrimaryPath {
   public:
     /// @param occlusion leaves out what is hidden, or null.
     GpuDrivenPath(const gpu::Device& device, BinningPass& binning, const GeometryPass& pass,
@@ -22,22 +21,16 @@ class GpuDrivenPath final : public DrawPath {
     void bin(const FrameView& view, const visibility::VisibleCells&, FrameStats& stats) override;
     void begin(const FrameView& view, const HostCommands& host) override;
     bool isEmpty(std::size_t) const override { return false; } ///< only the device knows
-    vk::CommandBuffer primary() override { return m_primary; }
-    void drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) override;
-    std::span<const vk::CommandBuffer> endDraws(const FrameView& view) override;
-    std::span<const vk::CommandBuffer> end(const FrameView& view) override;
     void noteLaunched() override { m_binning.noteLaunched(); }
     void noteDropped() override { m_binning.noteDropped(); }
     bool settle(FrameStats& stats) override;
 
   private:
-    const gpu::Device& m_device;
+    void drawCascade(std::size_t cascade) override;
+
     BinningPass& m_binning;
     const GeometryPass& m_pass;
     DeviceOcclusion* m_occlusion; ///< null without occlusion culling
-    gpu::CommandPool m_pool;
-    vk::CommandBuffer m_primary;
-    vk::CommandBuffer m_endedDraws; ///< by endDraws()
     DeviceLists m_lists;
     std::optional<DeviceLists> m_first; ///< of occluders
     DeviceOcclusion::Slot m_occlusionSlot;

@@ -1,5 +1,4 @@
 #include <cdr/render/submit/secondary_path.h>
-#include <cdr/render/targets/scope_commands.h>
 
 #include <algorithm>
 #include <utility>
@@ -33,22 +32,16 @@ std::vector<DrawJob> makeJobs(const visibility::DrawLists& lists, std::size_t th
 
 SecondaryPath::SecondaryPath(const gpu::Device& device, std::unique_ptr<HostDraws> draws,
                              const std::string& name)
-    : m_device(device),
+    : OnePrimaryPath(device, name, vk::RenderingFlagBits::eContentsSecondaryCommandBuffers),
       m_draws(std::move(draws)),
       m_pools(device, vk::CommandBufferLevel::eSecondary, m_draws->workers().threads(), name),
-      m_primaryPool(device, vk::CommandBufferLevel::ePrimary, name),
       m_hostPool(device, vk::CommandBufferLevel::eSecondary, name + " host") {}
 
 void SecondaryPath::begin(const FrameView& view, const HostCommands& host) {
     recordJobs(view);
     m_draws->flush();
     recordHost(view.cascades.size(), host);
-    m_isOwn = !host.into;
-    m_primary = host.into;
-    if (m_isOwn) {
-        m_primaryPool.reset();
-        m_primary = gpu::beginOnce(m_primaryPool);
-    }
+    beginPrimary(host.into);
 }
 
 void SecondaryPath::recordHost(std::size_t cascades, const HostCommands& host) {
@@ -88,24 +81,10 @@ void SecondaryPath::recordJobs(const FrameView& view) {
     });
 }
 
-void SecondaryPath::drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) {
-    m_device.beginLabel(m_primary, labelOf(cascades).c_str());
-    constexpr auto kFlags = vk::RenderingFlagBits::eContentsSecondaryCommandBuffers;
-    beginGBufferScope(m_primary, scope, kFlags);
-    for (const std::size_t cascade : cascades) {
-        if (scope.depthClear != nullptr && cascade != cascades.front()) {
-            scope.depthClear->putInto(m_primary, kFlags);
-        }
-        drawInside({cascade, cascade + 1});
-    }
-    m_primary.endRendering();
-    m_device.endLabel(m_primary);
-}
-
 void SecondaryPath::drawInside(platform::IndexRange cascades) {
     const auto execute = [&](std::size_t begin, std::size_t end) {
         if (end > begin) {
-            m_primary.executeCommands(static_cast<std::uint32_t>(end - begin), &m_commands[begin]);
+            primary().executeCommands(static_cast<std::uint32_t>(end - begin), &m_commands[begin]);
         }
     };
     if (m_hostCommands.empty()) {
@@ -113,26 +92,9 @@ void SecondaryPath::drawInside(platform::IndexRange cascades) {
     } else {
         for (std::size_t cascade = cascades.begin; cascade < cascades.end; ++cascade) {
             execute(m_cascadeBegins[cascade], m_cascadeBegins[cascade + 1]);
-            m_primary.executeCommands(m_hostCommands[cascade]);
+            primary().executeCommands(m_hostCommands[cascade]);
         }
     }
-}
-
-std::span<const vk::CommandBuffer> SecondaryPath::endDraws(const FrameView&) {
-    if (!m_isOwn) {
-        return {};
-    }
-    m_primary.end();
-    m_endedDraws = std::exchange(m_primary, gpu::beginOnce(m_primaryPool));
-    return {&m_endedDraws, 1};
-}
-
-std::span<const vk::CommandBuffer> SecondaryPath::end(const FrameView&) {
-    if (!m_isOwn) {
-        return {};
-    }
-    m_primary.end();
-    return {&m_primary, 1};
 }
 
 } // namespace cdr::render

@@ -18,7 +18,7 @@ std::vector<DrawJob> makeJobs(const visibility::DrawLists& lists, std::size_t th
 ///
 /// Each worker owns a command pool, reset whole at every frame. A job's secondary lands in the slot of the
 /// job's index, so the order of execution never depends on which worker finished first.
-class SecondaryPath final : public DrawPath {
+class SecondaryPath final : public OnePrimaryPath {
   public:
     SecondaryPath(const gpu::Device& device, std::unique_ptr<HostDraws> draws, const std::string& name);
 
@@ -30,27 +30,19 @@ class SecondaryPath final : public DrawPath {
     bool isEmpty(std::size_t cascade) const override {
         return m_hostCommands.empty() && m_draws->lists().range(cascade).size() == 0;
     }
-    vk::CommandBuffer primary() override { return m_primary; }
     /// Draws inside a rendering scope that the caller began in primary(), for secondaries.
     void drawInside(platform::IndexRange cascades);
-    void drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) override;
-    std::span<const vk::CommandBuffer> endDraws(const FrameView& view) override;
-    std::span<const vk::CommandBuffer> end(const FrameView& view) override;
     bool settle(FrameStats&) override { return true; }
     vk::BufferView facets() const override { return m_draws->facets(); }
 
   private:
+    void drawCascade(std::size_t cascade) override { drawInside({cascade, cascade + 1}); }
     void recordJobs(const FrameView& view);
     void recordHost(std::size_t cascades, const HostCommands& host);
 
-    const gpu::Device& m_device;
     std::unique_ptr<HostDraws> m_draws;
     WorkerCommandPools m_pools;
-    gpu::CommandPool m_primaryPool;
     gpu::CommandPool m_hostPool;
-    vk::CommandBuffer m_primary;
-    vk::CommandBuffer m_endedDraws; ///< by endDraws()
-    bool m_isOwn = true;            ///< the primary; else it is a host's
     std::vector<DrawJob> m_jobs;
     std::vector<vk::CommandBuffer> m_commands; ///< by job
     std::vector<std::size_t> m_cascadeBegins;  ///< first job of each cascade, and the end

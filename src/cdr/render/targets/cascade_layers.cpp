@@ -29,7 +29,7 @@ FullscreenPassOptions mergeOptions(const TargetsOptions& options) {
                                 .bindings = {vk::DescriptorType::eCombinedImageSampler},
                                 .format = options.format};
     if (options.format == kVisibilityFormat) {
-        merge.fragmentSpirv = kMergeFacetsFrag;
+        merge.constants = {1};
     }
     if (options.emission) {
         merge.fragmentSpirv = kMergeEmissionFrag;

@@ -13,12 +13,10 @@ namespace {
 
 TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, const gpu::SetLayout& list,
                                         const BlendOptions& blend) {
-    return withShaders({.name = "translucent, sorted", .sets = {surroundings, list}}, blend,
-                       {.lit = {kTranslucentSortedFrag, kTranslucentSortedDetailedFrag},
-                        .counted = {kTranslucentSortedCountedFrag, kTranslucentSortedCountedDetailedFrag},
-                        .shadowed = {kTranslucentSortedShadowedFrag, kTranslucentSortedShadowedDetailedFrag},
-                        .shadowedCounted = {kTranslucentSortedShadowedCountedFrag,
-                                            kTranslucentSortedShadowedCountedDetailedFrag}});
+    return withShaders(
+        {.name = "translucent, sorted", .sets = {surroundings, list}}, blend,
+        {.lit = {kTranslucentSortedFrag, kTranslucentSortedDetailedFrag},
+         .shadowed = {kTranslucentSortedShadowedFrag, kTranslucentSortedShadowedDetailedFrag}});
 }
 
 } // namespace

@@ -59,9 +59,7 @@ std::uint32_t keyOf(std::uint32_t variant, bool hasMetallicRoughness) {
 
 TranslucentPipelinesOptions withShaders(TranslucentPipelinesOptions options, const BlendOptions& blend,
                                         const BlendShaders& shaders) {
-    const BlendShader& uncounted = blend.receivesShadows ? shaders.shadowed : shaders.lit;
-    const BlendShader& counted = blend.receivesShadows ? shaders.shadowedCounted : shaders.counted;
-    const BlendShader& chosen = blend.countsFragments ? counted : uncounted;
+    const BlendShader& chosen = blend.receivesShadows ? shaders.shadowed : shaders.lit;
     options.fragmentSpirv = chosen.plain;
     options.detailedSpirv = chosen.detailed;
     options.receivesShadows = blend.receivesShadows;

@@ -35,12 +35,10 @@ struct BlendShader {
     gpu::Spirv detailed;
 };
 
-/// A method's fragment shaders by what they do besides: receive shadows, count fragments into the last image.
+/// A method's fragment shaders by whether they receive shadows. All count fragments into the last image, if it is there.
 struct BlendShaders {
     BlendShader lit;
-    BlendShader counted;
     BlendShader shadowed;
-    BlendShader shadowedCounted;
 };
 
 /// `options` with those of `shaders` that `blend` asks for.

@@ -39,9 +39,7 @@ TranslucentShadows::TranslucentShadows(const gpu::Device& device, const DrawnSce
       m_scene(scene),
       m_options(options),
       m_casters(device, scene),
-      m_map(device, scene.uploaded.textureLayout(), kMinShadowTexels) {
-    growReceivers();
-}
+      m_map(device, scene.uploaded.textureLayout(), kMinShadowTexels) {}
 
 std::uint32_t TranslucentShadows::maxTexels(std::span<const ReceiverSlice> slices,
                                             const FrameView& view) const {
@@ -97,14 +95,15 @@ void TranslucentShadows::prepare(const FrameView& view, const visibility::Visibl
     m_slices.back().farView = std::numeric_limits<float>::infinity();
     m_casters.prepare(view, slices, m_views, workers);
     placeMaps();
-    growReceivers();
+    gpu::growRecords(m_device, m_receivers, m_views.size(), sizeof(shaders::ReceiverPush),
+                     "translucent receivers", vk::BufferUsageFlagBits::eStorageBuffer);
     const auto receivers = m_receivers.as<shaders::ReceiverPush>(m_views.size());
     for (std::size_t i = 0; i < m_views.size(); ++i) {
-        receivers[i] = receiverPush(
-            m_views[i], view, {.channel = m_channels[i], .isPlain = isPlain, .subPixelBits = subPixelBits});
-        receivers[i].mapCorner = {m_corners[i].x, m_corners[i].y};
-        receivers[i].mapLast = {static_cast<std::int32_t>(m_views[i].size.width) - 1,
-                                static_cast<std::int32_t>(m_views[i].size.height) - 1};
+        receivers[i] = receiverPush(m_views[i], view,
+                                    {.channel = m_channels[i],
+                                     .isPlain = isPlain,
+                                     .subPixelBits = subPixelBits,
+                                     .corner = m_corners[i]});
     }
     m_receivers.flush();
 }
@@ -128,14 +127,6 @@ void TranslucentShadows::placeMaps() {
         gpu::requireDeviceBytes(m_device, ShadowMap::predictBytes(m_device, side),
                                 "shadow maps of translucent surfaces");
         m_map = ShadowMap(m_device, m_scene.uploaded.textureLayout(), side);
-    }
-}
-
-void TranslucentShadows::growReceivers() {
-    const std::size_t bytes = std::max<std::size_t>(m_views.size(), 1) * sizeof(shaders::ReceiverPush);
-    if (bytes > m_receivers.size()) {
-        m_receivers = gpu::Buffer(m_device, bytes, vk::BufferUsageFlagBits::eStorageBuffer,
-                                  gpu::MemoryUse::hostWrites, "translucent receivers");
     }
 }
 

@@ -43,7 +43,6 @@ class TranslucentShadows {
     /// Of a side of a map, so that those of each slice fit into the image.
     std::uint32_t maxTexels(std::span<const ReceiverSlice> slices, const FrameView& view) const;
     void placeMaps();
-    void growReceivers();
 
     const gpu::Device& m_device;
     DrawnScene m_scene;

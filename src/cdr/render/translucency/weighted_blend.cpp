@@ -32,10 +32,7 @@ TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, cons
          .colorFormats = {kSumFormat, kWeightFormat}},
         blend,
         {.lit = {kTranslucentWeightedFrag, kTranslucentWeightedDetailedFrag},
-         .counted = {kTranslucentWeightedCountedFrag, kTranslucentWeightedCountedDetailedFrag},
-         .shadowed = {kTranslucentWeightedShadowedFrag, kTranslucentWeightedShadowedDetailedFrag},
-         .shadowedCounted = {kTranslucentWeightedShadowedCountedFrag,
-                             kTranslucentWeightedShadowedCountedDetailedFrag}});
+         .shadowed = {kTranslucentWeightedShadowedFrag, kTranslucentWeightedShadowedDetailedFrag}});
 }
 
 vk::RenderingAttachmentInfo cleared(const gpu::Image& image, float alpha) {
