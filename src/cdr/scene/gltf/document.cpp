@@ -110,16 +110,15 @@ void requireBoundedArrays(const json& root, const GltfLimits& limits) {
 
 } // namespace
 
-Document parseDocument(std::string_view text, const GltfLimits& limits, Notes& notes) {
-    Document document{.root = parseBoundedJson(text)};
-    const json& root = document.root;
+json parseDocument(std::string_view text, const GltfLimits& limits, Notes& notes) {
+    json root = parseBoundedJson(text);
     if (!root.is_object()) {
         refuse("its JSON is not an object");
     }
     requireVersion2(root);
     requireBoundedArrays(root, limits);
     requireSupportedExtensions(root, notes);
-    return document;
+    return root;
 }
 
 } // namespace cdr::scene::gltf

@@ -10,13 +10,8 @@
 
 namespace cdr::scene::gltf {
 
-/// A glTF document, its counts and depth bounded.
-struct Document {
-    /// Parsed once. The importer reads from it what the scene uses, and checks it there; see json.h.
-    nlohmann::json root;
-};
-
-/// Parses JSON text. Parts that are not used are noted in `notes`.
-Document parseDocument(std::string_view text, const GltfLimits& limits, Notes& notes);
+/// Parses JSON text once, its counts and depth bounded. The importer reads from it what the scene uses, and checks it there; see
+/// json.h. Parts that are not used are noted in `notes`.
+nlohmann::json parseDocument(std::string_view text, const GltfLimits& limits, Notes& notes);
 
 } // namespace cdr::scene::gltf

@@ -3,6 +3,7 @@
 #include "bytes/container.h"
 #include "bytes/read_progress.h"
 #include "checks.h"
+#include "document.h"
 #include "draco/decompressor.h"
 #include "import.h"
 #include "instancing.h"
@@ -86,13 +87,13 @@ class Importer {
         : m_sources(sources),
           m_limits(limits),
           m_memory(limits.maxBytes),
-          m_accessors(sources.document.root, sources.buffers),
+          m_accessors(sources.document, sources.buffers),
           m_decompressor(sources.buffers, m_accessors, limits.maxFileBytes),
           m_meshes(m_accessors, m_memory, sources.notes),
           m_materials(sources, m_scene) {}
 
     void run(const PlacedNodes& nodes, GltfImport& result) {
-        m_moving.emplace(m_sources.document.root, nodes, m_accessors, m_memory, m_sources.notes);
+        m_moving.emplace(m_sources.document, nodes, m_accessors, m_memory, m_sources.notes);
         readCopies(nodes.meshes);
         requireBounded(nodes.meshes);
         for (const MeshNode& node : nodes.meshes) {
@@ -178,7 +179,7 @@ std::uint64_t Importer::countOf(const MeshNode& node) const {
 void Importer::readCopies(const std::vector<MeshNode>& nodes) {
     std::uint64_t objects = 0;
     for (const MeshNode& node : nodes) {
-        const json& source = itemAt(m_sources.document.root, "nodes", node.node, "node");
+        const json& source = itemAt(m_sources.document, "nodes", node.node, "node");
         if (const json* extension = extensionOf(source, kInstancing)) {
             const auto copies =
                 m_copies.try_emplace(node.node, *extension, m_accessors, fmt::format("node {}", node.node));
@@ -234,7 +235,7 @@ void Importer::addNodes(const std::vector<MeshNode>& nodes) {
         bytes.push_back(1 + (isRead.insert(node.mesh).second ? readBytes(node.mesh) : 0));
         all += bytes.back();
     }
-    const std::size_t pictures = arrayMember(m_sources.document.root, "images").size();
+    const std::size_t pictures = arrayMember(m_sources.document, "images").size();
     ReadProgress progress(m_limits.progress, all + pictures * kPictureBytes);
     m_sources.buffers.blocks().tell(&progress);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -264,23 +265,21 @@ std::uint64_t Importer::readBytes(int mesh) {
 }
 
 std::uint64_t Importer::readBounded(int mesh) {
-    const MeshSource& source =
-        m_sourceMeshes.emplace(mesh, readMesh(m_sources.document.root, mesh)).first->second;
+    const MeshSource& source = m_sourceMeshes.emplace(mesh, readMesh(m_sources.document, mesh)).first->second;
     std::uint64_t triangles = 0;
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
         triangles += drawnTriangleCount(source.primitives[i], m_accessors);
         const Primitive& primitive = source.primitives[i];
-        requireTargets(m_sources.document.root, primitive, m_accessors, placeOf(mesh, source.name, i));
-        const VertexKind kind = mayHaveDetail(m_sources.document.root, primitive.material)
-                                    ? VertexKind::detailed
-                                    : VertexKind::plain;
+        requireTargets(m_sources.document, primitive, m_accessors, placeOf(mesh, source.name, i));
+        const VertexKind kind =
+            mayHaveDetail(m_sources.document, primitive.material) ? VertexKind::detailed : VertexKind::plain;
         m_memory.add(predictBytes(primitive, m_accessors, kind), placeOf(mesh, source.name, i));
     }
     return triangles;
 }
 
 void Importer::addNode(const MeshNode& node) {
-    const std::string nodeName = fullNameOf(itemAt(m_sources.document.root, "nodes", node.node, "node"));
+    const std::string nodeName = fullNameOf(itemAt(m_sources.document, "nodes", node.node, "node"));
     const std::string& meshName = m_sourceMeshes.at(node.mesh).name;
     // A mesh may be that of many nodes, so what they take of its name is bounded.
     const std::string name = !nodeName.empty()   ? nodeName
@@ -290,7 +289,7 @@ void Importer::addNode(const MeshNode& node) {
     forEachCopy(node, [&](const MeshNode& copy) {
         const std::string own =
             copy.toNode ? fmt::format("{} {}", oneLine(name, kMaxNameLength), copies++) : name;
-        addObjects(copy, partNames(m_sources.document.root, m_sourceMeshes.at(node.mesh), own));
+        addObjects(copy, partNames(m_sources.document, m_sourceMeshes.at(node.mesh), own));
     });
 }
 
@@ -433,15 +432,15 @@ GltfImport importParts(const ByteSource& file, const std::filesystem::path& path
                        std::optional<std::uint32_t> scene) {
     Container container = openContainer(file);
     Notes notes;
-    const Document document = parseDocument(container.text(), limits, notes);
+    const json document = parseDocument(container.text(), limits, notes);
     container.json = {}; // which may be most of a file that has its buffers in data URIs
     Files files(file.file() != nullptr ? std::optional(path.parent_path()) : std::nullopt, limits);
-    const Buffers buffers(document.root, container.bin, files, limits);
+    const Buffers buffers(document, container.bin, files, limits);
     GltfImport result;
-    const PlacedNodes nodes = placeNodes(document.root, limits, scene, notes);
+    const PlacedNodes nodes = placeNodes(document, limits, scene, notes);
     Importer({document, buffers, files, notes}, limits).run(nodes, result);
-    result.cameras = placeCameras(nodes.cameras, document.root, notes);
-    result.lights = placeLights(nodes.lights, document.root, notes);
+    result.cameras = placeCameras(nodes.cameras, document, notes);
+    result.lights = placeLights(nodes.lights, document, notes);
     result.scene.name = path.stem().string();
     if (result.scene.instances.size() == 0) {
         notes.add("nothing of it is drawn", "the scene");

@@ -118,7 +118,7 @@ MaterialUse MaterialImporter::import(int index, Ground ground) {
     material.name = "default";
     material.metallicRoughness = MetallicRoughness{}; // glTF's defaults
     if (index >= 0) {
-        const json& source = itemAt(m_sources.document.root, "materials", index, "material");
+        const json& source = itemAt(m_sources.document, "materials", index, "material");
         const std::string where = fmt::format("material '{}'", nameOf(source));
         const json& factors = objectMember(source, "pbrMetallicRoughness", where);
         material.name = fullNameOf(source);

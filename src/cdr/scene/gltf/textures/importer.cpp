@@ -78,7 +78,7 @@ TextureImporter::TextureImporter(const Sources& sources, Scene& scene) : m_sourc
 
 std::optional<int> TextureImporter::imageOf(int index) {
     const std::optional<int> image =
-        indexMember(itemAt(m_sources.document.root, "textures", index, "texture"), "source");
+        indexMember(itemAt(m_sources.document, "textures", index, "texture"), "source");
     if (!image) {
         m_sources.notes.add("a texture's picture is supplied by an extension that is not supported",
                             fmt::format("texture {}", index));
@@ -91,7 +91,7 @@ std::optional<std::uint32_t> TextureImporter::use(int index, TextureContent cont
     if (!image) {
         return {};
     }
-    const json& root = m_sources.document.root;
+    const json& root = m_sources.document;
     const json& source = itemAt(root, "textures", index, "texture");
     const std::optional<int> samplerIndex = indexMember(source, "sampler");
     const json defaults = json::object();

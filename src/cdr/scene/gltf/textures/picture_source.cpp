@@ -10,7 +10,7 @@ std::string PictureSource::label() const {
 }
 
 PictureSource readPictureSource(const Sources& sources, int image) {
-    const nlohmann::json& json = itemAt(sources.document.root, "images", image, "image");
+    const nlohmann::json& json = itemAt(sources.document, "images", image, "image");
     const std::optional<int> bufferView = indexMember(json, "bufferView");
     const std::optional<std::string> uri = stringMember(json, "uri");
     if (bufferView.has_value() == uri.has_value()) {
@@ -28,7 +28,7 @@ PictureSource readPictureSource(const Sources& sources, int image) {
 
 image::ImageRgba8 decodePicture(const Sources& sources, const PictureSource& picture) {
     const auto uri = [&] {
-        const nlohmann::json& json = itemAt(sources.document.root, "images", picture.image, "image");
+        const nlohmann::json& json = itemAt(sources.document, "images", picture.image, "image");
         return stringMember(json, "uri").value_or("");
     };
     const platform::Bytes encoded =
