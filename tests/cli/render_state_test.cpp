@@ -2,6 +2,7 @@
 #include "program.h"
 
 #include <cdr/platform/file.h>
+#include <cli/render/kept_frame.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -58,6 +59,29 @@ class RenderState : public FolderTest {
 };
 
 constexpr const char* kElsewhere = "; remove it or name another file";
+
+/// What a line of a state keeps of a frame.
+nlohmann::ordered_json madeIn(const std::string& line) {
+    return nlohmann::ordered_json::parse(line.substr(line.find(' '))).at("made");
+}
+
+std::string frameLineOf(std::size_t unit, const nlohmann::ordered_json& made) {
+    const std::string json = nlohmann::ordered_json{{"unit", unit}, {"made", made}}.dump();
+    return program::sha256Of(json) + " " + json;
+}
+
+/// Whether `render` takes it where it made a frame such as `good`. The program asks the same of each frame of a state.
+bool isTakenAs(const nlohmann::ordered_json& good, const nlohmann::ordered_json& made) {
+    cli::FrameShape shape{.number = good.at("row").at("frame"),
+                          .label = good.at("cells").at(0),
+                          .cells = good.at("cells").size(),
+                          .fields = {},
+                          .isCertified = !good.at("certificate").is_null()};
+    for (const auto& item : good.at("row").items()) {
+        shape.fields.insert(item.key());
+    }
+    return cli::isKeptFrame(nlohmann::ordered_json::parse(made.dump()), shape); // numbers as a file has them
+}
 
 TEST_F(RenderState, MakesOnlyWhatIsMissing) {
     const std::string render = std::string(kRender) + "--hash --json a.json";
@@ -174,12 +198,17 @@ TEST_F(RenderState, RefusesWhatIsNoCertificate) {
     succeed(render);
     const std::vector<std::string> lines = linesIn(at("s"));
     ASSERT_EQ(lines.size(), 2u);
+    const auto good = madeIn(lines[1]);
+    EXPECT_TRUE(isTakenAs(good, good));
     for (const auto& [place, value] : strangeCertificates()) {
-        auto record = nlohmann::ordered_json::parse(lines[1].substr(lines[1].find(' ')));
-        record["made"]["certificate"][nlohmann::ordered_json::json_pointer(place)] = value;
-        writeLines(at("s"), {lines[0], program::sha256Of(record.dump()) + " " + record.dump()});
-        expectRefused(render, std::string("s: holds no results of render") + kElsewhere);
+        auto made = good;
+        made["certificate"][nlohmann::ordered_json::json_pointer(place)] = value;
+        EXPECT_FALSE(isTakenAs(good, made)) << place << value;
     }
+    auto made = good;
+    made["certificate"]["frame"] = 7;
+    writeLines(at("s"), {lines[0], frameLineOf(0, made)});
+    expectRefused(render, std::string("s: holds no results of render") + kElsewhere);
 }
 
 /// What a state cannot hold as it is: bytes that are no UTF-8.
@@ -194,31 +223,35 @@ TEST_F(RenderState, RefusesWhatIsNoStateOfItsOwn) {
     succeed(kRender);
     const std::vector<std::string> lines = linesIn(at("s"));
     const auto withRecord = [&](const nlohmann::ordered_json& made) {
-        const std::string json = nlohmann::ordered_json{{"unit", 1}, {"made", made}}.dump();
         auto changed = lines;
-        changed.push_back(program::sha256Of(json) + " " + json);
+        changed.push_back(frameLineOf(1, made));
         writeLines(at("s"), changed);
     };
-    const nlohmann::ordered_json good =
-        nlohmann::ordered_json::parse(lines[2].substr(lines[2].find(' '))).at("made");
+    const nlohmann::ordered_json good = madeIn(lines[2]);
     withRecord(good);
     succeed(kRender);
+    EXPECT_TRUE(isTakenAs(good, good));
     for (const char* field : {"notes", "row", "cells", "certificate", "picture"}) {
         auto made = good;
         made[field] = 7;
-        withRecord(made);
-        expectRefused(kRender, std::string("s: holds no results of render") + kElsewhere);
+        EXPECT_FALSE(isTakenAs(good, made)) << field;
         made.erase(field);
-        withRecord(made);
-        expectRefused(kRender, std::string("s: holds no results of render") + kElsewhere);
+        EXPECT_FALSE(isTakenAs(good, made)) << field;
     }
-    auto made = good;
-    made["cells"].push_back("more");
-    withRecord(made);
-    expectRefused(kRender, std::string("s: holds no results of render") + kElsewhere);
     for (const auto& [place, value] : strangeValues()) {
-        made = good;
+        auto made = good;
         made[nlohmann::ordered_json::json_pointer(place)] = value;
+        EXPECT_FALSE(isTakenAs(good, made)) << place << value;
+    }
+    // What depends on the run: its frames, columns, rows and whether it certifies.
+    for (const auto& [place, value] : std::vector<Strange>{{"/row/frame", 3},
+                                                           {"/row/nobody", 7},
+                                                           {"/cells/0", "cubes frame 4"},
+                                                           {"/cells/-", "more"},
+                                                           {"/certificate", 7}}) {
+        auto made = good;
+        made[nlohmann::ordered_json::json_pointer(place)] = value;
+        EXPECT_FALSE(isTakenAs(good, made)) << place;
         withRecord(made);
         expectRefused(kRender, std::string("s: holds no results of render") + kElsewhere);
     }
