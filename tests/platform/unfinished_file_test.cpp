@@ -33,7 +33,11 @@ int endOf(const std::function<void()>& body) {
     return status;
 }
 
-class SignalTest : public testing::TestWithParam<int> {};
+class SignalTest : public testing::TestWithParam<int> {
+  protected:
+    /// A shell ignores some signals in what it starts in the background.
+    void SetUp() override { std::signal(GetParam(), SIG_DFL); }
+};
 
 TEST_P(SignalTest, EndsTheProcessAndWhatItHadNotFinished) {
     const test::TemporaryFolder folder;
