@@ -175,7 +175,10 @@ const OpenedDevice& Command::opened() {
 std::function<void(std::size_t, std::size_t, const std::string&)> Command::progress() const {
     return [this, watch = platform::Stopwatch(), first = std::optional<std::size_t>()](
                std::size_t done, std::size_t all, const std::string& what) mutable {
-        first = first.value_or(done); // an earlier run may have done some
+        if (!first || done <= *first) { // an earlier run may have done some, and the next part begins at 0
+            first = done;
+            watch = {};
+        }
         std::optional<double> secondsLeft;
         if (done > *first) {
             secondsLeft =

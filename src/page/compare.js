@@ -28,6 +28,14 @@ const kept = {
             return false;
         }
     },
+    /** @returns {boolean} whether the text stands under another key now. */
+    move(key, to) {
+        const isMoved = this.write(to, this.read(key));
+        if (isMoved) {
+            localStorage.removeItem(key);
+        }
+        return isMoved;
+    },
 };
 
 const askedSeed = new URLSearchParams(location.search).get("seed");
@@ -52,7 +60,7 @@ const trial = new Trial({
  * @returns {?object[]} no answers; null where the browser does not keep it.
  */
 function setAside(key) {
-    return kept.write(`${key}-unread-${Date.now()}`, kept.read(key)) ? [] : null;
+    return kept.move(key, `${key}-unread-${Date.now()}`) ? [] : null;
 }
 
 /** Keeps the sitting, which is written over another one: that one's answers are kept first. Another tab may have added some. */

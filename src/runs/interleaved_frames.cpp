@@ -109,7 +109,9 @@ std::vector<double> InterleavedFrames::ratios(std::size_t mode, std::size_t over
                                               double FrameSample::*part) const {
     std::vector<double> ratios = samples(mode, part);
     const std::vector<double> base = samples(over, part);
-    std::transform(ratios.begin(), ratios.end(), base.begin(), ratios.begin(), std::divides<>());
+    // On a coarse clock a part may take no time.
+    std::transform(ratios.begin(), ratios.end(), base.begin(), ratios.begin(),
+                   [](double time, double ofBase) { return ofBase > 0.0 ? time / ofBase : 1.0; });
     return ratios;
 }
 

@@ -47,7 +47,7 @@ export function restore(text) {
     }
 }
 
-/** Answers of earlier sittings as they were kept with toCsv(); null when the text is no such thing, which must be left as it is. */
+/** Answers of earlier sittings as they were kept with toCsv(); null when the text is no such thing, which must not be lost. */
 export function restoreOthers(text) {
     try {
         return text ? fromCsv(text) : [];
