@@ -62,14 +62,19 @@ TEST_F(ViewerTest, OpensWhatItCopied) {
 
 /// All that a line says of the finish comes back, numbers too.
 TEST_F(ViewerTest, CopiesWhatItWasGiven) {
-    const std::string finish =
-        "--detail=object:4 --translucency=sorted --translucency-memory=1 --antialias=edges";
-    const std::string shadows = "--shadows=anchored --shadow-texels=512";
-    for (const std::string& given : {finish, shadows, std::string("--device=0")}) {
-        const RunResult run =
-            play("alley --technique anchored --size 560x300 " + given, "wait-frame\ncommand\nquit\n");
-        ASSERT_EQ(run.lines("cdr render").size(), 1u) << run.out;
-        EXPECT_NE(run.lines("cdr render")[0].find(" " + given + " "), std::string::npos) << run.out;
+    const std::vector<std::string> given{
+        "--detail=object:4", "--translucency=sorted", "--translucency-memory=1",
+        "--antialias=edges", "--shadows=anchored",    "--shadow-texels=512",
+        "--device=0"};
+    std::string arguments = "alley --technique anchored --size 560x300";
+    for (const std::string& option : given) {
+        arguments += " " + option;
+    }
+    const RunResult run = play(arguments, "wait-frame\ncommand\nquit\n");
+    const auto lines = run.lines("cdr render");
+    ASSERT_EQ(lines.size(), 1u) << run.out;
+    for (const std::string& option : given) {
+        EXPECT_NE(lines[0].find(" " + option + " "), std::string::npos) << option << ": " << lines[0];
     }
 }
 

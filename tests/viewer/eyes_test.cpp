@@ -57,36 +57,31 @@ TEST_F(ViewerTest, KeepsTheEyesOfTheCommandLine) {
 
 /// What is under the cursor is what the eye sees there whose picture it is in.
 TEST_F(ViewerTest, PicksInEachEye) {
-    // Where what each click hits is, clicked one after the other.
-    const auto at = [&](const std::string& option, const std::vector<int>& columns) {
-        std::string script = "wait-frame\n";
-        for (const int x : columns) {
-            script += "move " + std::to_string(x) +
-                      " 250\nwait-frame\nwait-ui 5\npress\nrelease\n"
-                      "wait-state picked=\nstate\nkey X\nwait-ui 1\n";
-        }
-        const RunResult run = play(option + kEyes, script + "quit\n");
-        std::vector<std::string> places;
-        for (const std::string& state : run.lines("scene=")) {
-            places.push_back(valueOf(state, "picked-at"));
-        }
-        EXPECT_EQ(places.size(), columns.size());
-        places.resize(columns.size());
-        return places;
+    const auto clickAt = [](int x) {
+        return "move " + std::to_string(x) +
+               " 250\nwait-frame\nwait-ui 5\npress\nrelease\n"
+               "wait-state picked=\nstate\nkey X\nwait-ui 1\n";
     };
-    const std::string eyes = "--stereo parallel --eye-distance 1e-6 ";
+    constexpr int kHalf = 212 / 2; // the columns of one eye
+    const std::string otherEyes = "key G\nwait-frame\n";
+    const RunResult run = play("--stereo parallel --eye-distance 1e-6 --stereo-picture anaglyph " + kEyes,
+                               "wait-frame\n" + clickAt(90) + otherEyes + clickAt(90) + otherEyes +
+                                   clickAt(20) + clickAt(kHalf + 20) + clickAt(kHalf + 51) + "quit\n");
+    const auto states = run.states(5);
+    EXPECT_EQ(valueOf(states[0], "eyes"), "anaglyph");
+    EXPECT_EQ(valueOf(states[1], "eyes"), "");
+    EXPECT_EQ(valueOf(states[2], "eyes"), "side-by-side");
+    const auto placeOf = [&](std::size_t click) { return valueOf(states[click], "picked-at"); };
     const auto close = [](const std::string& a, const std::string& b) {
         double ax = 0.0, ay = 0.0, az = 0.0, bx = 0.0, by = 0.0, bz = 0.0;
         EXPECT_EQ(std::sscanf(a.c_str(), "%lf,%lf,%lf", &ax, &ay, &az), 3) << a;
         EXPECT_EQ(std::sscanf(b.c_str(), "%lf,%lf,%lf", &bx, &by, &bz), 3) << b;
         return std::abs(ax - bx) + std::abs(ay - by) + std::abs(az - bz) < 1e-3;
     };
-    constexpr int kHalf = 212 / 2; // the columns of one eye
-    const auto inEyes = at(eyes, {20, kHalf + 20, kHalf + 51});
-    EXPECT_TRUE(close(inEyes[0], inEyes[1]));
-    EXPECT_FALSE(close(inEyes[0], inEyes[2]));
+    EXPECT_TRUE(close(placeOf(2), placeOf(3)));
+    EXPECT_FALSE(close(placeOf(2), placeOf(4)));
     // An anaglyph is picked through the left eye, which here stands where one eye would.
-    EXPECT_TRUE(close(at(eyes + "--stereo-picture anaglyph ", {90})[0], at("", {90})[0]));
+    EXPECT_TRUE(close(placeOf(0), placeOf(1)));
 }
 
 } // namespace

@@ -99,13 +99,15 @@ function(cdr_room name)
     endif()
 endfunction()
 
-# cdr_test(NAME [DRIVER] [SUITES] [OWN_HEADERS] [EXCLUDE REGEX] [BATCHES COUNT] LIBRARIES target...): every .cpp of the folder
-# and its subfolders as one GoogleTest program. CTest runs each case in a process of its own, or with SUITES each suite. SUITES
-# is for programs whose cases share what is slow to make, such as a device. DRIVER labels them as needing a Vulkan driver.
+# cdr_test(NAME [DRIVER] [SUITES] [ALONE suite...] [TOGETHER suite...] [OWN_HEADERS] [EXCLUDE REGEX] [BATCHES COUNT]
+# LIBRARIES target...): every .cpp of the folder and its subfolders as one GoogleTest program. CTest runs each case in a process
+# of its own, or with SUITES each suite. SUITES is for programs whose cases share what is slow to make, such as a device, or take
+# less time than a start of the program. ALONE names suites whose cases have a process each in spite of it, and TOGETHER, without
+# SUITES, those that have one. DRIVER labels them as needing a Vulkan driver.
 # OWN_HEADERS is for rooms that need no package: their tests do without the headers that tests/CMakeLists.txt compiles once.
 # BATCHES compiles all folders in so many batches, which is faster than one for each folder: see cdr_shared_batches.
 function(cdr_test name)
-    cmake_parse_arguments(TEST "DRIVER;SUITES;OWN_HEADERS" "EXCLUDE;BATCHES" "LIBRARIES" ${ARGN})
+    cmake_parse_arguments(TEST "DRIVER;SUITES;OWN_HEADERS" "EXCLUDE;BATCHES" "LIBRARIES;ALONE;TOGETHER" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
     if(TEST_EXCLUDE)
         list(FILTER sources EXCLUDE REGEX "${TEST_EXCLUDE}")
@@ -129,9 +131,16 @@ function(cdr_test name)
     if(TEST_DRIVER)
         list(APPEND properties LABELS driver)
     endif()
-    if(NOT TEST_SUITES)
-        gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 300 PROPERTIES ${properties})
-        return()
+    if(NOT TEST_SUITES OR TEST_ALONE)
+        # By their names as GoogleTest has them: with parameters something stands before or behind them.
+        set(filters ${TEST_ALONE} ${TEST_TOGETHER})
+        list(TRANSFORM filters REPLACE "^(.+)$" "\\1.*:*/\\1.*:\\1/*")
+        list(JOIN filters ":" filter)
+        if(NOT TEST_ALONE)
+            string(PREPEND filter "*-")
+        endif()
+        gtest_discover_tests(${name} TEST_FILTER "${filter}" DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 300
+            PROPERTIES ${properties})
     endif()
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${sources})
     set(suites "")
@@ -141,6 +150,11 @@ function(cdr_test name)
         list(APPEND suites ${lines})
     endforeach()
     list(REMOVE_DUPLICATES suites)
+    if(TEST_SUITES)
+        list(REMOVE_ITEM suites "" ${TEST_ALONE})
+    else()
+        set(suites ${TEST_TOGETHER})
+    endif()
     foreach(suite IN LISTS suites)
         add_test(NAME ${suite} COMMAND ${name} "--gtest_filter=${suite}.*:*/${suite}.*:${suite}/*" --gtest_brief=1)
         set_tests_properties(${suite} PROPERTIES ${properties})
