@@ -52,6 +52,9 @@ passed=true
 # Four more than there are processors, since tests of ranks mostly wait for their launcher.
 "${launcher[@]}" ctest --preset "$preset" --parallel "$(($(nproc) + 4))" || passed=false
 echo "Seconds: $((built - start)) to build, $((SECONDS - built)) to test"
+# CTest counts skipped entries, and an entry may be a whole suite.
+grep --after-context=1 ': Skipped$' "build/$preset/Testing/Temporary/LastTest.log" | grep --invert-match -e ': Skipped$' -e '^--$' |
+    sort | uniq --count | sed 's/^ *\([0-9]*\)/Skipped cases: \1,/' || true
 
 if ! $formatted; then echo "tools/test.sh: tools/format.sh --check failed, see above; tools/format.sh mends what differs" >&2; fi
 $passed && $formatted
