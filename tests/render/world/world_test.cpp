@@ -265,6 +265,7 @@ TEST_F(WorldTest, RenderersOfAnyOptionsShowAnyEdits) {
 
 /// After every single edit, of which half change meshes, materials, textures or lights.
 TEST_F(WorldTest, EachEditIsShownAtOnce) {
+    gpu::keepPipelines(device()); // how they come and go is seen where any edits are drawn
     World world;
     Editor editor(77, world);
     editor.populate(40);
