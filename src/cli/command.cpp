@@ -26,6 +26,31 @@ ProcessorUse processorUse(const GlobalOptions& global) {
     return global.bind ? ProcessorUse::bound : ProcessorUse::free;
 }
 
+/// Shows how far a part of the work is, and how long the rest of it takes.
+class PartProgress {
+  public:
+    explicit PartProgress(const Console& console) : m_console(&console) {}
+
+    void operator()(std::size_t done, std::size_t all, const std::string& what) {
+        // An earlier run may have done some, and the next part begins at 0.
+        if (!m_first || done <= *m_first) {
+            m_first = done;
+            m_watch = {};
+        }
+        std::optional<double> secondsLeft;
+        if (done > *m_first) {
+            secondsLeft =
+                m_watch.seconds() * static_cast<double>(all - done) / static_cast<double>(done - *m_first);
+        }
+        m_console->progress(done, all, what, secondsLeft);
+    }
+
+  private:
+    const Console* m_console;
+    platform::Stopwatch m_watch;
+    std::optional<std::size_t> m_first;
+};
+
 } // namespace
 
 void requireAlone(const ranks::Ranks& ranks, const std::string& name) {
@@ -173,23 +198,13 @@ const OpenedDevice& Command::opened() {
 }
 
 std::function<void(std::size_t, std::size_t, const std::string&)> Command::progress() const {
-    return [this, watch = platform::Stopwatch(), first = std::optional<std::size_t>()](
-               std::size_t done, std::size_t all, const std::string& what) mutable {
-        if (!first || done <= *first) { // an earlier run may have done some, and the next part begins at 0
-            first = done;
-            watch = {};
-        }
-        std::optional<double> secondsLeft;
-        if (done > *first) {
-            secondsLeft =
-                watch.seconds() * static_cast<double>(all - done) / static_cast<double>(done - *first);
-        }
-        m_console.progress(done, all, what, secondsLeft);
-    };
+    return PartProgress(m_console);
 }
 
 std::function<void(std::size_t, std::size_t)> Command::progressOf(const std::string& what) const {
-    return [what, named = progress()](std::size_t done, std::size_t all) { named(done, all, what); };
+    return [what, part = PartProgress(m_console)](std::size_t done, std::size_t all) mutable {
+        part(done, all, what);
+    };
 }
 
 void Command::endProgress() const {
