@@ -189,10 +189,14 @@ TEST_P(RankStateFile, RefusesWhatIsNoStateOfItsOwn) {
         damaged[2][damaged[2].size() / 2] ^= 1;
         writeState(damaged);
         expectRefused(ranks, "s: is damaged" + elsewhere);
-        damaged = lines;
-        damaged[2] = lineOf(recordIn(damaged[2]).at("unit"), platform::toBase64(nlohmann::json::to_cbor(7)));
-        writeState(damaged);
-        expectRefused(ranks, "s: holds results that do not fit this run" + elsewhere);
+        for (const auto& other :
+             {nlohmann::json(7), nlohmann::json::binary({})}) { // of another kind, and none
+            damaged = lines;
+            damaged[2] =
+                lineOf(recordIn(damaged[2]).at("unit"), platform::toBase64(nlohmann::json::to_cbor(other)));
+            writeState(damaged);
+            expectRefused(ranks, "s: holds results that do not fit this run" + elsewhere);
+        }
         if (!triesAll()) {
             continue;
         }
