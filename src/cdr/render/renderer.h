@@ -68,8 +68,8 @@ class CDR_EXPORT Renderer {
     FrameStats draw(const scene::Camera& camera);
 
     /// Renders one frame without waiting for it: the CPU is at most `framesInFlight` ahead of the device. A
-    /// frame whose lists had too little room (gpu-driven, or translucent surfaces sorted) signals nonetheless.
-    /// Once that is seen, the whole frame is drawn again, unless a later frame was submitted.
+    /// frame whose lists had too little room (gpu-driven, or translucent surfaces sorted) signals nonetheless, and lacks what
+    /// found none. finish() draws it again, whole, unless a later frame was begun or the scene changed.
     /// @errors base::InputError, base::RunError and std::system_error as render(), of an earlier frame too.
     void submit(const scene::Camera& camera, const FrameSync& sync = {});
     /// Records one frame into a host's command buffer and images. The host submits it to the device's queue, or calls
@@ -92,7 +92,8 @@ class CDR_EXPORT Renderer {
     /// not recorded, or record() threw.
     /// @errors None.
     void dropRecorded();
-    /// Waits for all that was submitted or recorded.
+    /// Waits for all that was submitted or recorded. Where the last submitted frame lacks something (submit()), draws it again
+    /// into the same images: what a host reads of them on other queues has to be done.
     /// @errors base::RunError and std::system_error of these frames, as render().
     void finish();
     /// Where the last frame is. From this function's first call on, frames wait for the host's reads of these images, in any

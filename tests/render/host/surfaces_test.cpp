@@ -1,11 +1,14 @@
+#include "../../support/timeline.h"
 #include "../failing_calls.h"
 #include "../fixture.h"
 #include "read_image.h"
 
+#include <cdr/gpu/functions.h>
 #include <cdr/render/renderer_setup.h>
 #include <scenes/cubes.h>
 
 #include <optional>
+#include <vector>
 
 namespace cdr::render_test {
 
@@ -86,6 +89,39 @@ TEST_F(SurfacesTest, AFrameThatLackedRoomDoesNotComeOverALaterOne) {
     const auto pixels = readGBuffer(device(), renderer.surfaces().gbuffer);
     EXPECT_EQ(pixels.at(240, 135).id(), 1u);
     EXPECT_EQ(renderer.render(crowded.lacks).id(240, 135), 2u);
+}
+
+/// A host may still read the images on another queue. The next frame waits for that, so it must not draw the last one again.
+TEST_F(SurfacesTest, AFrameThatLackedRoomIsDrawnAgainByFinishAlone) {
+    if (!canDrawGpuDriven()) {
+        return;
+    }
+    std::vector<std::uint32_t> waits; // by submission
+    gpu::BorrowedDevice handles = lentDevice();
+    handles.hasGpuDrivenFeatures = true;
+    handles.submit = [&](const VkSubmitInfo2& submission, VkFence done) {
+        waits.push_back(submission.waitSemaphoreInfoCount);
+        return gpu::functions().vkQueueSubmit2(handles.queue, 1, &submission, done);
+    };
+    const gpu::Device borrowed(handles);
+    const test::Timeline hasRead(borrowed);
+    hasRead.signal();
+    const VkSemaphoreSubmitInfo read = hasRead.info();
+    Crowded crowded;
+    crowded.options.framesInFlight = 1;
+    for (const bool isFinished : {true, false}) {
+        SoleRenderer renderer(borrowed, crowded.scene, crowded.options);
+        renderer.submit(crowded.lacks);
+        waits.clear();
+        if (isFinished) {
+            renderer.finish();
+        } else {
+            renderer.submit(crowded.fits, {.waits = {&read, 1}});
+        }
+        EXPECT_EQ(waits, std::vector<std::uint32_t>{isFinished ? 0u : 1u});
+        const auto pixels = readGBuffer(borrowed, renderer.surfaces().gbuffer);
+        EXPECT_EQ(pixels.at(240, 135).id(), isFinished ? 2u : 1u);
+    }
 }
 
 /// Room for the first frame's lists is not there. The frame after it is waited for nonetheless.

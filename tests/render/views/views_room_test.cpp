@@ -27,8 +27,8 @@ scene::Scene boxesAndPanes() {
     return scene;
 }
 
-/// The last frame is drawn again, with more room, when what the next one shows is listed already.
-TEST_F(ViewsRoomTest, AFrameThatIsDrawnAgainLeavesTheNextOneAsItIs) {
+/// The last frame's lists get more room when the next one is drawn.
+TEST_F(ViewsRoomTest, AFrameThatLackedRoomLeavesTheNextOneAsItIs) {
     const scene::Scene scene = boxesAndPanes();
     const render::GpuScene onDevice(device(), scene);
     const scene::Camera ahead{.farView = 1000.0};

@@ -31,7 +31,7 @@ FrameRunner::FrameRunner(const gpu::Device& device, const SceneFollower& scene, 
 
 FrameRunner::~FrameRunner() {
     try {
-        finish();
+        settleAll();
     } catch (...) {
         // Nobody waits for these frames any more; a lost device is reported where somebody does.
     }
@@ -87,7 +87,7 @@ void FrameRunner::followScene() {
     m_scene.followFacets(m_equipment.paths(), options());
     const SceneNeeds needs = needsOf(drawn(), options());
     if (needs != m_equipment.needs()) {
-        finish();
+        settleAll();
         if (m_reads == HostReads::anyStage) {
             gpu::waitForQueue(m_device); // a host may still read the images that end here
         }
@@ -98,7 +98,7 @@ void FrameRunner::followScene() {
     }
     const std::size_t lights = drawn().scene.lights.size();
     if (lights > slots().lightRoom()) {
-        finish();
+        settleAll();
         m_equipment.giveLightRoom(lights);
     }
     m_scene.noteFollowed();
@@ -140,14 +140,21 @@ void FrameRunner::finishFrame(FrameSlot& slot, const Delivery& delivery, platfor
     slots().submit(slot, delivery);
 }
 
-void FrameRunner::settle(FrameSlot& slot) {
-    while (slot.isPending) {
-        slots().wait(slot);
+bool FrameRunner::settle(FrameSlot& slot) {
+    if (!slot.isPending) {
+        return true;
+    }
+    slots().wait(slot);
+    return hasRoomSufficed(slot);
+}
+
+void FrameRunner::complete(FrameSlot& slot) {
+    while (!settle(slot)) {
         // A frame that was submitted without a wait cannot be drawn again once the scene changed. It must not
         // be drawn over the images of a later one. One that a host recorded has gone into the host's images.
         const bool isCurrent = m_scene.isCurrent(slot.revision);
         const bool isLast = &slot == slots().last();
-        if (!hasRoomSufficed(slot) && isCurrent && isLast && !slot.recorded) {
+        if (isCurrent && isLast && !slot.recorded) {
             m_decider.decideAgain(slot);
             launch(slot, {.copy = slot.copy});
         }
@@ -164,7 +171,7 @@ bool FrameRunner::hasRoomSufficed(FrameSlot& slot) const {
 
 void FrameRunner::waitFor(FrameSlot& slot) {
     try {
-        settle(slot);
+        complete(slot);
     } catch (...) {
         m_decider.forgetFrames(); // nobody gets this one, so nothing is measured from it
         throw;
@@ -177,6 +184,10 @@ void FrameRunner::waitFor(FrameSlot& slot) {
 }
 
 void FrameRunner::finish() {
+    forAll(slots().inOrder(), [this](FrameSlot& slot) { complete(slot); });
+}
+
+void FrameRunner::settleAll() {
     forAll(slots().inOrder(), [this](FrameSlot& slot) { settle(slot); });
 }
 

@@ -58,11 +58,14 @@ class FrameRunner {
     /// An error ended it: the frame before stays the last one.
     void abandon(FrameSlot& slot) { m_decider.takeBack(slot); }
 
-    /// Waits for the frame of a slot. Draws it again where its lists had no room and nothing came after it.
-    void settle(FrameSlot& slot);
+    /// Waits for the frame of a slot, and gives its lists the room that they lacked. False where they lacked some. It draws
+    /// nothing: a host may still read the images, and only the next frame waits for that.
+    bool settle(FrameSlot& slot);
+    /// Settles it. Draws it again where its lists had no room and nothing came after it.
+    void complete(FrameSlot& slot);
     /// The same, and notes when it was done. Where it throws, the next frame is decided as a first one.
     void waitFor(FrameSlot& slot);
-    /// Settles all frames, in the order in which they were submitted: those after one that fails too, so that nothing is in
+    /// Completes all frames, in the order in which they were submitted: those after one that fails too, so that nothing is in
     /// flight then. Throws the first error.
     void finish();
 
@@ -81,6 +84,8 @@ class FrameRunner {
     /// Records a frame and submits it.
     void launch(FrameSlot& slot, const Delivery& delivery);
     bool hasRoomSufficed(FrameSlot& slot) const;
+    /// As finish(), but settles: what follows replaces the images of the last frame, or what they were drawn from.
+    void settleAll();
 
     const gpu::Device& m_device;
     SceneFollower m_scene;

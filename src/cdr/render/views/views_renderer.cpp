@@ -131,7 +131,7 @@ depth::Cascades ViewsRenderer::look(Cameras cameras, std::span<const depth::Inte
 
 void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
     requireCameras(cameras, views());
-    // What settling draws again lists what it shows, and must not come between the begin of a view's targets and its draws.
+    // An error of a frame before comes before anything of this one is decided, in all views.
     for (const auto& view : m_views) {
         view->settle(view->slots().next());
     }

@@ -65,7 +65,7 @@ class CDR_EXPORT ViewsRenderer {
     /// The host does not submit the frames that record() recorded last, as Renderer::dropRecorded(): of all views or none.
     /// @errors None.
     void dropRecorded();
-    /// Waits for all that was submitted or recorded.
+    /// Waits for all that was submitted or recorded, as Renderer::finish().
     /// @errors base::RunError and std::system_error of these frames, as render().
     void finish();
     /// Goes past a frame without drawing it, as Renderer::skip().
