@@ -3,6 +3,7 @@
 #include "../support/own_loader.h"
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
 #include <string>
 
@@ -149,6 +150,20 @@ void VKAPI_PTR fillFrom(VkCommandBuffer commands, VkBuffer buffer, VkDeviceSize 
     realFill(commands, buffer, offset, bytes, isCounter ? said().firstCount.value_or(0) : data);
 }
 
+PFN_vkCmdPipelineBarrier2 realBarrier = nullptr;
+std::atomic<std::size_t> separateLayoutsSeen = 0; // threads record at once
+
+void VKAPI_PTR seenBarrier(VkCommandBuffer commands, const VkDependencyInfo* dependency) {
+    for (std::uint32_t i = 0; i < dependency->imageMemoryBarrierCount; ++i) {
+        const VkImageLayout layout = dependency->pImageMemoryBarriers[i].newLayout;
+        if (layout >= VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL &&
+            layout <= VK_IMAGE_LAYOUT_STENCIL_READ_ONLY_OPTIMAL) { // four numbers in a row
+            ++separateLayoutsSeen;
+        }
+    }
+    realBarrier(commands, dependency);
+}
+
 PFN_vkGetDeviceProcAddr realDeviceLoader = nullptr;
 
 PFN_vkVoidFunction VKAPI_PTR failableDeviceLoader(VkDevice device, const char* name) {
@@ -183,6 +198,10 @@ PFN_vkVoidFunction VKAPI_PTR failableLoader(VkInstance instance, const char* nam
     if (std::string_view(name) == "vkCmdFillBuffer") {
         realFill = reinterpret_cast<PFN_vkCmdFillBuffer>(found);
         return reinterpret_cast<PFN_vkVoidFunction>(&fillFrom);
+    }
+    if (std::string_view(name) == "vkCmdPipelineBarrier2") {
+        realBarrier = reinterpret_cast<PFN_vkCmdPipelineBarrier2>(found);
+        return reinterpret_cast<PFN_vkVoidFunction>(&seenBarrier);
     }
     return failableOf(name, found);
 }
@@ -222,6 +241,10 @@ StandIn<std::uint64_t> smallBuffers(std::uint64_t bytes) {
 
 StandIn<VkFormat> noDepthFormat(VkFormat format) {
     return {said().withheldFormat, format};
+}
+
+std::size_t separateLayouts() {
+    return separateLayoutsSeen;
 }
 
 StandIn<std::uint32_t> counterFrom(std::uint32_t first) {

@@ -81,6 +81,7 @@ vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFami
     vk::PhysicalDeviceVulkan12Features v12{.pNext = &v13,
                                            .drawIndirectCount = gpuDriven,
                                            .shaderBufferInt64Atomics = info.hasInt64Atomics,
+                                           // Not for cdr::render, but for who draws beside it.
                                            .separateDepthStencilLayouts = true,
                                            .timelineSemaphore = true};
     const vk::PhysicalDeviceFeatures2 features{

@@ -89,8 +89,7 @@ void enableFeatures(VkInstance instance, VkPhysicalDevice physical, VkPhysicalDe
     VkPhysicalDeviceFeatures& core = features.features;
     v13->dynamicRendering = VK_TRUE;
     v13->synchronization2 = VK_TRUE;
-    v12->separateDepthStencilLayouts = VK_TRUE; // each device of Vulkan 1.2 has it
-    v12->timelineSemaphore = VK_TRUE;           // by which frames that a host records say that they are done
+    v12->timelineSemaphore = VK_TRUE; // by which frames that a host records say that they are done
     core.depthClamp = VK_TRUE;
     core.shaderClipDistance = VK_TRUE;
     if (vk::PhysicalDevice(physical).getFeatures().fullDrawIndexUint32 != 0) {

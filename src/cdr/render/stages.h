@@ -17,8 +17,9 @@ inline constexpr auto kDepthAccess =
 inline constexpr gpu::ImageUse kDrawnColor{PipelineStage::eColorAttachmentOutput,
                                            Access::eColorAttachmentWrite,
                                            vk::ImageLayout::eColorAttachmentOptimal};
+/// Its layout needs no feature beside synchronization2; that of depth alone needs separateDepthStencilLayouts.
 inline constexpr gpu::ImageUse kDrawnDepth{kDepthStages, Access::eDepthStencilAttachmentWrite,
-                                           vk::ImageLayout::eDepthAttachmentOptimal};
+                                           vk::ImageLayout::eAttachmentOptimal};
 inline constexpr gpu::ImageUse kShaderRead{PipelineStage::eFragmentShader, Access::eShaderSampledRead,
                                            vk::ImageLayout::eShaderReadOnlyOptimal};
 inline constexpr gpu::ImageUse kCopied{PipelineStage::eAllTransfer, Access::eTransferRead,

@@ -1,3 +1,4 @@
+#include "../failing_calls.h"
 #include "../fixture.h"
 #include "host_side.h"
 
@@ -83,6 +84,24 @@ TEST_F(HostShadowsTest, AHostsSurfaceIsShadowedAsTheScenesOwnIs) {
         EXPECT_GT(shadowed, 50) << wallView;
         EXPECT_LE(different, shadowed / 20) << wallView; // at edges
     }
+}
+
+/// Depth of shadow maps, slices, occluders and hosts. An engine's device may lack the feature that layouts of depth alone need.
+TEST_F(HostShadowsTest, NoLayoutIsOfDepthAlone) {
+    scene::Scene scene = boxBeforeAWall();
+    addBox(scene, {0.0, 0.0, -6.0 - kHalfSide}, glm::mat3(static_cast<float>(2.0 * kHalfSide)));
+    render::RenderOptions options = shadowed();
+    HostSide host(device(), {options.width, options.height});
+    const std::size_t before = separateLayouts();
+    SoleRenderer renderer(device(), scene, options);
+    render::HostFrame frame = host.begin();
+    frame.depth = host.depth(0.1);
+    host.submit(renderer, m_camera, frame);
+    renderer.finish();
+    EXPECT_GT(renderer.lastStats().shadows.maps, 0u);
+    options.occlusionCulling = true;
+    EXPECT_GT(draw(scene, m_camera, options).stats.occluders.draws, 0u);
+    EXPECT_EQ(separateLayouts(), before);
 }
 
 } // namespace

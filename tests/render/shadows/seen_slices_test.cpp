@@ -70,9 +70,9 @@ class SeenSlicesTest : public RenderTest {
             commands, {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth,
                                          {render::kDepthStages, Access::eNone, vk::ImageLayout::eUndefined},
                                          {render::kDepthStages, render::kDepthAccess,
-                                          vk::ImageLayout::eDepthAttachmentOptimal})});
+                                          vk::ImageLayout::eAttachmentOptimal})});
         const vk::RenderingAttachmentInfo attachment{.imageView = depth.view(),
-                                                     .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
+                                                     .imageLayout = vk::ImageLayout::eAttachmentOptimal,
                                                      .loadOp = vk::AttachmentLoadOp::eClear,
                                                      .storeOp = vk::AttachmentStoreOp::eStore};
         commands.beginRendering({.renderArea = kWhole, .layerCount = 1, .pDepthAttachment = &attachment});
@@ -86,9 +86,9 @@ class SeenSlicesTest : public RenderTest {
         gpu::pipelineBarrier(commands,
                              {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth,
                                                 {render::kDepthStages, Access::eDepthStencilAttachmentWrite,
-                                                 vk::ImageLayout::eDepthAttachmentOptimal},
+                                                 vk::ImageLayout::eAttachmentOptimal},
                                                 {render::kDepthStages, Access::eDepthStencilAttachmentRead,
-                                                 vk::ImageLayout::eDepthAttachmentOptimal})});
+                                                 vk::ImageLayout::eAttachmentOptimal})});
     }
 
     /// Pixel i of the first row, if commands of slice i are not skipped.

@@ -32,7 +32,7 @@ void beginOccluders(vk::CommandBuffer primary, const gpu::Image& depth, vk::Rend
     gpu::pipelineBarrier(
         primary, {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth,
                                     {PipelineStage::eCopy, Access::eNone, vk::ImageLayout::eUndefined},
-                                    {kDepthStages, kDepthAccess, vk::ImageLayout::eDepthAttachmentOptimal})});
+                                    {kDepthStages, kDepthAccess, vk::ImageLayout::eAttachmentOptimal})});
     const auto attachment = depthAttachment(depth.view(), vk::AttachmentLoadOp::eClear);
     beginRendering(primary, depth.options().extent, {}, &attachment, nullptr, flags);
 }

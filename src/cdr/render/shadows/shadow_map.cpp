@@ -103,7 +103,7 @@ void ShadowMap::record(vk::CommandBuffer primary, std::span<const ShadowMapPart>
                        const CasterDraws& draws) const {
     constexpr gpu::ImageUse kBefore{PipelineStage::eFragmentShader, Access::eNone,
                                     vk::ImageLayout::eUndefined};
-    constexpr gpu::ImageUse kDepthUse{kDepthStages, kDepthAccess, vk::ImageLayout::eDepthAttachmentOptimal};
+    constexpr gpu::ImageUse kDepthUse{kDepthStages, kDepthAccess, vk::ImageLayout::eAttachmentOptimal};
     gpu::pipelineBarrier(
         primary,
         {gpu::imageBarrier(m_depth.handle(), vk::ImageAspectFlagBits::eDepth, kBefore, kDepthUse),

@@ -24,7 +24,7 @@ vk::ImageMemoryBarrier2 sliceBarrier(const gpu::Image& depth, vk::AccessFlags2 b
                                      vk::ImageLayout layoutBefore) {
     return gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth,
                              {kDepthStages, before, layoutBefore},
-                             {kDepthStages, after, vk::ImageLayout::eDepthAttachmentOptimal});
+                             {kDepthStages, after, vk::ImageLayout::eAttachmentOptimal});
 }
 
 } // namespace
@@ -53,9 +53,9 @@ void SliceDepth::record(vk::CommandBuffer primary, vk::DescriptorSet set, const 
                                        Access::eDepthStencilAttachmentWrite, vk::ImageLayout::eUndefined)});
     m_passes.of(cascades).recordDepth(primary, {.set = set, .push = std::as_bytes(std::span(&push, 1))},
                                       m_depth.view(), m_depth.options().extent);
-    gpu::pipelineBarrier(primary, {sliceBarrier(m_depth, Access::eDepthStencilAttachmentWrite,
-                                                Access::eDepthStencilAttachmentRead,
-                                                vk::ImageLayout::eDepthAttachmentOptimal)});
+    gpu::pipelineBarrier(
+        primary, {sliceBarrier(m_depth, Access::eDepthStencilAttachmentWrite,
+                               Access::eDepthStencilAttachmentRead, vk::ImageLayout::eAttachmentOptimal)});
 }
 
 std::uint64_t SliceDepth::predictBytes(const gpu::Device& device, vk::Extent2D extent) {

@@ -84,7 +84,7 @@ vk::RenderingAttachmentInfo colorAttachment(vk::ImageView view, vk::AttachmentLo
 vk::RenderingAttachmentInfo depthAttachment(vk::ImageView view, vk::AttachmentLoadOp load,
                                             vk::AttachmentStoreOp store) {
     return {.imageView = view,
-            .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
+            .imageLayout = vk::ImageLayout::eAttachmentOptimal,
             .loadOp = load,
             .storeOp = store,
             .clearValue = vk::ClearDepthStencilValue{.depth = 0.0f}};
