@@ -58,7 +58,8 @@ struct HostFrame {
     std::uint64_t doneValue = 0; ///< that `done` reaches, above 0 and above what it has
     /// Where the picture goes: of the renderer's size, made for VK_IMAGE_USAGE_TRANSFER_DST_BIT, in a format that
     /// vkCmdBlitImage() writes; no view. What it held is lost, and `layout` is what the frame leaves it in. With `linear` there
-    /// may be none.
+    /// may be none. An sRGB format gets the encoded picture, and any other its linear values: in a UNORM format a window shows
+    /// them far too dark.
     SurfaceImage color{};
     /// Where Surfaces::linear goes, with RenderOptions::linear: as `color`, in a format of floats.
     std::optional<SurfaceImage> linear{};
