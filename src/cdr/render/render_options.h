@@ -66,8 +66,9 @@ struct RenderOptions {
     std::uint32_t snapBits = 0;
     Snapping snapping = Snapping::byDevice; ///< how they get there
     /// Leaves out what opaque surfaces hide, after drawing the depth of what the last frame showed. The picture is the
-    /// same. Unless gpu-driven, it waits for the device within each frame, and cannot be recorded into a host's commands.
-    /// Not with a focus. Scenes with layers are drawn whole.
+    /// same, but with Snapping::inPlane on a device that does not round vertices as it tells: a gap of half a sub-pixel between
+    /// two surfaces may be closed there. Unless gpu-driven, it waits for the device within each frame, and cannot be recorded into
+    /// a host's commands. Not with a focus. Scenes with layers are drawn whole.
     bool occlusionCulling = false;
     /// None by default. Not with a focus or a part of the cascades, and only with levels of detail for which castsShadows().
     Shadows shadows{};
