@@ -7,9 +7,10 @@
 
 namespace cdr::render {
 
-/// What a submitted frame waits for before anything of it runs, and what it signals once its images are written.
+/// What a submitted frame waits for before it writes images, and what it signals once they are written.
 struct FrameSync {
-    std::span<const VkSemaphoreSubmitInfo> waits{};   ///< before anything of the frame runs
+    /// Before anything runs that Surfaces shows. Uploads of a world, and occluders that the CPU tests by, may run earlier.
+    std::span<const VkSemaphoreSubmitInfo> waits{};
     std::span<const VkSemaphoreSubmitInfo> signals{}; ///< once its images are written
 };
 
