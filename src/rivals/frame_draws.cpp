@@ -5,7 +5,6 @@
 #include <cdr/render/view_transform.h>
 #include <cdr/scene/camera.h>
 
-#include <fmt/format.h>
 #include <rivals/frame_draws.h>
 
 #include <algorithm>
@@ -16,7 +15,6 @@ namespace cdr::rivals {
 namespace {
 
 constexpr std::uint32_t kRecordBinding = 1;
-constexpr std::size_t kMinRecords = 1024;
 
 /// Whether ids and distances of both may come from one draw command: materials do not matter.
 bool drawAlike(const render::DrawKind& one, const render::DrawKind& other) {
@@ -49,7 +47,7 @@ void FrameDraws::prepare(const scene::Camera& camera, render::FrameStats& stats)
     stats.draws = m_lists.draws();
     stats.duplication = m_lists.duplication();
     stats.times.binMs = watch.lap();
-    makeRoom();
+    gpu::growRecords(m_device, m_records, m_lists.draws(), sizeof(shaders::VisibilityRecord), "draws");
     writeRecords();
 }
 
@@ -57,17 +55,6 @@ void FrameDraws::cut() {
     const depth::Cascades ranges = m_split.cut(m_view.camera, m_view.frustum, m_visible, {});
     m_view.cascades = render::cascadeViews(m_mapping, ranges, ranges, m_split.farEnd(), m_extent);
     m_view.drawn = {0, ranges.size()};
-}
-
-void FrameDraws::makeRoom() {
-    const std::size_t draws = std::max(m_lists.draws(), kMinRecords);
-    if (m_records.size() / sizeof(shaders::VisibilityRecord) >= draws) {
-        return;
-    }
-    const std::size_t bytes = (draws + draws / 2) * sizeof(shaders::VisibilityRecord);
-    gpu::requireDeviceBytes(m_device, bytes, fmt::format("the records of {} draws", draws));
-    m_records = gpu::Buffer(m_device, bytes, vk::BufferUsageFlagBits::eVertexBuffer,
-                            gpu::MemoryUse::hostWrites, "rival records");
 }
 
 void FrameDraws::writeRecords() {

@@ -54,7 +54,6 @@ class FrameDraws {
 
   private:
     void cut();
-    void makeRoom();
     void writeRecords();
 
     const gpu::Device& m_device;

@@ -209,15 +209,29 @@ void requireDeviceBytes(const Device& device, std::uint64_t bytes, const std::st
     }
 }
 
+std::uint64_t roomToGrow(const Device& device, const Records& records, MemoryUse use,
+                         const std::string& what) {
+    constexpr std::uint64_t kFew = 64; // which cost nothing
+    const std::uint64_t wanted = std::max(records.count + records.count / 2, kFew);
+    const std::uint64_t room = std::max(records.count, std::min(wanted, records.most));
+    if (!takesDeviceBytes(device, use) || room * records.bytes <= freeDeviceBytes(device)) {
+        return room;
+    }
+    requireDeviceBytes(device, records.count * records.bytes, what);
+    return records.count;
+}
+
 void growRecords(const Device& device, Buffer& records, std::size_t count, std::size_t recordBytes,
                  const std::string& what, vk::BufferUsageFlagBits usage) {
     if (records.size() > 0 && count <= records.size() / recordBytes) {
         return;
     }
-    // Half as many again, so that a camera that turns does not make a new buffer at every frame.
-    const std::size_t bytes = std::max<std::size_t>(count + count / 2, 64) * recordBytes;
-    requireDeviceBytes(device, bytes, fmt::format("the records of {} {}", count, what));
-    records = Buffer(device, bytes, usage, MemoryUse::hostWrites, what);
+    const Records held{.count = std::max<std::size_t>(count, 1),
+                       .bytes = recordBytes,
+                       .most = device.info().maxBufferBytes / recordBytes};
+    const std::uint64_t room =
+        roomToGrow(device, held, MemoryUse::hostWrites, fmt::format("the records of {} {}", count, what));
+    records = Buffer(device, room * recordBytes, usage, MemoryUse::hostWrites, what);
 }
 
 } // namespace cdr::gpu

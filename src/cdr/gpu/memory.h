@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -87,7 +88,7 @@ class Image {
 /// Device bytes of an image, by the driver, which is asked without making it.
 std::uint64_t predictBytes(const Device& device, const ImageOptions& options);
 
-/// Whether buffers of this use take device-local memory, as they do where it is the host's too.
+/// Whether buffers of this use find no other memory than device-local, as where all memory is the host's too.
 bool takesDeviceBytes(const Device& device, MemoryUse use);
 
 /// Device-local bytes that are still free, as the device's allocator estimates them. Where that asks for no budget, what other
@@ -101,6 +102,19 @@ std::uint64_t allocatedDeviceBytes(const Device& device);
 
 /// base::RunError with both figures when `bytes` for `what` exceed what is free. Call before allocating.
 void requireDeviceBytes(const Device& device, std::uint64_t bytes, const std::string& what);
+
+/// Records that are to be held, and how many there may be.
+struct Records {
+    std::uint64_t count = 0;
+    std::uint64_t bytes = 1;                                        ///< of each
+    std::uint64_t most = std::numeric_limits<std::uint64_t>::max(); ///< that there is ever room for
+};
+
+/// For how many records to make room: for half as many again, so that what grows need not be made again each time, or for `count`
+/// alone where the device has no more memory. Call before allocating.
+/// base::RunError as requireDeviceBytes() where that does not suffice, unless such buffers find other memory.
+std::uint64_t roomToGrow(const Device& device, const Records& records, MemoryUse use,
+                         const std::string& what);
 
 /// Makes a buffer that the host writes again where it has no room for `count` records. It holds nothing then.
 /// @param what the records are of, in the plural. base::RunError names it where memory is missing.

@@ -29,10 +29,13 @@ void Retired::close() {
     if (m_open.empty()) {
         return;
     }
-    Batch batch{.done = vk::Device(m_device.handle()).createFenceUnique({}), .objects = {}};
+    std::list<Batch> made(1);
+    Batch& batch = made.front();
+    batch.done = vk::Device(m_device.handle()).createFenceUnique({});
     submit(m_device, {}, *batch.done); // signalled after all that was submitted before it
+    // From here on nothing may throw, as the fence is in use.
     batch.objects.swap(m_open);
-    m_batches.push_back(std::move(batch));
+    m_batches.splice(m_batches.end(), made);
 }
 
 } // namespace cdr::gpu

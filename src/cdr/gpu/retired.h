@@ -3,6 +3,7 @@
 #include <cdr/gpu/device.h>
 #include <cdr/gpu/vulkan_hpp.h>
 
+#include <list>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -40,7 +41,7 @@ class Retired {
 
     const Device& m_device;
     std::vector<std::shared_ptr<void>> m_open;
-    std::vector<Batch> m_batches; ///< oldest first
+    std::list<Batch> m_batches; ///< oldest first
 };
 
 } // namespace cdr::gpu

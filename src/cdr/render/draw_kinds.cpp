@@ -26,12 +26,17 @@ DrawKind kindOf(const DrawKinds::Key& key, const DrawKinds::From& from) {
 } // namespace
 
 std::uint32_t DrawKinds::indexOf(const Key& key, const From& from) {
-    const auto [entry, isNew] = m_indices.try_emplace(key, static_cast<std::uint32_t>(m_kinds.size()));
-    if (isNew) {
-        m_kinds.push_back(kindOf(key, from));
-        m_keys.push_back(key);
+    if (const auto found = m_indices.find(key); found != m_indices.end()) {
+        return found->second;
     }
-    return entry->second;
+    // It is named once it is there, since memory may run out. What is left without a name goes here.
+    const auto index = static_cast<std::uint32_t>(m_indices.size());
+    m_keys.resize(index);
+    m_kinds.resize(index);
+    m_keys.push_back(key);
+    m_kinds.push_back(kindOf(key, from));
+    m_indices.emplace(key, index);
+    return index;
 }
 
 bool DrawKinds::readOne(std::uint32_t kind, const From& from) {

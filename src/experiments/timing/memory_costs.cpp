@@ -146,7 +146,7 @@ MemoryCost pixelCost(const gpu::Device& device, const MemoryOptions& options,
 } // namespace
 
 std::vector<MemoryCost> measureMemory(const gpu::Device& device, const MemoryOptions& options) {
-    constexpr double kDrawRoom = 1.5; // HostDraws::roomFor()
+    constexpr double kDrawRoom = 1.5; // gpu::roomToGrow()
     std::vector<MemoryCost> costs{
         {"scene", "instance", "host", predictedInstance(), bytesPerInstance(options, heapOfCopy)},
         {"draw source", "instance", "host", sizeof(render::DrawSource),

@@ -122,8 +122,10 @@ void DeviceOcclusion::provideSeen(std::size_t instances) {
     if (m_seen != nullptr && m_seen->size() >= bytes) {
         return;
     }
-    gpu::requireDeviceBytes(m_device, bytes, "what was seen of a gpu-driven scene");
-    m_seen = std::make_shared<const gpu::Buffer>(makeBuffer(m_device, bytes + bytes / 2, "seen instances"));
+    const std::size_t room =
+        gpu::roomToGrow(m_device, {.count = bytes, .most = m_device.info().maxStorageBufferBytes},
+                        gpu::MemoryUse::deviceOnly, "what was seen of a gpu-driven scene");
+    m_seen = std::make_shared<const gpu::Buffer>(makeBuffer(m_device, room, "seen instances"));
     m_hasSeen = false;
 }
 

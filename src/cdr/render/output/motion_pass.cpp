@@ -18,26 +18,21 @@ constexpr std::uint32_t kTableBinding = 3;
 
 constexpr std::uint64_t kRoomStep = 16; ///< bytes; of what records and tables hold
 
-std::uint64_t roundedUp(std::uint64_t bytes) {
-    return (bytes + kRoomStep - 1) / kRoomStep * kRoomStep;
-}
-
 std::size_t bytesOf(std::size_t records) {
     return sizeof(shaders::MotionHeader) + records * sizeof(shaders::MotionRecord);
 }
 
-/// A buffer with room for half as much again, as far as the device has such buffers.
+/// A buffer with room to grow on, as far as the device has such buffers.
 /// @throws base::RunError with both figures where it has none of `bytes`.
 gpu::Buffer makeInput(const gpu::Device& device, std::uint64_t bytes, const char* name) {
-    const std::uint64_t most = device.info().maxStorageBufferBytes / kRoomStep * kRoomStep;
-    if (bytes > most) {
+    const gpu::Records steps{.count = (bytes + kRoomStep - 1) / kRoomStep,
+                             .bytes = kRoomStep,
+                             .most = device.info().maxStorageBufferBytes / kRoomStep};
+    if (steps.count > steps.most) {
         throw base::runError("motion: {} take {} bytes, more than the {} of a buffer of {}", name, bytes,
-                             most, device.info().name);
+                             steps.most * kRoomStep, device.info().name);
     }
-    const std::uint64_t room = std::min(roundedUp(bytes + bytes / 2), most);
-    if (gpu::takesDeviceBytes(device, gpu::MemoryUse::hostWrites)) {
-        gpu::requireDeviceBytes(device, room, name);
-    }
+    const std::uint64_t room = gpu::roomToGrow(device, steps, gpu::MemoryUse::hostWrites, name) * kRoomStep;
     return {device, room, vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryUse::hostWrites, name};
 }
 

@@ -13,6 +13,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace cdr::render {
@@ -33,21 +34,21 @@ static_assert(shaders::kBinBlock <= gpu::kGpuDrivenInvocations &&
               shaders::kCommandsBlock <= gpu::kGpuDrivenInvocations &&
               shaders::kChangesBlock <= gpu::kGpuDrivenInvocations);
 
-const gpu::Device& checked(const gpu::Device& device, const scene::Instances& instances) {
+const gpu::Device& checked(const gpu::Device& device) {
     if (!device.info().gpuDrivenMissing.empty()) {
         throw base::inputError("{} cannot draw gpu-driven: it lacks {}", device.info().name,
                                fmt::join(device.info().gpuDrivenMissing, ", "));
     }
-    const std::size_t largest = instances.size() * sizeof(shaders::InstanceLook);
+    return device;
+}
+
+void requireAddressable(const gpu::Device& device, std::size_t instances) {
+    const std::size_t largest = instances * sizeof(shaders::InstanceLook);
     if (largest > device.info().maxStorageBufferBytes) {
         throw base::runError("{} instances need a {} byte buffer to be drawn gpu-driven, {} "
                              "allows {}",
-                             instances.size(), largest, device.info().name,
-                             device.info().maxStorageBufferBytes);
+                             instances, largest, device.info().name, device.info().maxStorageBufferBytes);
     }
-    gpu::requireDeviceBytes(device, largest + instances.size() * sizeof(shaders::InstanceSphere),
-                            "a gpu-driven scene");
-    return device;
 }
 
 /// Whether two kinds are drawn with the same things bound.
@@ -75,7 +76,7 @@ void awaitScene(vk::CommandBuffer commands, vk::PipelineStageFlags2 stages, vk::
 
 BinningPass::BinningPass(const gpu::Device& device, const DrawnScene& drawn, visibility::DetailMode detail,
                          const gpu::SetLayout& occlusionLayout)
-    : m_device(checked(device, drawn.scene.instances)),
+    : m_device(checked(device)),
       m_drawn(drawn),
       m_detail(detail),
       m_mostCommands(std::min<std::size_t>(
@@ -100,6 +101,7 @@ BinningPass::BinningPass(const gpu::Device& device, const DrawnScene& drawn, vis
         m_count[2] = makePipeline(kBinCountShownComp, "bin, count what is shown");
     }
     groupAll();
+    provideBuffers();
 }
 
 gpu::Pipeline BinningPass::makePipeline(const gpu::Spirv& spirv, const char* name) const {
@@ -209,17 +211,33 @@ bool BinningPass::follow(Copies& copies) {
     return std::exchange(copies.buffers, m_sceneBuffers) != m_sceneBuffers;
 }
 
+BinningPass::SceneSizes BinningPass::sizesNeeded() const {
+    const GpuScene& gpuScene = m_drawn.uploaded;
+    SceneSizes bytes{m_spheres.size() * sizeof(shaders::InstanceSphere),
+                     m_looks.size() * sizeof(shaders::InstanceLook),
+                     gpuScene.materials().size() * sizeof(shaders::MaterialRecord),
+                     m_runs.size() * sizeof(shaders::KindRun),
+                     m_groups.size() * sizeof(shaders::RunGroup),
+                     gpuScene.levels().size() * sizeof(shaders::CoarserLevel)};
+    for (std::size_t& each : bytes) {
+        each = std::max(each, kMinBytes);
+    }
+    return bytes;
+}
+
+/// Whether buffers of so many bytes get room to grow on: a scene that grew may grow on. base::RunError where not even they fit.
+bool BinningPass::givesRoom(std::uint64_t bytes) const {
+    constexpr const char* kWhat = "a gpu-driven scene";
+    if (m_sceneBuffers == nullptr) {
+        gpu::requireDeviceBytes(m_device, bytes, kWhat);
+        return false;
+    }
+    return gpu::roomToGrow(m_device, {.count = bytes}, gpu::MemoryUse::deviceOnly, kWhat) > bytes;
+}
+
 /// Whether they are others now.
 bool BinningPass::provideBuffers() {
-    checked(m_device, m_drawn.scene.instances);
-    const GpuScene& gpuScene = m_drawn.uploaded;
-    const std::array<std::size_t, kSceneBuffers> bytes{
-        m_spheres.size() * sizeof(shaders::InstanceSphere),
-        m_looks.size() * sizeof(shaders::InstanceLook),
-        gpuScene.materials().size() * sizeof(shaders::MaterialRecord),
-        m_runs.size() * sizeof(shaders::KindRun),
-        m_groups.size() * sizeof(shaders::RunGroup),
-        gpuScene.levels().size() * sizeof(shaders::CoarserLevel)};
+    const SceneSizes bytes = sizesNeeded();
     constexpr std::array<const char*, kSceneBuffers> kNames{
         "instance spheres", "instance looks", "materials", "kind runs", "run groups", "coarser levels"};
     const auto suffices = [&](std::size_t i) { return bytes[i] <= (*m_sceneBuffers)[i].size(); };
@@ -230,16 +248,16 @@ bool BinningPass::provideBuffers() {
     if (isEnough) {
         return false;
     }
-    // Frames in flight keep the old ones. A scene that grew may grow on.
-    const bool grows = m_sceneBuffers != nullptr;
+    requireAddressable(m_device, instances());
+    // Frames in flight keep the old ones.
+    const bool isRoomy = givesRoom(std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{0}));
     auto made = std::make_shared<SceneBuffers>();
     for (std::size_t i = 0; i < kSceneBuffers; ++i) {
         const std::size_t most = std::max(bytes[i], m_device.info().maxStorageBufferBytes);
-        const std::size_t size = grows ? std::min(bytes[i] + bytes[i] / 2, most) : bytes[i];
-        (*made)[i] =
-            gpu::Buffer(m_device, std::max(size, kMinBytes),
-                        vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst,
-                        gpu::MemoryUse::deviceOnly, kNames[i]);
+        const std::size_t size = isRoomy ? std::min(bytes[i] + bytes[i] / 2, most) : bytes[i];
+        (*made)[i] = gpu::Buffer(
+            m_device, size, vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst,
+            gpu::MemoryUse::deviceOnly, kNames[i]);
     }
     m_sceneBuffers = std::move(made);
     return true;

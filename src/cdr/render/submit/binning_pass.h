@@ -94,12 +94,15 @@ class BinningPass {
         bool tables = false;                      ///< materials, groups or levels
     };
     struct Tables;
+    using SceneSizes = std::array<std::size_t, kSceneBuffers>; ///< bytes
     void groupAll();
     void groupMore();
     void groupInstance(std::size_t i);
     void readInstance(std::size_t i);
     bool readChanged(std::vector<std::uint32_t>& changed);
+    SceneSizes sizesNeeded() const;
     bool provideBuffers();
+    bool givesRoom(std::uint64_t bytes) const;
     Tables tables() const;
     bool copyChanges(const Changes& changes, Copies& copies) const;
     std::uint64_t listGroups(std::size_t cascades) const; ///< that list commands

@@ -78,12 +78,13 @@ void DeviceLists::grow(List list, std::size_t bytes) {
         throw base::runError("gpu-driven draws need a {} byte buffer, {} allows {}", bytes,
                              m_device.info().name, most);
     }
-    // Half as much again, where the device has it: what grew may grow on. How many records there are is guessed at first.
-    const std::size_t wanted = std::max(bytes, std::min(most, bytes + bytes / 2));
-    if ((list == records || m_lists[list].size() > 0) && wanted <= gpu::freeDeviceBytes(m_device)) {
-        bytes = wanted;
+    constexpr const char* kWhat = "a list of gpu-driven draws";
+    // How many records there are is guessed at first.
+    if (list == records || m_lists[list].size() > 0) {
+        bytes = gpu::roomToGrow(m_device, {.count = bytes, .most = most}, gpu::MemoryUse::deviceOnly, kWhat);
+    } else {
+        gpu::requireDeviceBytes(m_device, bytes, kWhat);
     }
-    gpu::requireDeviceBytes(m_device, bytes, "a list of gpu-driven draws");
     m_lists[list] =
         gpu::Buffer(m_device, bytes,
                     vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer |

@@ -53,9 +53,11 @@ void FacetDraws::makeRoom(std::size_t draws) {
     if (m_room > 0 && draws <= m_room && most == m_most && litStride == m_litStride) {
         return;
     }
-    const std::size_t room = std::min(roomFor(draws), mostDraws(draws));
-    gpu::requireDeviceBytes(device(), room * bytesPerDraw(most, litStride),
-                            fmt::format("the facets of {} draws", draws));
+    const gpu::Records held{.count = std::max<std::size_t>(draws, 1),
+                            .bytes = bytesPerDraw(most, litStride),
+                            .most = mostDraws(draws)};
+    const std::size_t room = gpu::roomToGrow(device(), held, gpu::MemoryUse::hostWrites,
+                                             fmt::format("the facets of {} draws", draws));
     using Usage = vk::BufferUsageFlagBits;
     m_room = 0; // until all is there
     m_vertices = makeStream(device(), room * most.vertices * sizeof(shaders::FacetVertex),

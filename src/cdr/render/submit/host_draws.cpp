@@ -1,8 +1,6 @@
 #include <cdr/render/submit/host_draws.h>
 #include <cdr/visibility/cluster_choice.h>
 
-#include <algorithm>
-
 namespace cdr::render {
 
 void HostDraws::bin(const FrameView& view, const visibility::VisibleCells& visible, FrameStats& stats) {
@@ -20,11 +18,6 @@ void HostDraws::bin(const FrameView& view, const visibility::VisibleCells& visib
                               .levels = view.levels},
                              workers(), m_lists);
     makeRoom(m_lists.draws());
-}
-
-std::size_t HostDraws::roomFor(std::size_t draws) {
-    constexpr std::size_t kMin = 1024;
-    return std::max(draws + draws / 2, kMin);
 }
 
 } // namespace cdr::render

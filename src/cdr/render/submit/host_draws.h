@@ -45,8 +45,6 @@ class HostDraws {
     const scene::Scene& scene() const { return m_context.scene; }
     virtual depth::Mapping mapping() const = 0;
     virtual void makeRoom(std::size_t draws) = 0;
-    /// Half as many again, so that a camera that turns does not make new buffers at every frame.
-    static std::size_t roomFor(std::size_t draws);
 
   private:
     HostDrawsContext m_context;

@@ -37,12 +37,12 @@ void InstanceScatter::stage(const Changes& changes, const Buffers& buffers, Slot
         slot.changes = {}; // a scene that stands still keeps no copy of itself
         return;
     }
-    const std::size_t bytes = slot.count * sizeof(shaders::InstanceChange);
-    if (slot.changes.size() < bytes) {
-        gpu::requireDeviceBytes(m_device, bytes, "changes of a gpu-driven scene");
+    constexpr std::size_t kBytes = sizeof(shaders::InstanceChange);
+    if (slot.changes.size() < slot.count * kBytes) {
         const std::size_t room =
-            std::min<std::size_t>(slot.count + slot.count / 2, most()) * sizeof(shaders::InstanceChange);
-        slot.changes = gpu::Buffer(m_device, room, vk::BufferUsageFlagBits::eStorageBuffer,
+            gpu::roomToGrow(m_device, {.count = slot.count, .bytes = kBytes, .most = most()},
+                            gpu::MemoryUse::hostWrites, "changes of a gpu-driven scene");
+        slot.changes = gpu::Buffer(m_device, room * kBytes, vk::BufferUsageFlagBits::eStorageBuffer,
                                    gpu::MemoryUse::hostWrites, "changed instances");
     }
     const std::span staged = slot.changes.as<shaders::InstanceChange>(slot.count);

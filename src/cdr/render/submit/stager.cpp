@@ -18,9 +18,11 @@ void Stager::write(const gpu::Device& device, gpu::Buffer& staging,
         return;
     }
     if (staging.size() < m_bytes) {
-        gpu::requireDeviceBytes(device, m_bytes, "changes of a gpu-driven scene");
-        staging = gpu::Buffer(device, m_bytes + m_bytes / 2, vk::BufferUsageFlagBits::eTransferSrc,
-                              gpu::MemoryUse::hostWrites, "binning changes");
+        const std::size_t room =
+            gpu::roomToGrow(device, {.count = m_bytes, .most = device.info().maxBufferBytes},
+                            gpu::MemoryUse::hostWrites, "changes of a gpu-driven scene");
+        staging = gpu::Buffer(device, room, vk::BufferUsageFlagBits::eTransferSrc, gpu::MemoryUse::hostWrites,
+                              "binning changes");
     }
     std::size_t end = 0;
     for (const Piece& piece : m_pieces) {
