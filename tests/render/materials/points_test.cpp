@@ -77,17 +77,6 @@ TEST_F(PointsTest, CloudsAlmostAtOnePlaceAreToldApart) {
     EXPECT_EQ(wrongBeyond(idsOf("anchored"), truth, snapReach(device())), 0u);
 }
 
-TEST_F(PointsTest, ThePictureIsTheSameForAllSubmissions) {
-    const scene::SceneSetup setup = survey({});
-    render::RenderOptions options = thumbnailOptions(depth::parseTechnique("cdr"));
-    const std::string wanted = hashOf(draw(setup.scene, setup.path.at(0), options));
-    for (const render::Submission submission : submissions()) {
-        options.submission = submission;
-        options.threads = 3;
-        EXPECT_EQ(hashOf(draw(setup.scene, setup.path.at(0), options)), wanted) << nameOf(submission);
-    }
-}
-
 /// The survey, whose unlit points and lines glow.
 scene::SceneSetup glowing(scene::SceneSetup setup) {
     setup.scene.background = glm::vec3(0.0f);
@@ -123,16 +112,7 @@ TEST_F(PointsTest, UnlitOnesShowWhatTheyEmit) {
 TEST_F(PointsTest, WhatUnlitOnesEmitIsTheSameInEveryPath) {
     const scene::SceneSetup setup = glowing(survey({}));
     render::RenderOptions options = thumbnailOptions(depth::parseTechnique("cdr"));
-    const std::string wanted = hashOf(draw(setup.scene, setup.path.at(0), options));
-    for (const char* targets : {"accumulate", "pool:2", "layers"}) {
-        options.targets = render::parseTargets(targets);
-        EXPECT_EQ(hashOf(draw(setup.scene, setup.path.at(0), options)), wanted) << targets;
-    }
-    for (const render::Submission submission : submissions()) {
-        options.submission = submission;
-        options.threads = 3;
-        EXPECT_EQ(hashOf(draw(setup.scene, setup.path.at(0), options)), wanted) << nameOf(submission);
-    }
+    expectOnePicture(setup.scene, setup.path.at(0), options);
     options.surface = render::SurfacePath::visibility;
     options.submission = render::Submission::secondaries;
     EXPECT_NE(refusalOf(setup.scene, options).find("emit light"), std::string::npos);
