@@ -115,8 +115,7 @@ void FaultSweep::expectEnded(const Failing& failing, const Failing& sound) {
         EXPECT_TRUE(picturesIn(*failing.folder) == picturesIn(*sound.folder)) << "other pictures";
         return;
     }
-    EXPECT_EQ(result.status, 1);
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    expectOneLine(result, 1);
     EXPECT_EQ(result.err.find("validation"), std::string::npos) << result.err;
 }
 

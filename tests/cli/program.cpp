@@ -87,15 +87,14 @@ nlohmann::json documentOf(const std::string& arguments, const fs::path& folder) 
 
 void expectRefusal(const std::string& arguments, const fs::path& folder, const std::string& what,
                    const std::string& environment) {
+    SCOPED_TRACE(arguments);
     const ProgramResult result = runProgram(arguments, folder, environment);
-    EXPECT_EQ(result.status, 2) << arguments << ": " << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << ": " << result.err;
-    EXPECT_NE(result.err.find(what), std::string::npos) << arguments << ": " << result.err;
+    expectOneLine(result, 2, what);
     // It repeats the word, which may be all that `what` is.
     const std::string noOption = "has no option";
     EXPECT_TRUE(what.find(noOption) != std::string::npos || result.err.find(noOption) == std::string::npos)
-        << arguments << ": " << result.err;
-    EXPECT_EQ(result.out, "") << arguments;
+        << result.err;
+    EXPECT_EQ(result.out, "");
 }
 
 std::vector<std::string> commandNames() {

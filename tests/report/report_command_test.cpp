@@ -145,9 +145,7 @@ TEST_F(ReportCommand, ReplacesAnOlderReportWholeAndQuotesItsDevice) {
 TEST_F(ReportCommand, LeavesAFolderThatIsNoReportAlone) {
     fs::create_directory(path("thesis"));
     write("thesis/chapter.txt", "years of work");
-    const ProgramResult result = report("-o thesis");
-    EXPECT_EQ(result.status, 2);
-    EXPECT_NE(result.err.find("nor a report"), std::string::npos) << result.err;
+    expectOneLine(report("-o thesis"), 2, "nor a report");
     EXPECT_EQ(readText(path("thesis/chapter.txt")), "years of work");
     EXPECT_EQ(names(), std::set<std::string>{"thesis"});
 }
@@ -155,9 +153,7 @@ TEST_F(ReportCommand, LeavesAFolderThatIsNoReportAlone) {
 TEST_F(ReportCommand, LeavesAReportAloneThatHoldsMoreThanItsOwnFiles) {
     copyReport();
     write("made/answers.csv", "of twelve people");
-    const ProgramResult result = report("-o made");
-    EXPECT_EQ(result.status, 2);
-    EXPECT_NE(result.err.find("answers.csv"), std::string::npos) << result.err;
+    expectOneLine(report("-o made"), 2, "answers.csv");
     EXPECT_TRUE(fs::exists(path("made/answers.csv")));
 }
 
@@ -178,9 +174,8 @@ TEST_F(ReportCommand, LeavesNothingBehindWhenItCannotRun) {
     for (const char* arguments : {"-o file", "-o missing/report", "-o /", "--quick", "--full", "--threads 0",
                                   "--sections nosuch -o empty", "--device nobody-has-this -o empty",
                                   "--json missing/x.json -o empty", "--json empty/x.json -o empty"}) {
-        const ProgramResult result = report(arguments);
-        EXPECT_EQ(result.status, 2) << arguments << result.err;
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+        SCOPED_TRACE(arguments);
+        expectOneLine(report(arguments), 2);
     }
     EXPECT_EQ(names(), (std::set<std::string>{"empty", "file"}));
     EXPECT_TRUE(fs::is_empty(path("empty")));
