@@ -6,6 +6,7 @@
 #include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
+#include <program/sha256.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -127,6 +128,32 @@ std::map<std::string, std::string> filesIn(const fs::path& folder) {
         }
     }
     return files;
+}
+
+void expectWholeFiles(const TemporaryFolder& folder, bool mayHide) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
+        const std::string name = entry.path().filename().string();
+        if (name.front() == '.') {
+            EXPECT_TRUE(mayHide) << name;
+            continue;
+        }
+        if (entry.path().extension() == ".png") {
+            EXPECT_NO_THROW(readPicture(entry.path())) << name;
+        } else if (entry.path().extension() == ".json") {
+            EXPECT_TRUE(nlohmann::json::accept(readText(entry.path()))) << name;
+        } else if (entry.is_regular_file()) {
+            EXPECT_GT(entry.file_size(), 0u) << name;
+        }
+    }
+}
+
+nlohmann::ordered_json recordIn(const std::string& line) {
+    return nlohmann::ordered_json::parse(line.substr(line.find(' ')));
+}
+
+std::string stateLineOf(std::size_t unit, const nlohmann::ordered_json& made) {
+    const std::string json = nlohmann::ordered_json{{"unit", unit}, {"made", made}}.dump();
+    return program::sha256Of(json) + " " + json;
 }
 
 image::ImageRgba8 readPicture(const std::filesystem::path& path) {
