@@ -2,6 +2,7 @@
 #include "../steps.h"
 
 #include <cdr/measure/truth/layered_truth.h>
+#include <scenes/sheets.h>
 
 #include <algorithm>
 #include <array>
@@ -16,15 +17,12 @@ const scene::Camera kMaterialCamera =
 
 /// A square across the z axis, corners in colours of their own, its texture tiled twice.
 scene::Mesh paintedSquare() {
-    scene::Mesh mesh;
-    mesh.name = "square";
-    mesh.indices = {0, 1, 2, 0, 2, 3};
-    mesh.boundingRadius = 1.5f;
+    scene::Mesh mesh = scenes::makeSquare(1.0f);
     const std::array colors{glm::u8vec4(255), glm::u8vec4(255, 128, 0, 255), glm::u8vec4(0, 255, 128, 255),
                             glm::u8vec4(128, 0, 255, 255)};
     for (std::size_t i = 0; i < colors.size(); ++i) {
-        const glm::vec2 corner(i == 1 || i == 2 ? 1.0f : -1.0f, i >= 2 ? 1.0f : -1.0f);
-        mesh.vertices.push_back({.position = glm::vec3(corner, 0.0f), .uv = corner, .color = colors[i]});
+        mesh.vertices[i].uv = glm::vec2(mesh.vertices[i].position);
+        mesh.vertices[i].color = colors[i];
     }
     return mesh;
 }
