@@ -1,8 +1,8 @@
 #include "../fixture.h"
 #include "../snapping.h"
+#include "../steps.h"
 
 #include <cdr/measure/compare/flip_difference.h>
-#include <cdr/measure/truth/layered_truth.h>
 #include <cdr/scene/gltf/open_gltf.h>
 
 #include <optional>
@@ -47,8 +47,7 @@ TEST_F(PointsTest, LooksAsFloat64Truth) {
     const render::Frame frame =
         draw(setup.scene, camera, quarterOf(smallOptions(depth::parseTechnique("anchored"))));
     platform::WorkerPool workers(2);
-    const image::ImageRgba8 wanted =
-        pictureOf(measure::castLayers(setup.scene, camera, frame.width(), frame.height(), workers));
+    const image::ImageRgba8 wanted = pictureOf(layersOf(setup.scene, camera, frame.width(), frame.height()));
     EXPECT_LE(measure::FlipDifference().mean(wanted, frame.color, workers), 0.02);
 }
 
@@ -67,12 +66,11 @@ TEST_F(PointsTest, CloudsAlmostAtOnePlaceAreToldApart) {
         }
     }
     setup.scene.objectNames.emplace_back("second hill");
-    platform::WorkerPool workers(2);
     const auto idsOf = [&](const char* technique) {
         return draw(setup.scene, camera, smallOptions(depth::parseTechnique(technique))).ids();
     };
     const image::ImageU32 standard = idsOf("standard");
-    const auto truth = measure::castTruth(setup.scene, camera, standard.width, standard.height, workers);
+    const auto truth = truthOf(setup.scene, camera);
     EXPECT_GT(measure::countWrong(standard, truth).wrong, 100u);
     EXPECT_EQ(wrongBeyond(idsOf("anchored"), truth, snapReach(device())), 0u);
 }
@@ -100,8 +98,7 @@ TEST_F(PointsTest, UnlitOnesShowWhatTheyEmit) {
             material.baseColorFactor.a = material.unlit ? 0.7f : 1.0f;
         }
         const image::ImageRgba8 drawn = draw(setup.scene, camera, options).color;
-        const image::ImageRgba8 wanted =
-            pictureOf(measure::castLayers(setup.scene, camera, drawn.width, drawn.height, workers));
+        const image::ImageRgba8 wanted = pictureOf(layersOf(setup.scene, camera, drawn.width, drawn.height));
         EXPECT_LE(measure::FlipDifference().mean(wanted, drawn, workers), 0.02);
         const image::ImageRgba8 without = draw(dark.scene, camera, options).color;
         EXPECT_GT(measure::FlipDifference().mean(without, drawn, workers), 0.05);
