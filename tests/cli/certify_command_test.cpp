@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -80,10 +79,8 @@ TEST_F(CertifyCommand, ProvesWhatAMaskDecides) {
 /// A driver that draws an eighth of a pixel beside the place.
 TEST_F(CertifyCommand, EndsWithStatus3WhereADriverKeepsNotToItsLimits) {
     const test::Fault beside{.call = "vkCmdSetViewport", .times = test::kForever, .result = 2};
-    const ProgramResult result = run("--quiet " + std::string(kCertify) + "-o p.png", beside.environment());
-    EXPECT_EQ(result.status, 3);
-    EXPECT_NE(result.err.find("frame 0 refused: "), std::string::npos) << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    expectOneLine(run("--quiet " + std::string(kCertify) + "-o p.png", beside.environment()), 3,
+                  "frame 0 refused: ");
     EXPECT_FALSE(std::filesystem::exists(at("p.png")));
     const json frame = jsonIn("c.json").at("results")[0];
     EXPECT_GT(frame.at("refused"), 0);

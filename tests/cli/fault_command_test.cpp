@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <ostream>
 
 namespace cdr::cli_test {
@@ -32,9 +31,7 @@ TEST_P(FaultTest, EndsInOneLine) {
     const ProgramResult result =
         run(std::string(GetParam().arguments) + " --validate --size 320x180 -o a.png --json a.json",
             GetParam().fault.environment() + " timeout 1000");
-    EXPECT_EQ(result.status, 1) << result.err;
-    EXPECT_NE(result.err.find(GetParam().says), std::string::npos) << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    expectOneLine(result, 1, GetParam().says);
     EXPECT_TRUE(folderIsEmpty());
 }
 

@@ -24,24 +24,6 @@ namespace cdr::cli_test {
 
 namespace {
 
-/// Files that can be read, and hidden ones only where they may stay.
-void expectWholeFiles(const TemporaryFolder& folder, bool mayHide = false) {
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
-        const std::string name = entry.path().filename().string();
-        if (name.front() == '.') {
-            EXPECT_TRUE(mayHide) << name;
-            continue;
-        }
-        if (entry.path().extension() == ".png") {
-            EXPECT_NO_THROW(readPicture(entry.path())) << name;
-        } else if (entry.path().extension() == ".json") {
-            EXPECT_TRUE(nlohmann::json::accept(readText(entry.path()))) << name;
-        } else if (entry.is_regular_file()) {
-            EXPECT_GT(entry.file_size(), 0u) << name;
-        }
-    }
-}
-
 /// A command that writes.
 struct Writer {
     const char* command;

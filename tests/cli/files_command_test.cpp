@@ -324,10 +324,9 @@ TEST_F(Notes, AreAnEmptyListWhereAllIsDrawn) {
 
 TEST_F(Driver, AMissingOneIsNamedWithItsPackage) {
     for (const char* arguments : {"render cubes", "devices"}) {
-        const ProgramResult result = run(arguments, "VK_DRIVER_FILES=/nowhere VK_ICD_FILENAMES=/nowhere");
-        EXPECT_EQ(result.status, 1) << arguments;
-        EXPECT_NE(result.err.find("mesa-vulkan-drivers"), std::string::npos) << result.err;
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+        SCOPED_TRACE(arguments);
+        expectOneLine(run(arguments, "VK_DRIVER_FILES=/nowhere VK_ICD_FILENAMES=/nowhere"), 1,
+                      "mesa-vulkan-drivers");
     }
 }
 
@@ -350,9 +349,8 @@ TEST_F(Files, AFolderThatIsGoneIsNoPlaceForAReport) {
     for (const char* arguments : {"report --smallest --sections precision -o x", "shadows cubes --out x"}) {
         fs::create_directory(at("gone"));
         const ProgramResult result = run(arguments, "cd gone && rmdir ../gone &&");
-        EXPECT_EQ(result.status, 2) << result.err;
+        expectOneLine(result, 2);
         EXPECT_TRUE(result.err.starts_with("cdr: x: cannot be ")) << result.err;
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
         EXPECT_EQ(result.err.find(" is no folder"), std::string::npos) << result.err;
     }
 }

@@ -273,17 +273,6 @@ std::string replaced(std::string text, const std::string& number) {
     return text;
 }
 
-/// Every file is whole: no hidden ones, no empty ones.
-bool holdsWholeFiles(const TemporaryFolder& folder) {
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
-        if (entry.path().filename().string().front() == '.' ||
-            (entry.is_regular_file() && entry.file_size() == 0)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /// "--near @" with a space instead of "=" would take "-1" for an option.
 std::string quoted(const std::string& option) {
     std::istringstream words(option);
@@ -324,7 +313,7 @@ TEST_P(NumericOptions, EveryNumberIsTakenOrRefused) {
                 result.status == 3 && arguments.find("--fail-above") != std::string::npos;
             EXPECT_TRUE(result.status == 0 || result.status == 2 || isFailedCheck)
                 << result.status << " " << result.err;
-            EXPECT_TRUE(holdsWholeFiles(folder));
+            expectWholeFiles(folder);
             if (result.status == 2) {
                 EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
                 EXPECT_TRUE(folder.isEmpty());

@@ -6,6 +6,7 @@
 #include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
+#include <program/sha256.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -87,15 +88,14 @@ nlohmann::json documentOf(const std::string& arguments, const fs::path& folder) 
 
 void expectRefusal(const std::string& arguments, const fs::path& folder, const std::string& what,
                    const std::string& environment) {
+    SCOPED_TRACE(arguments);
     const ProgramResult result = runProgram(arguments, folder, environment);
-    EXPECT_EQ(result.status, 2) << arguments << ": " << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << ": " << result.err;
-    EXPECT_NE(result.err.find(what), std::string::npos) << arguments << ": " << result.err;
+    expectOneLine(result, 2, what);
     // It repeats the word, which may be all that `what` is.
     const std::string noOption = "has no option";
     EXPECT_TRUE(what.find(noOption) != std::string::npos || result.err.find(noOption) == std::string::npos)
-        << arguments << ": " << result.err;
-    EXPECT_EQ(result.out, "") << arguments;
+        << result.err;
+    EXPECT_EQ(result.out, "");
 }
 
 std::vector<std::string> commandNames() {
@@ -128,6 +128,32 @@ std::map<std::string, std::string> filesIn(const fs::path& folder) {
         }
     }
     return files;
+}
+
+void expectWholeFiles(const TemporaryFolder& folder, bool mayHide) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
+        const std::string name = entry.path().filename().string();
+        if (name.front() == '.') {
+            EXPECT_TRUE(mayHide) << name;
+            continue;
+        }
+        if (entry.path().extension() == ".png") {
+            EXPECT_NO_THROW(readPicture(entry.path())) << name;
+        } else if (entry.path().extension() == ".json") {
+            EXPECT_TRUE(nlohmann::json::accept(readText(entry.path()))) << name;
+        } else if (entry.is_regular_file()) {
+            EXPECT_GT(entry.file_size(), 0u) << name;
+        }
+    }
+}
+
+nlohmann::ordered_json recordIn(const std::string& line) {
+    return nlohmann::ordered_json::parse(line.substr(line.find(' ')));
+}
+
+std::string stateLineOf(std::size_t unit, const nlohmann::ordered_json& made) {
+    const std::string json = nlohmann::ordered_json{{"unit", unit}, {"made", made}}.dump();
+    return program::sha256Of(json) + " " + json;
 }
 
 image::ImageRgba8 readPicture(const std::filesystem::path& path) {

@@ -98,6 +98,14 @@ void writeLines(const std::filesystem::path& path, const std::vector<std::string
 /// By name, every file of a folder; JSON without what measures time.
 std::map<std::string, std::string> filesIn(const std::filesystem::path& folder);
 
+/// Expects files that can be read, and hidden ones only where they may stay.
+void expectWholeFiles(const TemporaryFolder& folder, bool mayHide = false);
+
+/// What a line of a state keeps: a unit of work and what was made of it.
+nlohmann::ordered_json recordIn(const std::string& line);
+/// The line that a state keeps of a unit.
+std::string stateLineOf(std::size_t unit, const nlohmann::ordered_json& made);
+
 image::ImageRgba8 readPicture(const std::filesystem::path& path);
 
 } // namespace cdr::cli_test

@@ -87,15 +87,6 @@ class RankState : public RankTest, public testing::WithParamInterface<Kept> {
     }
 };
 
-nlohmann::ordered_json recordIn(const std::string& line) {
-    return nlohmann::ordered_json::parse(line.substr(line.find(' ')));
-}
-
-std::string lineOf(std::size_t unit, const nlohmann::ordered_json& made) {
-    const std::string json = nlohmann::ordered_json{{"unit", unit}, {"made", made}}.dump();
-    return program::sha256Of(json) + " " + json;
-}
-
 /// Unit by unit, each once.
 std::set<std::size_t> unitsIn(const Lines& lines) {
     std::set<std::size_t> units;
@@ -168,7 +159,7 @@ TEST_P(RankStateFile, TakesWhatTheStateHolds) {
                              [&](const std::string& line) { return recordIn(line).at("unit") == unit; });
     };
     const auto made = recordIn(lineOfUnit(GetParam().other)).at("made");
-    lineOfUnit(GetParam().shown) = lineOf(GetParam().shown, made);
+    lineOfUnit(GetParam().shown) = stateLineOf(GetParam().shown, made);
     writeState(lines);
     ASSERT_EQ(run(0).status, 0);
     EXPECT_NE(results().at("all.json"), expected.at("all.json"));
@@ -192,8 +183,8 @@ TEST_P(RankStateFile, RefusesWhatIsNoStateOfItsOwn) {
         for (const auto& other :
              {nlohmann::json(7), nlohmann::json::binary({})}) { // of another kind, and none
             damaged = lines;
-            damaged[2] =
-                lineOf(recordIn(damaged[2]).at("unit"), platform::toBase64(nlohmann::json::to_cbor(other)));
+            damaged[2] = stateLineOf(recordIn(damaged[2]).at("unit"),
+                                     platform::toBase64(nlohmann::json::to_cbor(other)));
             writeState(damaged);
             expectRefused(ranks, "s: holds results that do not fit this run" + elsewhere);
         }

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <program/sha256.h>
 
 #include <cstdint>
 #include <map>
@@ -59,16 +58,6 @@ class RenderState : public FolderTest {
 };
 
 constexpr const char* kElsewhere = "; remove it or name another file";
-
-/// What a line of a state keeps of a frame.
-nlohmann::ordered_json madeIn(const std::string& line) {
-    return nlohmann::ordered_json::parse(line.substr(line.find(' '))).at("made");
-}
-
-std::string frameLineOf(std::size_t unit, const nlohmann::ordered_json& made) {
-    const std::string json = nlohmann::ordered_json{{"unit", unit}, {"made", made}}.dump();
-    return program::sha256Of(json) + " " + json;
-}
 
 /// Whether `render` takes it where it made a frame such as `good`. The program asks the same of each frame of a state.
 bool isTakenAs(const nlohmann::ordered_json& good, const nlohmann::ordered_json& made) {
@@ -198,7 +187,7 @@ TEST_F(RenderState, RefusesWhatIsNoCertificate) {
     succeed(render);
     const std::vector<std::string> lines = linesIn(at("s"));
     ASSERT_EQ(lines.size(), 2u);
-    const auto good = madeIn(lines[1]);
+    const auto good = recordIn(lines[1]).at("made");
     EXPECT_TRUE(isTakenAs(good, good));
     for (const auto& [place, value] : strangeCertificates()) {
         auto made = good;
@@ -207,7 +196,7 @@ TEST_F(RenderState, RefusesWhatIsNoCertificate) {
     }
     auto made = good;
     made["certificate"]["frame"] = 7;
-    writeLines(at("s"), {lines[0], frameLineOf(0, made)});
+    writeLines(at("s"), {lines[0], stateLineOf(0, made)});
     expectRefused(render, std::string("s: holds no results of render") + kElsewhere);
 }
 
@@ -224,10 +213,10 @@ TEST_F(RenderState, RefusesWhatIsNoStateOfItsOwn) {
     const std::vector<std::string> lines = linesIn(at("s"));
     const auto withRecord = [&](const nlohmann::ordered_json& made) {
         auto changed = lines;
-        changed.push_back(frameLineOf(1, made));
+        changed.push_back(stateLineOf(1, made));
         writeLines(at("s"), changed);
     };
-    const nlohmann::ordered_json good = madeIn(lines[2]);
+    const nlohmann::ordered_json good = recordIn(lines[2]).at("made");
     withRecord(good);
     succeed(kRender);
     EXPECT_TRUE(isTakenAs(good, good));

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -34,10 +33,8 @@ TEST_F(ShadowCommand, ComparesBothMethodsWithTheTruth) {
 
 /// All frames' truth is kept at once, so what has no room ends before the first ray.
 TEST_F(ShadowCommand, SaysHowMuchMemoryTheTruthNeeds) {
-    const ProgramResult result = run("shadows alley --frames 1000000 --size 1920x1080");
-    EXPECT_EQ(result.status, 1);
-    EXPECT_NE(result.err.find("the truth of 1000000 frames under "), std::string::npos) << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    expectOneLine(run("shadows alley --frames 1000000 --size 1920x1080"), 1,
+                  "the truth of 1000000 frames under ");
 }
 
 /// A technique's name is a part of the names of pictures.

@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cdr::render_test {
@@ -38,6 +39,12 @@ class SoleRenderer : SoleScene, public render::Renderer {
         : SoleScene{render::GpuScene(device, world)},
           Renderer(device, onDevice, options) {}
 };
+
+/// One hash over everything a frame holds, pixel by pixel.
+inline std::string hashOf(const render::Frame& frame) {
+    return program::sha256Of(frame.color.pixels) + program::sha256Of(frame.linear.pixels) +
+           program::sha256Of(frame.gbuffer.pixels);
+}
 
 class RenderTest : public test::DeviceTest {
   protected:
@@ -75,6 +82,29 @@ class RenderTest : public test::DeviceTest {
     measure::WrongPixels wrongIn(const render::Frame& frame, const scene::Scene& scene,
                                  const scene::Camera& camera) {
         return measure::countWrong(frame.ids(), truthOf(scene, camera, frame.width(), frame.height()));
+    }
+
+    /// Expects one picture to the bit, however its cascades meet and its draws are submitted and batched.
+    void expectOnePicture(const scene::Scene& scene, const scene::Camera& camera,
+                          const render::RenderOptions& options) {
+        const render::GpuScene gpuScene(device(), scene);
+        const std::string wanted = hashOf(draw(scene, gpuScene, camera, options));
+        const auto expectSame = [&](std::string_view what, const auto& change) {
+            render::RenderOptions other = options;
+            other.threads = 4;
+            change(other);
+            EXPECT_EQ(hashOf(draw(scene, gpuScene, camera, other)), wanted)
+                << nameOf(other.technique) << " " << what;
+        };
+        for (const char* targets : {"accumulate", "pool:2", "layers"}) {
+            expectSame(targets, [&](auto& other) { other.targets = render::parseTargets(targets); });
+        }
+        for (const render::Submission submission : submissions()) {
+            expectSame(nameOf(submission), [&](auto& other) { other.submission = submission; });
+        }
+        for (const render::Batching batching : render::kBatchings) {
+            expectSame(nameOf(batching), [&](auto& other) { other.batching = batching; });
+        }
     }
 };
 
@@ -132,12 +162,6 @@ inline std::vector<depth::Technique> presetTechniques() {
         all.push_back(preset.technique);
     }
     return all;
-}
-
-/// One hash over everything a frame holds, pixel by pixel.
-inline std::string hashOf(const render::Frame& frame) {
-    return program::sha256Of(frame.color.pixels) + program::sha256Of(frame.linear.pixels) +
-           program::sha256Of(frame.gbuffer.pixels);
 }
 
 /// A scene of boxes with one white material, ambient light and the unit box as mesh 0.

@@ -36,6 +36,24 @@ inline int largestStep(const image::ImageRgba8& a, const image::ImageRgba8& b) {
     return largest;
 }
 
+/// Of the pixels inside of surfaces and of background, how many are more than two steps off the truth.
+struct OffTruth {
+    std::size_t off = 0;
+    std::size_t inner = 0;
+};
+
+inline OffTruth offTruth(const measure::LayeredTruth& truth, const image::ImageRgba8& picture) {
+    const image::ImageRgba8 wanted = pictureOf(truth);
+    OffTruth found;
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+        if (truth.pixels[i].isInner) {
+            found.off += largestStep(wanted.pixels[i], picture.pixels[i]) > 2 ? 1 : 0;
+            ++found.inner;
+        }
+    }
+    return found;
+}
+
 /// The same to the truth, inside of surfaces and of background.
 inline int largestStepTo(const measure::LayeredTruth& truth, const measure::TruthFinish& finish,
                          const image::ImageRgba8& picture) {

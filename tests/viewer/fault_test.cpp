@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <fstream>
 #include <ostream>
 
@@ -60,9 +59,7 @@ class ViewerFatal : public ViewerFault, public testing::WithParamInterface<Fatal
 
 TEST_P(ViewerFatal, EndsInOneLine) {
     const RunResult run = suffer(GetParam().fault);
-    EXPECT_EQ(run.status, 1) << run.err;
-    EXPECT_NE(run.err.find(GetParam().says), std::string::npos) << run.err;
-    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    expectOneLine(run, 1, GetParam().says);
     for (const std::string& name : files()) {
         EXPECT_EQ(name, "before.png");
         EXPECT_EQ(picture(name).width, 240u) << "half written";

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <fstream>
 
 namespace cdr::viewer_test {
@@ -284,18 +283,14 @@ TEST_F(ViewerTest, ASoakWhoseMemoryGrowsFails) {
     const RunResult run =
         runShell("'" CDR_VIEWER_DRIVE "' --size 64x48 --soak 1 --largest 64x48 --largest-growth=-100 cubes",
                  folder(), environment());
-    EXPECT_EQ(run.status, 1) << run.err;
-    EXPECT_NE(run.err.find("memory grew by "), std::string::npos) << run.err;
-    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    expectOneLine(run, 1, "memory grew by ");
     EXPECT_EQ(run.lines("soak: ").size(), 1u) << run.out;
 }
 
 TEST_F(ViewerTest, SaysWhatIsWrongInOneLine) {
     const auto expectError = [&](const std::string& arguments, int status, const std::string& text) {
-        const RunResult run = runShell("'" CDR_VIEWER "' " + arguments, folder(), environment());
-        EXPECT_EQ(run.status, status) << arguments;
-        EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
-        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+        SCOPED_TRACE(arguments);
+        expectOneLine(runShell("'" CDR_VIEWER "' " + arguments, folder(), environment()), status, text);
     };
     expectError("--technique nonsense", 2, "unknown technique");
     expectError("--size 0x5", 2, "WIDTHxHEIGHT");
@@ -329,15 +324,10 @@ TEST_F(ViewerTest, SaysWhatIsWrongInOneLine) {
     const RunResult endless =
         runShell("timeout 1000 '" CDR_VIEWER_DRIVE "' --soak nan", folder(), environment());
     EXPECT_EQ(endless.status, 2);
-    const RunResult undriven = runShell("'" CDR_VIEWER_DRIVE "' --script missing", folder(), environment());
-    EXPECT_EQ(undriven.status, 2);
-    EXPECT_NE(undriven.err.find("missing"), std::string::npos) << undriven.err;
-    EXPECT_EQ(std::count(undriven.err.begin(), undriven.err.end(), '\n'), 1) << undriven.err;
+    expectOneLine(runShell("'" CDR_VIEWER_DRIVE "' --script missing", folder(), environment()), 2, "missing");
     const RunResult blind =
         runShell("env -u DISPLAY -u WAYLAND_DISPLAY '" CDR_VIEWER "' afc", folder(), environment());
-    EXPECT_EQ(blind.status, 1);
-    EXPECT_NE(blind.err.find("cdr render afc"), std::string::npos) << blind.err;
-    EXPECT_EQ(std::count(blind.err.begin(), blind.err.end(), '\n'), 1) << blind.err;
+    expectOneLine(blind, 1, "cdr render afc");
 }
 
 TEST_F(ViewerTest, ListensToTheXServer) {

@@ -1,5 +1,6 @@
 #include <cdr/render/geometry/facet_solid.h>
 #include <cdr/scene/mesh.h>
+#include <scenes/sheets.h>
 
 #include <gtest/gtest.h>
 
@@ -12,14 +13,7 @@ namespace {
 
 /// A square in the plane z = 0 that faces +z: two triangles.
 scene::Mesh square() {
-    scene::Mesh mesh;
-    for (const glm::vec3& corner : {glm::vec3(-1.0f, -1.0f, 0.0f), glm::vec3(1.0f, -1.0f, 0.0f),
-                                    glm::vec3(1.0f, 1.0f, 0.0f), glm::vec3(-1.0f, 1.0f, 0.0f)}) {
-        mesh.vertices.push_back({.position = corner, .normal = {0.0f, 0.0f, 1.0f}});
-    }
-    mesh.indices = {0, 1, 2, 0, 2, 3};
-    mesh.boundingRadius = 1.5f;
-    return mesh;
+    return scenes::makeSquare(1.0f);
 }
 
 std::size_t facetsOf(const scene::Mesh& mesh) {

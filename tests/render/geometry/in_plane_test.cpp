@@ -134,18 +134,7 @@ TEST_F(InPlaneTest, EachWayToDrawShowsOnePicture) {
     const render::RenderOptions plain = optionsFor(4, Snapping::inPlane);
     const std::string expected = hashOf(draw(setup.scene, camera, plain));
     EXPECT_NE(expected, hashOf(draw(setup.scene, camera, optionsFor(4, Snapping::byDevice))));
-    for (const render::Submission submission : submissions()) {
-        render::RenderOptions options = plain;
-        options.submission = submission;
-        options.threads = 3;
-        EXPECT_EQ(hashOf(draw(setup.scene, camera, options)), expected) << nameOf(submission);
-    }
-    for (const render::Batching batching : render::kBatchings) {
-        render::RenderOptions options = plain;
-        options.batching = batching;
-        options.targets = render::TargetsKind::layers;
-        EXPECT_EQ(hashOf(draw(setup.scene, camera, options)), expected) << nameOf(batching);
-    }
+    expectOnePicture(setup.scene, camera, plain);
     render::RenderOptions culling = plain;
     culling.occlusionCulling = true;
     EXPECT_EQ(hashOf(draw(setup.scene, camera, culling)), expected);

@@ -165,31 +165,8 @@ TEST_F(LayersTest, HoldOfBlendedSurfacesWhereVerticesAreRoundedToSubPixels) {
 
 TEST_F(LayersTest, GiveOnePictureHoweverTheFrameIsDrawn) {
     const scene::SceneSetup setup = scenes::makeCoplanar();
-    const render::GpuScene gpuScene(device(), setup.scene);
-    const scene::Camera camera = setup.path.at(6);
     for (const depth::NamedTechnique& named : depth::presets()) {
-        const render::RenderOptions options = thumbnailOptions(named.technique);
-        const auto hashWith = [&](const render::RenderOptions& other) {
-            return hashOf(render::Renderer(device(), setup.scene, gpuScene, other).render(camera));
-        };
-        const std::string wanted = hashWith(options);
-        for (const render::TargetsKind targets :
-             {render::TargetsKind::accumulate, render::TargetsKind::pool, render::TargetsKind::layers}) {
-            render::RenderOptions other = options;
-            other.targets = targets;
-            other.threads = 3;
-            EXPECT_EQ(hashWith(other), wanted) << named.name << " " << nameOf(targets);
-        }
-        for (const render::Submission submission : submissions()) {
-            render::RenderOptions other = options;
-            other.submission = submission;
-            EXPECT_EQ(hashWith(other), wanted) << named.name << " " << nameOf(submission);
-        }
-        for (const render::Batching batching : render::kBatchings) {
-            render::RenderOptions other = options;
-            other.batching = batching;
-            EXPECT_EQ(hashWith(other), wanted) << named.name << " " << nameOf(batching);
-        }
+        expectOnePicture(setup.scene, setup.path.at(6), thumbnailOptions(named.technique));
     }
 }
 

@@ -24,11 +24,6 @@ class SnappingTest : public RenderTest {
         return draw(setup.scene, setup.path.at(0), options);
     }
 
-    measure::TruthImage truthOf(const scene::SceneSetup& setup, std::uint32_t width, std::uint32_t height) {
-        platform::WorkerPool workers(2);
-        return measure::castTruth(setup.scene, setup.path.at(0), width, height, workers);
-    }
-
     bool isLavapipe() const { return device().info().name.find("llvmpipe") != std::string::npos; }
 };
 
@@ -57,7 +52,7 @@ TEST_F(SnappingTest, OnlySurfacesCloserThanItsReachSwap) {
     for (const std::uint32_t bits : {4u, 8u}) {
         measure::WrongPixels wrong; // at some sizes none
         for (const auto& [width, height] : {std::pair{480u, 270u}, {640u, 360u}, {800u, 450u}}) {
-            const measure::TruthImage truth = truthOf(setup, width, height);
+            const measure::TruthImage truth = truthOf(setup.scene, setup.path.at(0), width, height);
             const image::ImageU32 ids = drawSnapped(setup, "anchored", bits, width, height).ids();
             wrong += measure::countWrong(ids, truth);
             EXPECT_EQ(wrongBeyond(ids, truth, halfSubPixel(bits) + snapReach(device())), 0u)
@@ -120,7 +115,7 @@ TEST_F(SnappingTest, TheForecastHoldsForSurfacesOfOtherOutlines) {
 /// Where surfaces lie farther apart than a sub-pixel reaches, snapping takes nothing from anchored depth.
 TEST_F(SnappingTest, FieldsOfCubesStayRight) {
     for (const scene::SceneSetup& setup : {scenes::makeAfc(2013), scenes::makeCubes(2013)}) {
-        const measure::TruthImage truth = truthOf(setup, 480, 270);
+        const measure::TruthImage truth = truthOf(setup.scene, setup.path.at(0));
         for (const std::uint32_t bits : {4u, 8u}) {
             const image::ImageU32 ids = drawSnapped(setup, "anchored", bits, 480, 270).ids();
             const measure::WrongPixels wrong = measure::countWrong(ids, truth);

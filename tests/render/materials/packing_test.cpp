@@ -6,6 +6,7 @@
 #include <cdr/render/materials/scene_textures.h>
 #include <cdr/render/materials/texture_packing.h>
 #include <cdr/scene/world/world.h>
+#include <scenes/sheets.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -58,14 +59,9 @@ class PackingTest : public RenderTest {
     static scene::Scene squares() {
         scene::Scene scene = boxScene();
         scene.ambient = glm::vec3(0.6f);
-        scene.meshes.assign(1, scene::Mesh{});
-        scene.meshes[0].name = "square";
-        scene.meshes[0].indices = {0, 1, 2, 0, 2, 3};
-        scene.meshes[0].boundingRadius = 1.5f;
-        for (const glm::vec2& corner :
-             {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, 1)}) {
-            scene.meshes[0].vertices.push_back(
-                {.position = glm::vec3(corner, 0.0f), .uv = 0.5f + 0.25f * corner}); // nowhere near an edge
+        scene.meshes = {scenes::makeSquare(1.0f)};
+        for (scene::Vertex& vertex : scene.meshes[0].vertices) {
+            vertex.uv = 0.5f + 0.25f * glm::vec2(vertex.position); // nowhere near an edge
             scene.meshes[0].details.push_back({.tangent = glm::vec4(1.0f, 0.0f, 0.0f, 1.0f)});
         }
         scene.textures = fiveTextures(0);

@@ -5,6 +5,7 @@
 #include <cdr/render/materials/scene_textures.h>
 #include <cdr/render/materials/texture_packing.h>
 #include <cdr/shaders/shared.h>
+#include <scenes/sheets.h>
 
 #include <algorithm>
 #include <array>
@@ -39,14 +40,10 @@ class PlacesTest : public RenderTest {
     /// A square whose second place in textures is the first, led by kWay. All of its textures are read as `use` says.
     static scene::Scene squareWith(UseOf use, const scene::TextureUse& as) {
         scene::Scene scene = boxScene();
-        scene.meshes.assign(1, scene::Mesh{});
-        scene.meshes[0].name = "square";
-        scene.meshes[0].indices = {0, 1, 2, 0, 2, 3};
-        scene.meshes[0].boundingRadius = 1.5f;
-        for (const glm::vec2& corner :
-             {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, 1)}) {
-            scene.meshes[0].vertices.push_back({.position = glm::vec3(corner, 0.0f), .uv = corner});
-            scene.meshes[0].details.push_back({.uv = kWay * glm::vec3(corner, 1.0f)});
+        scene.meshes = {scenes::makeSquare(1.0f)};
+        for (scene::Vertex& vertex : scene.meshes[0].vertices) {
+            vertex.uv = glm::vec2(vertex.position);
+            scene.meshes[0].details.push_back({.uv = kWay * glm::vec3(vertex.uv, 1.0f)});
         }
         scene.textures = {{.name = "uneven", .pixels = uneven(), .content = scene::TextureContent::data}};
         scene.materials = {

@@ -1,8 +1,8 @@
 #include "../fixture.h"
 #include "../snapping.h"
+#include "../steps.h"
 
 #include <cdr/measure/compare/flip_difference.h>
-#include <cdr/measure/truth/layered_truth.h>
 #include <cdr/scene/gltf/open_gltf.h>
 
 #include <optional>
@@ -47,8 +47,7 @@ TEST_F(PointsTest, LooksAsFloat64Truth) {
     const render::Frame frame =
         draw(setup.scene, camera, quarterOf(smallOptions(depth::parseTechnique("anchored"))));
     platform::WorkerPool workers(2);
-    const image::ImageRgba8 wanted =
-        pictureOf(measure::castLayers(setup.scene, camera, frame.width(), frame.height(), workers));
+    const image::ImageRgba8 wanted = pictureOf(layersOf(setup.scene, camera, frame.width(), frame.height()));
     EXPECT_LE(measure::FlipDifference().mean(wanted, frame.color, workers), 0.02);
 }
 
@@ -67,25 +66,13 @@ TEST_F(PointsTest, CloudsAlmostAtOnePlaceAreToldApart) {
         }
     }
     setup.scene.objectNames.emplace_back("second hill");
-    platform::WorkerPool workers(2);
     const auto idsOf = [&](const char* technique) {
         return draw(setup.scene, camera, smallOptions(depth::parseTechnique(technique))).ids();
     };
     const image::ImageU32 standard = idsOf("standard");
-    const auto truth = measure::castTruth(setup.scene, camera, standard.width, standard.height, workers);
+    const auto truth = truthOf(setup.scene, camera);
     EXPECT_GT(measure::countWrong(standard, truth).wrong, 100u);
     EXPECT_EQ(wrongBeyond(idsOf("anchored"), truth, snapReach(device())), 0u);
-}
-
-TEST_F(PointsTest, ThePictureIsTheSameForAllSubmissions) {
-    const scene::SceneSetup setup = survey({});
-    render::RenderOptions options = thumbnailOptions(depth::parseTechnique("cdr"));
-    const std::string wanted = hashOf(draw(setup.scene, setup.path.at(0), options));
-    for (const render::Submission submission : submissions()) {
-        options.submission = submission;
-        options.threads = 3;
-        EXPECT_EQ(hashOf(draw(setup.scene, setup.path.at(0), options)), wanted) << nameOf(submission);
-    }
 }
 
 /// The survey, whose unlit points and lines glow.
@@ -111,8 +98,7 @@ TEST_F(PointsTest, UnlitOnesShowWhatTheyEmit) {
             material.baseColorFactor.a = material.unlit ? 0.7f : 1.0f;
         }
         const image::ImageRgba8 drawn = draw(setup.scene, camera, options).color;
-        const image::ImageRgba8 wanted =
-            pictureOf(measure::castLayers(setup.scene, camera, drawn.width, drawn.height, workers));
+        const image::ImageRgba8 wanted = pictureOf(layersOf(setup.scene, camera, drawn.width, drawn.height));
         EXPECT_LE(measure::FlipDifference().mean(wanted, drawn, workers), 0.02);
         const image::ImageRgba8 without = draw(dark.scene, camera, options).color;
         EXPECT_GT(measure::FlipDifference().mean(without, drawn, workers), 0.05);
@@ -123,16 +109,7 @@ TEST_F(PointsTest, UnlitOnesShowWhatTheyEmit) {
 TEST_F(PointsTest, WhatUnlitOnesEmitIsTheSameInEveryPath) {
     const scene::SceneSetup setup = glowing(survey({}));
     render::RenderOptions options = thumbnailOptions(depth::parseTechnique("cdr"));
-    const std::string wanted = hashOf(draw(setup.scene, setup.path.at(0), options));
-    for (const char* targets : {"accumulate", "pool:2", "layers"}) {
-        options.targets = render::parseTargets(targets);
-        EXPECT_EQ(hashOf(draw(setup.scene, setup.path.at(0), options)), wanted) << targets;
-    }
-    for (const render::Submission submission : submissions()) {
-        options.submission = submission;
-        options.threads = 3;
-        EXPECT_EQ(hashOf(draw(setup.scene, setup.path.at(0), options)), wanted) << nameOf(submission);
-    }
+    expectOnePicture(setup.scene, setup.path.at(0), options);
     options.surface = render::SurfacePath::visibility;
     options.submission = render::Submission::secondaries;
     EXPECT_NE(refusalOf(setup.scene, options).find("emit light"), std::string::npos);

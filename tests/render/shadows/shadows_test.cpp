@@ -156,10 +156,8 @@ TEST_F(ShadowsTest, BodiesOfSmallFacetsCastNoShadowOnThemselves) {
 
 TEST_F(ShadowsTest, TheCountSeesShadowsThatAreMissing) {
     const scene::SceneSetup setup = scenes::openScene("alley", scenes::kDefaultSeed).setup;
-    platform::WorkerPool workers(2);
-    const measure::TruthCaster shapes(setup.scene, workers);
-    const measure::ShadowTruthCaster caster(setup.scene, shapes.shapes());
-    const measure::ShadowImage truth = caster.cast(setup.path.at(0), 480, 270, 0, workers);
+    const measure::ShadowImage truth =
+        ShadowTruth(setup.scene).cast(setup.path.at(0), shadowOptions("anchored"))[0];
     image::ImageRgba8 everywhere(480, 270);
     std::fill(everywhere.pixels.begin(), everywhere.pixels.end(), image::Rgba8{255, 255, 255, 255});
     const measure::WrongShadows wrong = measure::countWrongShadows({everywhere, 0}, truth);

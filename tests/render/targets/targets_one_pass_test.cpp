@@ -100,26 +100,6 @@ TEST_F(OnePassTest, SlicesOf24BitsLieBetween24And16BitsOfOnesOwn) {
     }
 }
 
-TEST_F(OnePassTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
-    const scene::SceneSetup setup = scenes::makeRotation(5, 20'000);
-    const render::GpuScene gpuScene(device(), setup.scene);
-    scene::Camera camera = setup.path.at(0);
-    camera.nearView = 1.0;
-    camera.farView = 500.0;
-    const auto truth = truthOf(setup.scene, camera);
-    for (const depth::Mapping mapping : depth::kMappings) {
-        for (const char* split : {"none", "count:7", "count:40", "at:50,120"}) {
-            for (const auto format : available({depth::DepthFormat::d24, depth::DepthFormat::d32f})) {
-                const auto technique = depth::Technique{mapping, depth::parseSplit(split), format};
-                const Frame frame = drawWith(setup.scene, gpuScene, camera, technique);
-                const auto wrong = measure::countWrong(frame.ids(), truth);
-                EXPECT_GT(wrong.pixels, 3000u);
-                EXPECT_EQ(wrong.wrong, 0u) << nameOf(technique) << " " << nameOf(format);
-            }
-        }
-    }
-}
-
 /// Pairs of boxes at three view distances in each cascade, drawn in both orders. In each a smaller box is a gap
 /// behind the front of a larger one.
 /// @param gapSteps gaps in steps of a cascade with a depth range of its own.
