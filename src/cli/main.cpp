@@ -191,6 +191,7 @@ void printLine(const std::string& line) {
 
 int main(int argc, char** argv) {
     cdr::program::keepFreedMemory();
+    cdr::program::useLargePages();
     cdr::platform::removeUnfinishedFilesOnSignals();
     std::unique_ptr<cdr::ranks::Ranks> ranks;
     const cdr::ranks::Ending joining = outcomeOf([&] {

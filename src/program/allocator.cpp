@@ -1,11 +1,13 @@
 #include <program/allocator.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <cstdlib> // defines __GLIBC__, where that is the C library
 #include <fstream>
 
 #if defined(__GLIBC__)
 #include <malloc.h>
+#include <sys/mman.h>
 #define CDR_HAS_MALLINFO2 __GLIBC_PREREQ(2, 33)
 #endif
 
@@ -17,6 +19,28 @@ bool keepFreedMemory() {
     // The largest that glibc takes. One setting alone would stop glibc from raising the other.
     constexpr int kLargestFromHeap = 32 << 20;
     return ::mallopt(M_TRIM_THRESHOLD, kKeptBytes) != 0 && ::mallopt(M_MMAP_THRESHOLD, kLargestFromHeap) != 0;
+#else
+    return false;
+#endif
+}
+
+bool useLargePages() {
+#if defined(__GLIBC__) && defined(MADV_HUGEPAGE)
+    // Less than keepFreedMemory() keeps, or a heap that is all free would be returned to the system.
+    constexpr int kReservedBytes = 192 << 20;
+    constexpr std::size_t kMoreThanIsFree = 1 << 20;
+    constexpr int kDefaultPad = 128 << 10;
+    // One block that the heap has no room for makes it grow by all of the pad.
+    ::mallopt(M_TOP_PAD, kReservedBytes);
+    void* const block = ::malloc(kMoreThanIsFree);
+    ::mallopt(M_TOP_PAD, kDefaultPad);
+    const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
+    const auto begin = (reinterpret_cast<std::uintptr_t>(block) + page - 1) / page * page;
+    const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0)) / page * page;
+    ::free(block);
+    // Where the heap could not grow, the block is null or lies elsewhere: above its end, or far below.
+    return block != nullptr && begin < end && end - begin <= 2 * std::uintptr_t{kReservedBytes} &&
+           ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE) == 0;
 #else
     return false;
 #endif

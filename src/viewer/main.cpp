@@ -4,6 +4,7 @@
 
 int main(int argc, char** argv) {
     cdr::program::keepFreedMemory();
+    cdr::program::useLargePages();
     return cdr::viewer::exitStatusOf("cdr-viewer", [&] {
         cdr::viewer::Arguments arguments;
         if (const auto status = cdr::viewer::parseViewer(argc, argv, arguments)) {

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <fstream>
 #include <memory>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace cdr::program {
@@ -39,6 +43,34 @@ TEST(KeptMemory, IsUsedAgainWithoutPageFaults) {
     useMemory();
     // The memory has 8192 pages of 4 KiB.
     EXPECT_LT(pageFaults() - before, 800);
+}
+
+/// The flags that the system keeps for the memory at an address, such as "rd wr mr mw me ac sd hg".
+std::string flagsOf(const void* address) {
+    const auto wanted = reinterpret_cast<std::uintptr_t>(address);
+    std::ifstream file("/proc/self/smaps");
+    bool isThere = false;
+    for (std::string line; std::getline(file, line);) {
+        std::uintptr_t begin = 0;
+        std::uintptr_t end = 0;
+        char dash = 0;
+        if (std::istringstream text(line); text >> std::hex >> begin >> dash >> end && dash == '-') {
+            isThere = begin <= wanted && wanted < end;
+        } else if (isThere && line.starts_with("VmFlags:")) {
+            return line.substr(line.find(' ')) + " ";
+        }
+    }
+    return {};
+}
+
+TEST(LargePages, AreAskedForWhereTheNextBlockLies) {
+    if (!useLargePages()) {
+        GTEST_SKIP() << "the system takes no such request, or a sanitizer has an allocator of its own";
+    }
+    constexpr std::size_t kBytes = 1 << 20; // too large for what earlier tests freed in between
+    const auto block = std::make_unique_for_overwrite<std::byte[]>(kBytes);
+    const std::string flags = flagsOf(block.get() + kBytes - 1);
+    EXPECT_NE(flags.find(" hg "), std::string::npos) << flags;
 }
 
 } // namespace
