@@ -255,10 +255,10 @@ TEST_F(Commands, AdviseSaysWhenReversedIsEnough) {
     EXPECT_TRUE(document["results"][0].contains("predicted"));
 }
 
-TEST_F(Commands, RenderWritesEveryOutputInEveryFormat) {
+TEST_F(Commands, RenderWritesEveryOutputAsPngAndAsExr) {
     std::set<std::string> pictures;
     for (const char* aov : {"color", "linear", "id", "distance", "normal", "cascade", "wrong"}) {
-        for (const char* extension : {"png", "tga", "exr"}) {
+        for (const char* extension : {"png", "exr"}) {
             const std::string file = std::string(aov) + "." + extension;
             const ProgramResult result = succeed("--quiet render cubes --size 64x36 --technique cdr --aov " +
                                                  std::string(aov) + " -o " + file);

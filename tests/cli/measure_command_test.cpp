@@ -172,25 +172,13 @@ TEST_F(TimingCommand, RefusesWhatIsNoBuild) {
                   "true wrote no timing results");
 }
 
-/// Programs that write something else where their JSON is asked for.
+/// A program that writes something else where its JSON is asked for.
 TEST_F(TimingCommand, RefusesWhatIsNoTimingInOneLine) {
-    const auto errorOf = [&](const std::string& text) {
-        std::ofstream(at("other")) << "#!/bin/sh\nfor last; do :; done\nprintf '" << text << "' >\"$last\"\n";
-        std::filesystem::permissions(at("other"), std::filesystem::perms::owner_all);
-        const ProgramResult result =
-            run("timing --against ./other --rounds 1 --frames 1 --size 16x16 --modes log");
-        EXPECT_EQ(result.status, 2) << text;
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-        return result.err;
-    };
-    EXPECT_NE(errorOf(R"({"device": 5, "results": []})").find("cannot be used: "), std::string::npos);
-    EXPECT_NE(errorOf(R"({"device": {}, "results": [3]})").find("no object"), std::string::npos);
-    EXPECT_NE(
-        errorOf(R"({"device": {"name": 3}, "results": [{"name": "log", "median_us": 1}]})").find("'name'"),
-        std::string::npos);
-    EXPECT_NE(errorOf(R"({"device": {}, "results": [{"name": "log", "median_us": 0}]})").find("over 0"),
-              std::string::npos);
-    EXPECT_NE(errorOf("[").find("wrote no timing results"), std::string::npos);
+    std::ofstream(at("other")) << "#!/bin/sh\nfor last; do :; done\n"
+                               << R"(echo '{"device": 5, "results": []}' >"$last")";
+    std::filesystem::permissions(at("other"), std::filesystem::perms::owner_all);
+    expectRefusal("timing --against ./other --rounds 1 --frames 1 --size 16x16 --modes log",
+                  "cannot be used: ");
 }
 
 /// Never the times themselves: the stages are there, for each mode, and the frame is the last.

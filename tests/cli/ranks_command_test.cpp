@@ -99,19 +99,18 @@ TEST_F(RanksCommand, CascadesAreLaidOverEachOther) {
 }
 
 TEST_F(RanksCommand, CascadesThatCannotBeDividedAreRefusedInOneLine) {
+    const auto expectUndivided = [](const ProgramResult& result, const std::string& what) {
+        EXPECT_EQ(result.status, 2);
+        EXPECT_EQ(result.err, "cdr: cascades cannot be divided: " + what + " need all of them\n");
+    };
+    const std::string render = "render --ranks cascades -o a.png --size 32x18 ";
     for (const auto& [arguments, what] :
-         {std::pair("cubes --antialias edges", "smoothed edges need"),
-          std::pair("sheets", "blended materials need"),
-          std::pair("cubes --occlusion 2", "ambient occlusion over the whole picture need"),
-          std::pair("cubes --submission gpu-driven", "gpu-driven draws need")}) {
-        for (const int ranks : {0, 2}) {
-            const std::string command =
-                std::string("render --ranks cascades -o a.png --size 32x18 ") + arguments;
-            const ProgramResult result = ranks == 0 ? run(command) : runAsRanks(ranks, command, folder());
-            EXPECT_EQ(result.status, 2);
-            EXPECT_EQ(result.err, std::string("cdr: cascades cannot be divided: ") + what + " all of them\n");
-        }
+         {std::pair("cubes --antialias edges", "smoothed edges"), std::pair("sheets", "blended materials"),
+          std::pair("cubes --occlusion 2", "ambient occlusion over the whole picture"),
+          std::pair("cubes --submission gpu-driven", "gpu-driven draws")}) {
+        expectUndivided(run(render + arguments), what);
     }
+    expectUndivided(runAsRanks(2, render + "sheets", folder()), "blended materials");
     EXPECT_NE(run("render cubes --ranks cascade").err.find("did you mean 'cascades'"), std::string::npos);
     EXPECT_TRUE(folderIsEmpty());
 }
@@ -155,12 +154,6 @@ TEST_F(RanksCommand, ScalingMeasuresRanksWhereToldTo) {
         "mpirun\n");
     EXPECT_EQ(run("scaling --ranks --draws 1,2").err,
               "cdr: scaling --ranks and --project take one number of --draws\n");
-}
-
-TEST_F(RanksCommand, ProbeFindsWhatOneProcessDoes) {
-    expectSameFiles(
-        "probe --distances 10,1e3,1e6 --techniques reversed,anchored --formats d32f --size 160x90 --json all.json",
-        1);
 }
 
 TEST_F(RanksCommand, FlickerFindsWhatOneProcessDoes) {
@@ -253,7 +246,7 @@ TEST_F(RanksCommand, OnlyTheFirstPrints) {
 
 TEST_F(RanksCommand, BadInputIsOneLine) {
     for (const char* arguments : {"render nosuch", "render cubes --size 0x0", "render cubes -o missing/a.png",
-                                  "probe --distances 0", "render cubes --device each --format d17",
+                                  "render cubes --device each --format d17",
                                   "flicker --frames 2 --size 32x18 --state missing/state.json"}) {
         const ProgramResult one = run(arguments);
         const ProgramResult three = runAsRanks(3, arguments, folder());

@@ -33,15 +33,9 @@ class AdversarialTest : public RenderTest {
         std::size_t cascades = 0;
     };
 
-    Outcome outcome(const scene::Scene& scene, const scene::Camera& camera,
-                    const depth::Technique& technique = depth::parseTechnique("anchored")) {
-        return outcome(scene, render::GpuScene(device(), scene), camera, technique);
-    }
+    static render::RenderOptions anchored() { return smallOptions(depth::parseTechnique("anchored")); }
 
-    Outcome outcome(const scene::Scene& scene, const render::GpuScene& gpuScene, const scene::Camera& camera,
-                    const depth::Technique& technique = depth::parseTechnique("anchored")) {
-        const Frame frame = draw(scene, gpuScene, camera, smallOptions(technique));
-        const auto truth = truthOf(scene, camera, frame.width(), frame.height());
+    static Outcome outcome(const Frame& frame, const measure::TruthImage& truth) {
         const auto inner = measure::innerMask(truth);
         Outcome result{.wrong = measure::countWrong(frame.ids(), truth), .cascades = frame.cascades.size()};
         for (std::uint32_t y = 0; y < frame.height(); ++y) {
@@ -69,11 +63,12 @@ TEST_F(AdversarialTest, ThousandsOfOverlappingIntervals) {
         addBox(scene, {x, 0.6 * w * share(random), -w}, glm::mat3(static_cast<float>(side)));
     }
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 2e6};
+    const auto truth = truthOf(scene, camera);
     for (const depth::Mapping mapping : {depth::Mapping::anchored, depth::Mapping::anchoredReversed}) {
         for (const char* split : {"fitted", "fitted:1e-7px", "fitted:0.001,max=64"}) {
             const auto technique =
                 depth::Technique{mapping, depth::parseSplit(split), depth::DepthFormat::d32f};
-            const Outcome result = outcome(scene, camera, technique);
+            const Outcome result = outcome(draw(scene, camera, smallOptions(technique)), truth);
             EXPECT_GT(result.wrong.pixels, 5'000u);
             EXPECT_EQ(result.wrong.wrong, 0u) << nameOf(technique);
             EXPECT_GE(result.cascades, 2u);
@@ -102,11 +97,13 @@ TEST_F(AdversarialTest, ObjectsBehindAndAroundTheCamera) {
     addBox(scene, {0.1, 0.2, -1e3}, glm::mat3(5.0f));
     addBox(scene, {0.1, 0.2, 1e3}, glm::mat3(5.0f));
     const scene::Camera camera{.fovY = 1.5, .nearView = 0.01, .farView = 1e6};
+    const auto truth = truthOf(scene, camera);
     for (const depth::Mapping mapping : {depth::Mapping::anchored, depth::Mapping::anchoredReversed}) {
         const auto technique = depth::Technique{mapping, depth::SplitFitted{}, depth::DepthFormat::d32f};
-        const Outcome result = outcome(scene, camera, technique);
-        EXPECT_GT(result.wrong.pixels, 50'000u);
-        EXPECT_EQ(result.wrong.wrong, 0u) << nameOf(technique);
+        const measure::WrongPixels wrong =
+            measure::countWrong(draw(scene, camera, smallOptions(technique)).ids(), truth);
+        EXPECT_GT(wrong.pixels, 50'000u);
+        EXPECT_EQ(wrong.wrong, 0u) << nameOf(technique);
     }
 }
 
@@ -114,14 +111,14 @@ TEST_F(AdversarialTest, ASinglePointAndASpeckAMillionUnitsAway) {
     scene::Scene scene = boxScene();
     addBox(scene, {0.0, 0.0, -1e6}, glm::mat3(1e-30f));
     const scene::Camera camera{.fovY = 4e-9, .nearView = 0.001, .farView = 2e6};
-    const Frame point = draw(scene, camera, smallOptions(depth::parseTechnique("anchored")));
+    const Frame point = draw(scene, camera, anchored());
     ASSERT_EQ(point.cascades.size(), 1u);
     EXPECT_GT(point.cascades[0].farView, point.cascades[0].nearView);
     EXPECT_TRUE(point.cascades[0].contains(1e6));
     // A cube of a millimetre, all there is.
     scene.instances = {};
     addBox(scene, {0.0, 0.0, -1e6}, glm::mat3(1e-3f));
-    const Outcome speck = outcome(scene, camera);
+    const Outcome speck = outcome(draw(scene, camera, anchored()), truthOf(scene, camera));
     EXPECT_GT(speck.wrong.pixels, 2'000u);
     EXPECT_EQ(speck.wrong.wrong, 0u);
     EXPECT_LT(speck.worstDistance, 1e-9);
@@ -134,10 +131,11 @@ TEST_F(AdversarialTest, EverythingAtOneDistance) {
         addBox(scene, {1.5 * (i % 8) - 5.0, 1.5 * std::floor(i / 8) - 5.0, -1e6});
     }
     const scene::Camera camera{.fovY = 1.4e-5, .nearView = 0.001, .farView = 2e6};
+    const auto truth = truthOf(scene, camera);
+    render::RenderOptions options = anchored();
     for (const depth::DepthFormat format : available(depth::kDepthFormats)) {
-        auto technique = depth::parseTechnique("anchored");
-        technique.format = format;
-        const Outcome result = outcome(scene, camera, technique);
+        options.technique.format = format;
+        const Outcome result = outcome(draw(scene, camera, options), truth);
         EXPECT_GT(result.wrong.pixels, 10'000u);
         EXPECT_EQ(result.wrong.wrong, 0u);
         EXPECT_LT(result.worstDistance, 1e-6);
@@ -145,7 +143,7 @@ TEST_F(AdversarialTest, EverythingAtOneDistance) {
     }
     // Near and far planes just around it.
     const scene::Camera hair{.fovY = 1.4e-5, .nearView = 1e6 - 1e-9, .farView = 1e6 + 1e-9};
-    EXPECT_EQ(outcome(scene, hair).wrong.wrong, 0u);
+    EXPECT_EQ(wrongIn(draw(scene, hair, anchored()), scene, hair).wrong, 0u);
 }
 
 /// The limit that is left is float64 itself, whose positions are 1.2e-4 apart there.
@@ -163,7 +161,8 @@ TEST_F(AdversarialTest, ACameraBillionsOfKilometresFromTheOrigin) {
         for (const std::uint32_t number : {0u, 45u, 120u, 200u}) {
             scene::Camera camera = setup.path.at(number);
             camera.position += shift;
-            const Outcome result = outcome(setup.scene, gpuScene, camera);
+            const Outcome result =
+                outcome(draw(setup.scene, gpuScene, camera, anchored()), truthOf(setup.scene, camera));
             sums[far].wrong += result.wrong;
             sums[far].worstDistance = std::max(sums[far].worstDistance, result.worstDistance);
         }
@@ -195,7 +194,7 @@ TEST_F(AdversarialTest, APlanetOfPiecesHasNoCracks) {
             const glm::dvec3 target = radius * up + (i == 0 ? 0.0 : 0.9 * std::min(horizon, radius)) * aside;
             const scene::Camera camera =
                 scene::lookAt({.fovY = i == 2 ? 0.05 : 1.0, .nearView = 0.1, .farView = 1e8}, eye, target);
-            wrong += outcome(scene, gpuScene, camera).wrong;
+            wrong += wrongIn(draw(scene, gpuScene, camera, anchored()), scene, camera);
         }
     }
     EXPECT_GT(wrong.pixels, 500'000u);

@@ -53,23 +53,18 @@ TEST_F(ViewerTest, AnAnimatedCameraIsSteeredAway) {
     EXPECT_NE(valueOf(states[3], "eye"), valueOf(states[2], "eye")) << "it does not follow again";
 }
 
-TEST_F(ViewerTest, ASliderMovesTheAnimatedCamera) {
+/// It takes an expression too, and 0 * infinity is no number.
+TEST_F(ViewerTest, ASliderMovesTheAnimatedCameraAndTakesNothingThatIsNoNumber) {
+    const std::string edit = "hold control\nclick time\nlet control\nwait-ui 2\n";
     const RunResult run =
         play("--size 1000x700 --technique anchored --camera 0 --time 0 " + kMovingCamera,
-             "wait-frame\nclick Camera\nwait-ui 3\ncommand\nclick time\nwait-frame\ncommand\nquit\n");
+             "wait-frame\nclick Camera\nwait-ui 3\ncommand\nclick time\nwait-frame\ncommand\nstate\n" + edit +
+                 "type 0\nkey enter\nwait-ui 3\nstate\n" + edit +
+                 "type *1e39\nwait-ui 2\nkey enter\nwait-ui 3\nwait-frame\nstate\nquit\n");
     const auto lines = run.lines("cdr render");
     ASSERT_EQ(lines.size(), 2u) << run.out;
     EXPECT_EQ(lines[0].find(" --direction="), std::string::npos) << lines[0];
     EXPECT_NE(lines[1].find(" --direction=-0.99"), std::string::npos) << "half of half a turn: " << lines[1];
-}
-
-/// A slider takes an expression, and 0 * infinity is no number.
-TEST_F(ViewerTest, ASliderTakesNothingThatIsNoNumber) {
-    const std::string edit = "hold control\nclick time\nlet control\nwait-ui 2\n";
-    const RunResult run = play("--size 1000x700 --technique anchored --camera 0 --time 0 " + kMovingCamera,
-                               "wait-frame\nclick Camera\nwait-ui 3\nclick time\nwait-frame\nstate\n" + edit +
-                                   "type 0\nkey enter\nwait-ui 3\nstate\n" + edit +
-                                   "type *1e39\nwait-ui 2\nkey enter\nwait-ui 3\nwait-frame\nstate\nquit\n");
     const auto states = run.states(3);
     EXPECT_GT(std::stod(valueOf(states[0], "time")), 0.0) << states[0];
     EXPECT_EQ(valueOf(states[1], "time"), "0") << states[1];

@@ -66,16 +66,16 @@ TEST_F(ViewerTest, PicksFromThePictureThatWasClickedOn) {
     EXPECT_NE(valueOf(states.front(), "clicked-from"), valueOf(states.back(), "clicked-from"));
 }
 
-TEST_F(ViewerTest, OrbitsWhatItLooksAtWhateverTheScale) {
-    for (const std::string& scene : {std::string("cubes"), std::string("afc")}) {
-        const RunResult run =
-            play("--size 560x300 --technique standard " + scene, "wait-frame\nstate\nkey O\nstate\nquit\n");
-        const auto states = run.states(2);
-        const double ahead =
-            glm::length(vectorOf(valueOf(states[0], "pivot")) - vectorOf(valueOf(states[0], "eye")));
-        const double expected = scene == "cubes" ? 12e3 : 1e6;
-        EXPECT_NEAR(ahead, expected, 0.1 * expected) << states[0];
-    }
+/// How far from the eye lies what an orbit goes around.
+double ahead(const std::string& state) {
+    return glm::length(vectorOf(valueOf(state, "pivot")) - vectorOf(valueOf(state, "eye")));
+}
+
+TEST_F(ViewerTest, OrbitsWhatItLooksAtAMillionUnitsAway) {
+    const RunResult run =
+        play("--size 560x300 --technique standard afc", "wait-frame\nstate\nkey O\nstate\nquit\n");
+    const auto states = run.states(2);
+    EXPECT_NEAR(ahead(states[0]), 1e6, 1e5) << states[0];
 }
 
 /// The distance to what was in view before would be a false one.
@@ -85,9 +85,7 @@ TEST_F(ViewerTest, OrbitsWhatItLooksAtAfterHome) {
              "wait-frame\nstate\nkey O\nmove 120 80\nscroll 40\nwait-ui 1\nwait-frame\nstate\nkey home\n"
              "wait-frame\nstate\npress\nmove 160 80\nwait-ui 1\nrelease\nwait-frame\nstate\nquit\n");
     const auto states = run.states(4);
-    const auto ahead = [](const std::string& state) {
-        return glm::length(vectorOf(valueOf(state, "pivot")) - vectorOf(valueOf(state, "eye")));
-    };
+    EXPECT_NEAR(ahead(states[0]), 12e3, 1.2e3) << states[0];
     ASSERT_EQ(valueOf(states[2], "eye"), valueOf(states[0], "eye"));
     EXPECT_LT(ahead(states[1]), 0.1 * ahead(states[0])) << "it has not gone nearer: " << states[1];
     EXPECT_EQ(valueOf(states[2], "orbits"), "1");

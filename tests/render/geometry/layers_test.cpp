@@ -1,9 +1,9 @@
 #include "../../support/refusal.h"
 #include "../fixture.h"
 #include "../snapping.h"
+#include "../steps.h"
 
 #include <cdr/base/error.h>
-#include <cdr/measure/truth/layered_truth.h>
 #include <cdr/render/geometry/layers.h>
 #include <scenes/coplanar.h>
 #include <scenes/sheets.h>
@@ -26,23 +26,24 @@ class LayersTest : public RenderTest {
         return smallOptions(technique, 320, 180);
     }
 
-    measure::WrongPixels wrongOver(const scene::Scene& scene, const render::RenderOptions& options) {
+    /// Over all views, in pictures of optionsFor().
+    measure::WrongPixels wrongWith(const render::RenderOptions& options) {
+        static const scene::Scene scene = scenes::makeCoplanar().scene;
+        static std::vector<measure::TruthImage> truths(kViews);
         SoleRenderer renderer(device(), scene, options);
         measure::WrongPixels all;
         for (std::uint32_t view = 0; view < kViews; ++view) {
             const scene::Camera camera = scenes::coplanarView(7, view);
-            const measure::TruthImage truth =
-                measure::castTruth(scene, camera, options.width, options.height, m_workers);
-            const render::Frame frame = renderer.render(camera);
-            all += measure::countWrong(frame.ids(), truth);
+            if (truths[view].pixels.empty()) {
+                truths[view] = truthOf(scene, camera, options.width, options.height);
+            }
+            all += measure::countWrong(renderer.render(camera).ids(), truths[view]);
         }
         return all;
     }
 
     /// Of all inner pixels. Where the device rounds vertices, slivers cover pixels that no ray meets them in.
     double mostWrong() { return snapReach(device()) > 0.0 ? 1e-3 : 0.0; }
-
-    platform::WorkerPool m_workers{2};
 };
 
 scene::Material inLayer(float layer) {
@@ -66,23 +67,26 @@ TEST(LayerPlaces, NeedNoMaterialWithoutALayer) {
 }
 
 TEST_F(LayersTest, EveryTechniqueShowsTheUpperOfFacesAtOnePlace) {
-    const scene::SceneSetup setup = scenes::makeCoplanar();
     for (const depth::NamedTechnique& named : depth::presets()) {
-        const measure::WrongPixels wrong = wrongOver(setup.scene, optionsFor(named.technique));
-        EXPECT_GT(wrong.pixels, 100'000u);
-        EXPECT_LE(wrong.fraction(), mostWrong()) << named.name;
+        for (const render::TargetsKind targets :
+             {render::TargetsKind::single, render::TargetsKind::onePass}) {
+            render::RenderOptions options = optionsFor(named.technique);
+            options.targets = targets;
+            const measure::WrongPixels wrong = wrongWith(options);
+            EXPECT_GT(wrong.pixels, 100'000u);
+            EXPECT_LE(wrong.fraction(), mostWrong()) << named.name << " " << nameOf(targets);
+        }
     }
 }
 
 /// Else the test above would show nothing.
 TEST_F(LayersTest, WithoutAnOffsetFacesAtOnePlaceFight) {
-    const scene::SceneSetup setup = scenes::makeCoplanar();
     render::RenderOptions options = optionsFor(depth::parseTechnique("anchored"));
     options.layers.method = render::LayerMethod::polygonOffset;
-    EXPECT_GT(wrongOver(setup.scene, options).fraction(), 0.05);
+    EXPECT_GT(wrongWith(options).fraction(), 0.05);
     options.layers.constantFactor = 16.0f;
     options.layers.slopeFactor = 0.25f;
-    EXPECT_LT(wrongOver(setup.scene, options).fraction(), 0.05);
+    EXPECT_LT(wrongWith(options).fraction(), 0.05);
 }
 
 TEST_F(LayersTest, HaveFiniteFactors) {
@@ -101,13 +105,11 @@ TEST_F(LayersTest, HaveFiniteFactors) {
 }
 
 TEST_F(LayersTest, HoldWhereVerticesAreRoundedToSubPixels) {
-    const scene::SceneSetup setup = scenes::makeCoplanar();
     for (const std::uint32_t bits : {4u, 8u}) {
         render::RenderOptions options = optionsFor(depth::parseTechnique("anchored"));
         options.snapBits = bits;
-        const measure::WrongPixels wrong = wrongOver(setup.scene, options);
-        EXPECT_LT(wrong.fraction(), 1e-4 + mostWrong())
-            << bits; // slivers that rounding moves over a pixel's centre
+        // Slivers that rounding moves over a pixel's centre.
+        EXPECT_LT(wrongWith(options).fraction(), 1e-4 + mostWrong()) << bits;
     }
 }
 
@@ -138,8 +140,7 @@ TEST_F(LayersTest, HoldOfBlendedSurfacesWhereVerticesAreRoundedToSubPixels) {
     const scene::Camera camera;
     render::RenderOptions options = optionsFor(depth::parseTechnique("anchored"));
     options.translucency.countsFragments = true;
-    const measure::LayeredTruth truth =
-        measure::castLayers(scene, camera, options.width, options.height, m_workers);
+    const measure::LayeredTruth truth = layersOf(scene, camera, options.width, options.height);
     const auto isInner = [&](std::uint32_t x, std::uint32_t y) {
         bool isAllDecal = true;
         for (std::uint32_t i = 0; i < 9; ++i) {
@@ -182,15 +183,6 @@ TEST_F(LayersTest, PolygonOffsetIsNotSetForOccluders) {
         const std::string wanted = hashOf(draw(setup.scene, setup.path.at(6), options));
         options.occlusionCulling = true;
         EXPECT_EQ(hashOf(draw(setup.scene, setup.path.at(6), options)), wanted) << nameOf(submission);
-    }
-}
-
-TEST_F(LayersTest, OnePassKeepsThem) {
-    const scene::SceneSetup setup = scenes::makeCoplanar();
-    for (const depth::NamedTechnique& named : depth::presets()) {
-        render::RenderOptions options = thumbnailOptions(named.technique);
-        options.targets = render::TargetsKind::onePass;
-        EXPECT_LE(wrongOver(setup.scene, options).fraction(), mostWrong()) << named.name;
     }
 }
 
@@ -273,8 +265,7 @@ TEST_F(LayersTest, OrderBlendedSurfacesToo) {
     const render::RenderOptions options = withSorting(optionsFor(depth::parseTechnique("anchored")));
     const scene::Camera camera;
     const render::Frame frame = draw(scene, camera, options);
-    const measure::LayeredTruth truth =
-        measure::castLayers(scene, camera, options.width, options.height, m_workers);
+    const measure::LayeredTruth truth = layersOf(scene, camera, options.width, options.height);
     EXPECT_EQ(truth.at(160, 90).fragments, 2u);
     const image::Rgba8 wanted = measure::pictureOf(truth).at(160, 90);
     const image::Rgba8 shown = frame.color.at(160, 90);

@@ -1,3 +1,4 @@
+#include "../../support/all_cases.h"
 #include "../../support/globe.h"
 #include "../fixture.h"
 #include "../snapping.h"
@@ -6,6 +7,7 @@
 #include <scenes/mixed.h>
 
 #include <string>
+#include <vector>
 
 namespace cdr::render_test {
 
@@ -22,11 +24,13 @@ class AnchoredTargetsTest : public RenderTest {
     void expectRight(const scene::Scene& scene, const scene::Camera& camera, std::size_t leastCascades) {
         const render::GpuScene gpuScene(device(), scene);
         const auto truth = truthOf(scene, camera);
+        std::size_t turn = 0;
         for (const depth::Mapping mapping : {depth::Mapping::anchored, depth::Mapping::anchoredReversed}) {
             for (const auto format : available({depth::DepthFormat::d24, depth::DepthFormat::d32f})) {
                 std::string first;
                 for (const char* targets : {"single", "accumulate", "pool:3", "layers", "one-pass"}) {
-                    for (const std::size_t threads : {1u, 2u, 5u}) {
+                    for (const std::size_t threads :
+                         test::sampleOf(std::vector<std::size_t>{1, 2, 5}, turn++)) {
                         auto options = smallOptions(technique(mapping, format));
                         options.targets = render::parseTargets(targets);
                         options.threads = threads;
