@@ -15,9 +15,9 @@ namespace cdr::program {
 bool keepFreedMemory();
 
 /// Asks the system for pages of 2 MiB in the next 192 MiB of the heap. A program that draws one picture otherwise spends much of
-/// its time in page faults, one per 4 KiB. This reserves addresses; memory is taken when it is used. Call it first of all, after
-/// keepFreedMemory(): a heap that is free already grows by less.
-/// @return whether the system takes such requests; else nothing changes.
+/// its time in page faults, one per 4 KiB. This reserves addresses; memory is taken when it is used. Call it first of all, right
+/// after keepFreedMemory(), without which large blocks are not in the heap.
+/// @return whether the system takes such requests and the heap could grow.
 bool useLargePages();
 
 /// Bytes that the program and its drivers have allocated, without free pieces too small to return to the system.

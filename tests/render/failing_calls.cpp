@@ -151,7 +151,9 @@ void VKAPI_PTR fillFrom(VkCommandBuffer commands, VkBuffer buffer, VkDeviceSize 
 }
 
 PFN_vkCmdPipelineBarrier2 realBarrier = nullptr;
-std::atomic<std::size_t> separateLayoutsSeen = 0; // threads record at once
+// Threads record at once.
+std::atomic<std::size_t> separateLayoutsSeen = 0;
+std::atomic<std::size_t> attachmentLayoutsSeen = 0;
 
 void VKAPI_PTR seenBarrier(VkCommandBuffer commands, const VkDependencyInfo* dependency) {
     for (std::uint32_t i = 0; i < dependency->imageMemoryBarrierCount; ++i) {
@@ -159,6 +161,8 @@ void VKAPI_PTR seenBarrier(VkCommandBuffer commands, const VkDependencyInfo* dep
         if (layout >= VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL &&
             layout <= VK_IMAGE_LAYOUT_STENCIL_READ_ONLY_OPTIMAL) { // four numbers in a row
             ++separateLayoutsSeen;
+        } else if (layout == VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL) {
+            ++attachmentLayoutsSeen;
         }
     }
     realBarrier(commands, dependency);
@@ -243,8 +247,8 @@ StandIn<VkFormat> noDepthFormat(VkFormat format) {
     return {said().withheldFormat, format};
 }
 
-std::size_t separateLayouts() {
-    return separateLayoutsSeen;
+DepthLayouts depthLayouts() {
+    return {.separate = separateLayoutsSeen, .whole = attachmentLayoutsSeen};
 }
 
 StandIn<std::uint32_t> counterFrom(std::uint32_t first) {

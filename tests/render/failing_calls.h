@@ -63,9 +63,13 @@ class StandIn {
 [[nodiscard]] StandIn<std::uint64_t> smallBuffers(std::uint64_t bytes);
 /// Physical devices say that they do not draw to depth images of this format.
 [[nodiscard]] StandIn<VkFormat> noDepthFormat(VkFormat format);
-/// How many barriers of this program's have left an image in a layout of depth or stencil alone, so far. These layouts need the
-/// feature separateDepthStencilLayouts.
-std::size_t separateLayouts();
+/// How many barriers of this program's have left an image, so far, in
+struct DepthLayouts {
+    std::size_t separate =
+        0; ///< a layout of depth or stencil alone, which needs the feature separateDepthStencilLayouts
+    std::size_t whole = 0; ///< the layout of any attachment
+};
+DepthLayouts depthLayouts();
 /// A counter of four bytes that a frame sets to 0 begins with `first`.
 [[nodiscard]] StandIn<std::uint32_t> counterFrom(std::uint32_t first);
 

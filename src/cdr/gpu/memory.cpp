@@ -214,10 +214,12 @@ std::uint64_t roomToGrow(const Device& device, const Records& records, MemoryUse
     constexpr std::uint64_t kFew = 64; // which cost nothing
     const std::uint64_t wanted = std::max(records.count + records.count / 2, kFew);
     const std::uint64_t room = std::max(records.count, std::min(wanted, records.most));
-    if (!takesDeviceBytes(device, use) || room * records.bytes <= freeDeviceBytes(device)) {
+    if (room * records.bytes <= freeDeviceBytes(device)) {
         return room;
     }
-    requireDeviceBytes(device, records.count * records.bytes, what);
+    if (takesDeviceBytes(device, use)) {
+        requireDeviceBytes(device, records.count * records.bytes, what);
+    }
     return records.count;
 }
 

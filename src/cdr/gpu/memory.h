@@ -111,7 +111,7 @@ struct Records {
 };
 
 /// For how many records to make room: for half as many again, so that what grows need not be made again each time, or for `count`
-/// alone where the device has no more memory. Call before allocating.
+/// alone where the device has less memory free. Call before allocating.
 /// base::RunError as requireDeviceBytes() where that does not suffice, unless such buffers find other memory.
 std::uint64_t roomToGrow(const Device& device, const Records& records, MemoryUse use,
                          const std::string& what);

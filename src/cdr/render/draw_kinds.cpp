@@ -23,19 +23,27 @@ DrawKind kindOf(const DrawKinds::Key& key, const DrawKinds::From& from) {
             .detailSet = from.textures.detailSet(materialIndex)};
 }
 
+template <typename T>
+void makeRoomForOne(std::vector<T>& all) {
+    if (all.size() == all.capacity()) {
+        all.reserve(2 * all.size() + 1);
+    }
+}
+
 } // namespace
 
 std::uint32_t DrawKinds::indexOf(const Key& key, const From& from) {
     if (const auto found = m_indices.find(key); found != m_indices.end()) {
         return found->second;
     }
-    // It is named once it is there, since memory may run out. What is left without a name goes here.
-    const auto index = static_cast<std::uint32_t>(m_indices.size());
-    m_keys.resize(index);
-    m_kinds.resize(index);
-    m_keys.push_back(key);
-    m_kinds.push_back(kindOf(key, from));
+    // All that may find no memory comes first.
+    const DrawKind made = kindOf(key, from);
+    makeRoomForOne(m_keys);
+    makeRoomForOne(m_kinds);
+    const auto index = static_cast<std::uint32_t>(m_kinds.size());
     m_indices.emplace(key, index);
+    m_keys.push_back(key);
+    m_kinds.push_back(made);
     return index;
 }
 

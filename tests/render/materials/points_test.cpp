@@ -106,9 +106,10 @@ TEST_F(PointsTest, UnlitOnesShowWhatTheyEmit) {
 }
 
 /// What shows in each path shows in all: see ModelTest for surfaces that are lit.
-TEST_F(PointsTest, WhatUnlitOnesEmitIsTheSameInEveryPath) {
+TEST_F(PointsTest, AreTheSameInEveryPathWhetherTheyGlowOrNot) {
     const scene::SceneSetup setup = glowing(survey({}));
     render::RenderOptions options = thumbnailOptions(depth::parseTechnique("cdr"));
+    expectOnePicture(survey({}).scene, setup.path.at(0), options);
     expectOnePicture(setup.scene, setup.path.at(0), options);
     options.surface = render::SurfacePath::visibility;
     options.submission = render::Submission::secondaries;

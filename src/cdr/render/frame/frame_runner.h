@@ -58,8 +58,8 @@ class FrameRunner {
     /// An error ended it: the frame before stays the last one.
     void abandon(FrameSlot& slot) { m_decider.takeBack(slot); }
 
-    /// Waits for the frame of a slot, and gives its lists the room that they lacked. False where they lacked some. It draws
-    /// nothing: a host may still read the images, and only the next frame waits for that.
+    /// Waits for the frame of a slot, and gives its lists the room that they lacked. False where they lacked some, and true
+    /// where none is in flight. It draws nothing: a host may still read the images, and only the next frame waits for that.
     bool settle(FrameSlot& slot);
     /// Settles it. Draws it again where its lists had no room and nothing came after it.
     void complete(FrameSlot& slot);

@@ -54,7 +54,7 @@ class DrawPath : public CascadeCommands {
     virtual void noteDropped() {}
     /// The records of the facets that a visibility buffer refers to, once begun; none for a G-buffer.
     virtual vk::BufferView facets() const { return {}; }
-    /// After the frame ran. False when room did not suffice, which it now does: bin and draw it again.
+    /// After the frame ran. False when room did not suffice, which it now does for what is binned next.
     virtual bool settle(FrameStats& stats) = 0;
 };
 

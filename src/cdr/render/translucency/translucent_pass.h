@@ -57,7 +57,7 @@ class TranslucentPass {
     void record(vk::CommandBuffer primary, Slot& slot) const;
     /// What the frame is drawn with, known before it runs; settle() adds its fragments.
     TranslucencyStats decided(const Slot& slot) const;
-    /// After the frame ran. False when its fragments found no room; draw it again.
+    /// After the frame ran. False when its fragments found no room, which the next frame's do.
     bool settle(Slot& slot, TranslucencyStats& stats);
 
     /// Copies the counts to main memory, if they are counted; the frame's last commands except for
