@@ -35,12 +35,16 @@ bool useLargePages() {
     void* const block = ::malloc(kMoreThanIsFree);
     ::mallopt(M_TOP_PAD, kDefaultPad);
     const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-    const auto begin = (reinterpret_cast<std::uintptr_t>(block) + page - 1) / page * page;
-    const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0)) / page * page;
-    ::free(block);
+    const auto begin = reinterpret_cast<std::uintptr_t>(block);
+    const std::uintptr_t toPage = (page - begin % page) % page;
+    const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0));
     // Where the heap could not grow, the block is null or lies elsewhere: above its end, or far below.
-    return block != nullptr && begin < end && end - begin <= 2 * std::uintptr_t{kReservedBytes} &&
-           ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE) == 0;
+    const bool isInHeap =
+        block != nullptr && begin + toPage < end && end - begin <= 2 * std::uintptr_t{kReservedBytes};
+    const bool isAsked = isInHeap && ::madvise(static_cast<char*>(block) + toPage,
+                                               (end - begin - toPage) / page * page, MADV_HUGEPAGE) == 0;
+    ::free(block);
+    return isAsked;
 #else
     return false;
 #endif
