@@ -14,7 +14,8 @@ void SingleTargets::record(CascadeCommands& commands, const FrameView& view) {
     std::vector<std::size_t> farthestFirst = commands.drawnCascades(view.cascades.size());
     std::reverse(farthestFirst.begin(), farthestFirst.end());
     GBufferScope cleared = scope(view.clearColor);
-    cleared.depthClear = &m_depthClear;
+    cleared.depthByCascade = true;
+    cleared.depthClear = m_depthClear.get();
     commands.drawScope(cleared, farthestFirst);
 }
 

@@ -13,7 +13,7 @@ class SingleTargets final : public OneGBufferTargets {
     void record(CascadeCommands& commands, const FrameView& view) override;
 
   private:
-    ScopeCommands m_depthClear;
+    std::unique_ptr<ScopeCommands> m_depthClear; ///< null where another scope is faster
 };
 
 } // namespace cdr::render
