@@ -4,5 +4,7 @@
 
 // Half floats, and their sums where surfaces blend, must hold it.
 const float kBrightest = 16.0;
+// Most that half floats hold. Beyond it is infinity, and 0 times that is not a number.
+const float kMostHalf = 65504.0;
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef CDR_SHADERS_FINISH_GLSL
 #define CDR_SHADERS_FINISH_GLSL
 
+#include "shading/brightest.glsl"
 #include "shared.h"
 
 vec3 neutral(vec3 color) {
@@ -23,7 +24,8 @@ vec3 finished(vec3 color, uint finish, float exposure) {
     if (finish == kFinishNone) {
         return color;
     }
-    return finish == kFinishNeutral ? neutral(color * exposure) : color * exposure;
+    vec3 exposed = finish == kFinishExposed ? color * exposure : min(color * exposure, kMostHalf);
+    return finish == kFinishNeutral ? neutral(exposed) : exposed;
 }
 
 #endif

@@ -180,7 +180,7 @@ void main() {
     if (kAiry != 0u) {
         outColor.rgb = throughAir(outColor.rgb, rayHere(), distanceView);
     }
-    if (isSurface || kAiry != 0u) { // a background without air is finished already
+    if (isSurface || kAiry != 0u || kFinish == kFinishLater) { // other backgrounds are finished already
         outColor.rgb = finished(outColor.rgb, kFinish, kExposure);
     }
 }

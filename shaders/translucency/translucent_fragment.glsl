@@ -117,7 +117,7 @@ vec4 seenColor(Surface surface, float ahead) {
     if (kAiry != 0u) {
         color = throughAir(color, ray, distanceView);
     }
-    return vec4(color, clamp(surface.baseColor.a, 0.0, 1.0));
+    return vec4(min(color, kMostHalf), clamp(surface.baseColor.a, 0.0, 1.0));
 }
 
 // By how much the fragment's layer moves it towards the camera.

@@ -62,6 +62,29 @@ TEST_F(FinishTest, TheSceneChoosesUnlessTold) {
     }
 }
 
+/// Light that is no float any more, or no half float, is white; not a number would be black.
+TEST_F(FinishTest, LightBeyondAllRangesIsWhite) {
+    scene::Scene scene = boxScene();
+    scene.lights.assign(2, {.position = {0.0, 0.0, 0.0}, .color = glm::vec3(3e38f), .halfDistance = 20.0});
+    addBox(scene, {0.0, 0.0, -3.0});
+    scene.materials.push_back({.name = "glass",
+                               .baseColorFactor = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f),
+                               .unlit = true,
+                               .alphaMode = scene::AlphaMode::blend});
+    scene::addInstance(scene, 0, 1, 1, {0.3, 0.0, -2.0}, glm::mat3(0.2f));
+    const render::RenderOptions small = smallOptions(depth::parseTechnique("reversed"));
+    for (const render::Antialias antialias : {render::Antialias::none, render::Antialias::edges}) {
+        for (render::RenderOptions options : {small, withSorting(small)}) {
+            options.effects = {.antialias = antialias, .finish = {.toneMap = render::ToneMap::neutral}};
+            const render::Frame frame = draw(scene, scene::Camera{}, options);
+            EXPECT_EQ(frame.color.at(options.width / 2, options.height / 2),
+                      (image::Rgba8{255, 255, 255, 255}));
+            EXPECT_EQ(frame.color.at(options.width * 9 / 16, options.height / 2),
+                      (image::Rgba8{0, 0, 0, 255}));
+        }
+    }
+}
+
 TEST_F(FinishTest, ExposureOutOfRangeIsRefused) {
     render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
     for (const double stops : {17.0, -17.0, static_cast<double>(NAN)}) {

@@ -159,6 +159,20 @@ TEST_F(OcclusionCullingTest, HoldsGpuDriven) {
     EXPECT_EQ(expectSamePictures(wallAndBox(), coarse, 1), 3u);
 }
 
+/// The slab reaches ahead from a centre that lies behind the camera. The layer offset draws the box above it.
+TEST_F(OcclusionCullingTest, NothingIsHiddenWhereAFaceHasALayer) {
+    scene::SceneSetup setup{.scene = boxScene(), .path = scene::stillPath({.fovY = 1.0, .farView = 1e3})};
+    setup.path.frames = 3;
+    setup.scene.materials.push_back({.name = "marking", .layer = 17.0f});
+    addBox(setup.scene, {0.0, -3.0, 10.0}, basisOf({400.0, 1.0, 400.0}));
+    scene::addInstance(setup.scene, 0, 1, 1, {0.0, -4.6, -20.0}, glm::mat3(1.0f));
+    for (const render::Submission submission : submissions()) {
+        RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+        options.submission = submission;
+        EXPECT_EQ(expectSamePictures(setup, options, 1), 0u) << nameOf(submission);
+    }
+}
+
 TEST_F(OcclusionCullingTest, HoldsWhereVerticesAreSnapped) {
     RenderOptions options = fewPixels("anchored");
     options.snapBits = 4;

@@ -14,7 +14,7 @@ namespace cdr::render {
 
 /// How draws become draw commands. The picture is the same to the bit.
 enum class Batching : std::uint8_t {
-    perObject,     ///< one command per draw, its record in a storage buffer
+    perObject,     ///< one command per draw, its record in a vertex buffer
     pushConstants, ///< one command per draw, its record pushed before it
     instanced,     ///< one command per run of draws of one kind
 };

@@ -141,9 +141,7 @@ void DeviceOcclusion::prepare(const FrameView& view, std::size_t instances, Slot
     auto& block = slot.view.as<shaders::OccluderView>(1).front();
     block = {.tanX = view.frustum.tanX,
              .tanY = view.frustum.tanY,
-             // Layer offsets draw faces nearer than they are, so there is no occluder beside them.
-             .leastRadius = m_scene.hasLayers() ? std::numeric_limits<double>::infinity()
-                                                : leastPixels * view.frustum.footprintSlope,
+             .leastRadius = leastPixels * view.frustum.footprintSlope,
              .nearView = view.camera.nearView,
              .width = m_extent.width,
              .height = m_extent.height,

@@ -43,9 +43,13 @@ std::array<std::uint32_t, 2> finishConstants(const Finish& finish, Daylight dayl
     return {kind, std::bit_cast<std::uint32_t>(gainOf(finish))};
 }
 
+std::array<std::uint32_t, 2> finishLaterConstants() {
+    return {shaders::kFinishLater, std::bit_cast<std::uint32_t>(1.0f)};
+}
+
 glm::vec3 finished(glm::vec3 color, const Finish& finish, Daylight daylight) {
     color *= gainOf(finish);
-    return isNeutral(finish, daylight) ? neutralOf(color) : color;
+    return isNeutral(finish, daylight) ? neutralOf(glm::min(color, 65504.0f)) : color;
 }
 
 glm::vec3 shownBackground(const glm::vec3& background, const Finish& finish, Daylight daylight) {

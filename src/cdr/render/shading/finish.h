@@ -19,6 +19,9 @@ inline Daylight daylightIf(bool isPresent) {
 /// The two specialisation constants of shaders that finish colours (shading/finish.glsl).
 std::array<std::uint32_t, 2> finishConstants(const Finish& finish, Daylight daylight);
 
+/// Those of shaders whose colours a later step finishes.
+std::array<std::uint32_t, 2> finishLaterConstants();
+
 /// A linear colour as those shaders finish it.
 glm::vec3 finished(glm::vec3 color, const Finish& finish, Daylight daylight);
 

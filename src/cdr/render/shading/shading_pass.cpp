@@ -71,8 +71,9 @@ std::vector<ImageUse> imagesOf(const ShadingOptions& shading) {
 FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shading, std::uint32_t lightForm,
                                   AnchorForm anchorForm) {
     const Effects& effects = shading.effects;
-    const auto [finish, exposure] = finishConstants(shading.finishes ? effects.finish : Finish{ToneMap::none},
-                                                    daylightIf(shading.sky || shading.air));
+    const auto [finish, exposure] =
+        shading.finishes ? finishConstants(effects.finish, daylightIf(shading.sky || shading.air))
+                         : finishLaterConstants();
     FullscreenPassOptions options{
         .name = "shading",
         .vertexSpirv = kShadingVert,

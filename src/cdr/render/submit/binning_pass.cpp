@@ -272,9 +272,11 @@ struct BinningPass::Tables {
 
 BinningPass::Tables BinningPass::tables() const {
     Tables made;
+    // Layer offsets draw faces nearer than they are, so there is no occluder beside them.
+    const bool canHide = !m_drawn.uploaded.hasLayers();
     for (std::size_t i = 0; i < m_drawn.uploaded.materials().size(); ++i) {
         const MaterialWords& words = m_drawn.uploaded.materials()[i];
-        const bool occludes = visibility::canOcclude(m_drawn.scene.materials[i]);
+        const bool occludes = canHide && visibility::canOcclude(m_drawn.scene.materials[i]);
         made.materials.push_back(
             {words.cutoffAndMetallicRoughness, words.baseColorRg, words.baseColorBa, occludes ? 1u : 0u});
     }

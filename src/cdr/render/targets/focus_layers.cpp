@@ -43,7 +43,7 @@ vk::ClearValue clearTo(const glm::vec3& color) {
 /// Of shading.frag: layers have anchor planes and no marks, and a later step finishes their colours.
 std::vector<std::uint32_t> lightConstants(const FocusLayersOptions& focus) {
     constexpr std::uint32_t kAnyLights = 0;
-    const auto [finish, exposure] = finishConstants({ToneMap::none}, daylightIf(focus.sky));
+    const auto [finish, exposure] = finishLaterConstants();
     return {drawsFog(focus.effects) ? 1u : 0u,
             focus.metallicRoughness ? 1u : 0u,
             kAnyLights,
