@@ -182,6 +182,24 @@ TEST(MeshPose, AWorldTakesWhatCanBeDrawn) {
     EXPECT_EQ(world.pose(0), nullptr);
 }
 
+/// deform() and the device take it as its own inverse.
+TEST(MeshPose, AWorldRefusesABasisThatASkinDoesNotHave) {
+    for (const DeformerKind& kind : test::deformerKinds()) {
+        const auto deformer = test::makeDeformer(kind, 7);
+        World world(oneMesh(*deformer));
+        MeshPose pose = test::poseOf(kind, deformer, 1);
+        EXPECT_EQ(refusalOf(world, pose), "none") << kind.name;
+        for (const double bad : {10.0, std::numeric_limits<double>::quiet_NaN()}) {
+            pose.place.basis[0][0] = bad;
+            EXPECT_EQ(refusalOf(world, pose),
+                      kind.joints == 0
+                          ? "none"
+                          : "mesh 0: with joints, the basis of its place must be as placeOf() makes it")
+                << kind.name;
+        }
+    }
+}
+
 /// Without finish() nothing says which joints a pose must have.
 TEST(MeshPose, AWorldRefusesADeformerThatNamesWhatIsNotThere) {
     const DeformerKind kind = test::deformerKinds()[2];

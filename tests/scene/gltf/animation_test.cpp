@@ -161,6 +161,27 @@ TEST_F(GltfAnimation, ANodeThatIsFlatAtRestMayGrow) {
         glm::mat3(2.0f));
 }
 
+/// Also where float32 has no such size, whose volume is not a number.
+TEST_F(GltfAnimation, OneThatGrowsBeyondWhatCanBeDrawnIsRefused) {
+    for (const float size : {1e18f, 1e20f}) {
+        Document document = moving();
+        giveMove(document, 0, {0, 2}, {1e-20f, 1e-20f, 1e-20f, size, size, size});
+        document.root["animations"][0]["channels"][0]["target"]["path"] = "scale";
+        document.root["nodes"][0]["scale"] = {1e-20, 1e-20, 1e-20};
+        for (const double around : {1.0, 1e20}) {
+            document.root["nodes"][1] = {{"children", {0}}, {"scale", {around, around, around}}};
+            document.root["scenes"][0]["nodes"] = {1};
+            const std::filesystem::path path = write("a.glb", document.glb());
+            GltfChoice choice;
+            choice.seconds = 2.0;
+            EXPECT_EQ(cdr::test::inputErrorOf([&] { openGltf(path, choice); }),
+                      path.string() +
+                          ": instance 0: its basis must be finite, with columns no longer than 1e17")
+                << size << " " << around;
+        }
+    }
+}
+
 TEST_F(GltfAnimation, UnsoundOnesAreRefused) {
     const auto with = [&](auto change) {
         Document document = moving();

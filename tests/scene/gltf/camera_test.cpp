@@ -110,6 +110,17 @@ TEST_F(GltfFolder, OrthographicCamerasShowNearAndFarThingsEquallyLarge) {
     EXPECT_NEAR(camera.viewDistance({0, 0, -1000.0}), camera.farView, 1e-9 * camera.farView);
 }
 
+/// How small the field of view is depends on the scene, so they are cameras of the file.
+TEST_F(GltfFolder, OrthographicCamerasThatNoPictureHasAreRefused) {
+    Document document = withBoxCamera();
+    document.root["cameras"][0]["orthographic"]["ymag"] = 1e-40;
+    const std::filesystem::path path = write("a.glb", document.glb());
+    const std::string refusal =
+        cdr::test::inputErrorOf([&] { openGltf(path, {.scene = {}, .camera = 0}); }, "opened");
+    EXPECT_TRUE(refusal.starts_with(path.string() + ": field of view must be at least")) << refusal;
+    EXPECT_TRUE(anySays(openGltf(path).notes, "its camera"));
+}
+
 TEST_F(GltfFolder, OrthographicCamerasMove) {
     Document document = withBoxCamera();
     giveMove(document, 2, {0, 1}, {0, 0, 0, 1, 2, 0});

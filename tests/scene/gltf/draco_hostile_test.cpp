@@ -234,6 +234,20 @@ TEST_F(GltfHostileDraco, AStreamOfManyPrimitivesTakesItsBytesForEach) {
         "mesh 0 '' primitive 1: with it, meshes of KHR_draco_mesh_compression are over the limit of bytes");
 }
 
+/// Counts bound the attributes of a stream, and not the names that a document gives each.
+TEST_F(GltfHostileDraco, NamesOfOneAttributeShareItsValues) {
+    Document document = documentOf(handWritten());
+    GltfLimits limits;
+    limits.maxBytes = 7'400'000; // most of it for what libdraco may take
+    EXPECT_EQ(refusal(document, limits), "loaded");
+    for (int i = 0; i < 250'000; ++i) { // of 36 bytes each
+        const std::string name = "_" + std::to_string(i);
+        document.primitive()["attributes"][name] = 0;
+        document.primitive()["extensions"][kDraco]["attributes"][name] = 7;
+    }
+    EXPECT_EQ(refusal(document, limits), "loaded");
+}
+
 /// Whatever became of a stream, it loads or is refused.
 TEST_F(GltfHostileDraco, DamagedBytesAreRefusedOrRead) {
     std::mt19937 random(5);

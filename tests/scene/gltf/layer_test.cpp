@@ -68,6 +68,17 @@ TEST_F(GltfLayers, ThatAreNoNumbersAreNoted) {
     }
 }
 
+/// A file has no more materials of its own.
+TEST_F(GltfLayers, OfNodesMakeNoMoreMaterialsThanAFileMayHave) {
+    Document document = twoSquares();
+    document.root["nodes"] = json::array();
+    for (int i = 0; i < 70'000; ++i) {
+        document.root["nodes"].push_back({{"mesh", 0}, {"extras", {{"cdr_layer", i + 1}}}});
+        document.root["scenes"][0]["nodes"][static_cast<std::size_t>(i)] = i;
+    }
+    expectSays(refusal(document), "layers of nodes need over 65536 materials");
+}
+
 /// Extras are free to hold anything else.
 TEST_F(GltfLayers, AreNotReadFromOtherExtras) {
     Document document = twoSquares();

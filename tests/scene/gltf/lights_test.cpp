@@ -145,7 +145,9 @@ TEST_F(GltfLights, UnsoundOnesAreRefused) {
 TEST_F(GltfLights, AFileWithoutIsRefused) {
     const auto refusalOf = [&](const std::string& name, const Document& document) {
         const std::filesystem::path path = write(name, document.glb());
-        return cdr::test::inputErrorOf([&] { openGltf(path, byFile()); });
+        const std::string refusal = cdr::test::inputErrorOf([&] { openGltf(path, byFile()); });
+        EXPECT_TRUE(refusal.starts_with(path.string() + ": ")) << refusal;
+        return refusal;
     };
     expectSays(refusalOf("a.glb", square()), "it has no lights of its own");
     Document document = lit();

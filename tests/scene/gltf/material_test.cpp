@@ -2,6 +2,7 @@
 
 #include <cdr/image/codec.h>
 
+#include <limits>
 #include <numbers>
 #include <tuple>
 
@@ -59,6 +60,8 @@ TEST_F(Gltf, MaterialsKeepWhatWeDraw) {
     EXPECT_FALSE(material.baseColorTexture);
     document.root["materials"][0]["alphaCutoff"] = -1;
     EXPECT_EQ(load(document).scene.materials[0].alphaCutoff, 0.0f);
+    document.root["materials"][0]["alphaCutoff"] = 1e300;
+    EXPECT_EQ(load(document).scene.materials[0].alphaCutoff, std::numeric_limits<float>::max());
     document.root["materials"][0]["alphaMode"] = "BLEND";
     EXPECT_EQ(load(document).scene.materials[0].alphaMode, AlphaMode::blend);
     document.root["materials"][0]["alphaMode"] = "GLOW";

@@ -256,11 +256,12 @@ TEST_F(Gltf, PositionsThatAreNotFiniteAreRefused) {
     }
 }
 
-TEST_F(Gltf, ExtentOverFloat32IsRefused) {
-    Document document = triangle();
-    const float big = std::numeric_limits<float>::max();
-    document.setFloats("POSITION", "VEC3", {-big, -big, -big, big, big, big, 0, 1, 0});
-    expectSays(refusal(document), "over what a float32 holds");
+TEST_F(Gltf, ExtentOverWhatIsDrawnIsRefused) {
+    for (const float big : {1e25f, std::numeric_limits<float>::max()}) {
+        Document document = triangle();
+        document.setFloats("POSITION", "VEC3", {-big, -big, -big, big, big, big, 0, 1, 0});
+        expectSays(refusal(document), "mesh 0 '' primitive 0: its bounding radius must lie in [0, 1e20]");
+    }
 }
 
 TEST_F(Gltf, PrimitiveWithoutExtentIsNotDrawn) {

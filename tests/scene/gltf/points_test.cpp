@@ -295,7 +295,7 @@ TEST_F(GltfPoints, WhatIsAllAtOnePlaceNeedsARadius) {
 
 TEST_F(GltfPoints, PositionsAndSizesThatAreNotFiniteAreRefused) {
     Document document = cornersOf(kPoints);
-    expectSays(refusal(document, sized(1e39)), "its size or place is over what can be drawn");
+    expectSays(refusal(document, sized(1e39)), "its bounding radius must lie in [0, 1e20]");
     std::vector<float> positions = corners(true);
     positions[4] = std::nanf("");
     document.setFloats("POSITION", "VEC3", positions);

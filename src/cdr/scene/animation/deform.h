@@ -65,7 +65,7 @@ CDR_EXPORT void finish(Deformer& deformer);
 /// Where a deformed mesh stands, and from what its vertices are counted.
 struct DeformedPlace {
     glm::dvec3 position{0.0}; ///< world space, of the origin of the deformed mesh
-    glm::dmat3 basis{1.0};    ///< object to world
+    glm::dmat3 basis{1.0};    ///< object to world; with joints the identity, or a mirror along x
 };
 
 /// By morph targets alone the mesh deforms in its own space, and its node carries it.

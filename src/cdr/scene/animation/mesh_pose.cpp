@@ -57,6 +57,10 @@ void requireTarget(const std::vector<MorphDelta>& target, std::size_t vertices, 
     }
 }
 
+bool isIdentityOrMirror(const glm::dmat3& basis) {
+    return basis == glm::dmat3(1.0) || glm::dmat3(-basis[0], basis[1], basis[2]) == glm::dmat3(1.0);
+}
+
 } // namespace
 
 void requireUsable(const Deformer& deformer, const std::string& what) {
@@ -96,6 +100,9 @@ void requireUsable(const MeshPose& pose, const std::string& what) {
     if (!pose.joints.empty() &&
         (deformer.firstInfluence.size() != vertices + 1 || pose.joints.size() < needed)) {
         throw base::InputError(what + ": its pose has other joints than its deformer");
+    }
+    if (!pose.joints.empty() && !isIdentityOrMirror(pose.place.basis)) {
+        throw base::InputError(what + ": with joints, the basis of its place must be as placeOf() makes it");
     }
 }
 

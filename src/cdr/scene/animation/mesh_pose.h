@@ -32,8 +32,8 @@ struct MeshPose {
 /// @param what names the mesh in the message, here and below
 CDR_EXPORT void requireUsable(const Deformer& deformer, const std::string& what);
 
-/// @throws base::InputError where a pose lacks its deformer, or a joint that this uses, or finish() was left out. The deformer's
-/// own numbers are looked at by the function above.
+/// @throws base::InputError where a pose lacks its deformer, or a joint that this uses, or finish() was left out. Or where a pose
+/// with joints has a place whose basis placeOf() does not make. The deformer's own numbers are looked at by the function above.
 CDR_EXPORT void requireUsable(const MeshPose& pose, const std::string& what);
 
 /// Bounds the deformed vertices by what each joint moves. Takes time by the number of joints and morph targets, not of

@@ -29,7 +29,7 @@ struct Moved {
 Transform transformOf(const glm::dvec3& position, const glm::dmat3& linear) {
     const glm::mat3 basis(linear);
     return {.position = position,
-            .basis = std::abs(glm::determinant(glm::dmat3(basis))) > 0.0 ? basis : glm::mat3(0.0f)};
+            .basis = glm::determinant(glm::dmat3(basis)) == 0.0 ? glm::mat3(0.0f) : basis};
 }
 
 std::vector<std::vector<glm::dmat4>> jointsOf(const SceneAnimation& all, const Pose& pose) {

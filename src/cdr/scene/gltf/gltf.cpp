@@ -70,6 +70,9 @@ constexpr std::uint64_t kCopyBytes = sizeof(std::string) + kMaxNameLength + kCar
 /// What one of several parts of a mesh takes beside its instance: a name made of two.
 constexpr std::uint64_t kPartBytes = sizeof(std::string) + 3 * kMaxNameLength;
 
+/// Most materials that layers of nodes make beside those of the file, which has no more of its own.
+constexpr std::size_t kMaxLayeredMaterials = 65'536;
+
 [[noreturn]] void refuseObjects(std::uint64_t objects) {
     refuse("{} objects are over the limit of {}", objects, kMaxObjects);
 }
@@ -420,6 +423,9 @@ std::uint32_t Importer::materialIn(std::optional<float> layer, std::uint32_t mat
     const auto next = static_cast<std::uint32_t>(m_scene.materials.size());
     const auto [found, isNew] = m_layered.try_emplace({material, *layer}, next);
     if (isNew) {
+        if (m_layered.size() > kMaxLayeredMaterials) {
+            refuse("layers of nodes need over {} materials", kMaxLayeredMaterials);
+        }
         Material layered = m_scene.materials[material];
         layered.name = oneLine(layered.name, kMaxNameLength); // nodes are many, and names may be long
         layered.layer = *layer;

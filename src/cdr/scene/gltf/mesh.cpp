@@ -8,6 +8,7 @@
 #include "triangles.h"
 
 #include <cdr/scene/box_tree.h>
+#include <cdr/scene/world/check.h>
 
 #include <algorithm>
 #include <array>
@@ -210,9 +211,7 @@ std::vector<MeshPiece> MeshImporter::import(const Primitive& primitive, const Uv
     source->fileVertices = {}; // of use for what deforms alone
     std::vector<MeshPiece> pieces = cutIntoPieces(std::move(source->mesh), sizes.pieceRadius);
     for (const MeshPiece& piece : pieces) {
-        if (!std::isfinite(piece.mesh.boundingRadius)) {
-            refuse("{}: its extent is over what a float32 holds", where);
-        }
+        requireUsable(std::span<const Vertex>(), piece.mesh.boundingRadius, where);
     }
     if (pieces.size() == 1 && pieces.front().mesh.boundingRadius == 0.0f) {
         m_notes.add("a primitive has no extent", where);

@@ -114,8 +114,7 @@ SceneSetup setUpModel(Scene scene, const Sphere& bounds, const std::optional<Cam
     return {.scene = std::move(scene), .path = stillPath(first)};
 }
 
-std::optional<GltfCamera> chosenCamera(const std::filesystem::path& path, const GltfImport& import,
-                                       const std::optional<std::uint32_t>& choice) {
+std::optional<GltfCamera> chosenCamera(const GltfImport& import, const std::optional<std::uint32_t>& choice) {
     if (!choice) {
         return std::nullopt;
     }
@@ -126,8 +125,8 @@ std::optional<GltfCamera> chosenCamera(const std::filesystem::path& path, const 
     for (std::size_t i = 0; i < std::min<std::size_t>(import.cameras.size(), 10); ++i) {
         names += fmt::format("{} {} '{}'", i == 0 ? ":" : ",", i, import.cameras[i].name);
     }
-    throw base::inputError("{}: camera {} does not exist, the scene has {}{}", platform::oneLine(path),
-                           *choice, import.cameras.size(), names);
+    throw base::inputError("camera {} does not exist, the scene has {}{}", *choice, import.cameras.size(),
+                           names);
 }
 
 constexpr base::EnumNames<ModelLight, kModelLights.size()> kLightNames{"light", {"lamps", "sky", "file"}};
@@ -140,15 +139,13 @@ FrameClock clockOf(const GltfChoice& choice) {
     return {.start = choice.seconds.value_or(0.0), .framesPerSecond = choice.framesPerSecond.value_or(0.0)};
 }
 
-std::optional<std::size_t> chosenAnimation(const std::filesystem::path& path,
-                                           const std::vector<PlayableAnimation>& animations,
+std::optional<std::size_t> chosenAnimation(const std::vector<PlayableAnimation>& animations,
                                            const GltfChoice& choice) {
     if (!isPlayed(choice)) {
         return std::nullopt;
     }
     if (animations.empty()) {
-        throw base::inputError("{}: it has no animations, which --animation, --time and --fps play",
-                               platform::oneLine(path));
+        throw base::InputError("it has no animations, which --animation, --time and --fps play");
     }
     if (!choice.animation) {
         return 0;
@@ -160,7 +157,7 @@ std::optional<std::size_t> chosenAnimation(const std::filesystem::path& path,
     for (std::size_t i = 0; i < std::min<std::size_t>(animations.size(), 10); ++i) {
         names += fmt::format("{} {} '{}'", i == 0 ? ":" : ",", i, animations[i].name);
     }
-    throw base::inputError("{}: animation '{}' does not exist, the file has {}{}", platform::oneLine(path),
+    throw base::inputError("animation '{}' does not exist, the file has {}{}",
                            choice.animation->substr(0, 60), animations.size(), names);
 }
 
@@ -172,10 +169,9 @@ std::string animationsNote(const std::vector<Animation>& animations) {
 }
 
 /// Says what of a file's lights is not shown. Without any, ModelLight::file would show next to nothing.
-void noteLights(const std::filesystem::path& path, GltfImport& import, std::optional<ModelLight> light) {
+void noteLights(GltfImport& import, std::optional<ModelLight> light) {
     if (light == ModelLight::file && import.lights.empty()) {
-        throw base::InputError(platform::oneLine(path) +
-                               ": it has no lights of its own, which --light file shows");
+        throw base::InputError("it has no lights of its own, which --light file shows");
     }
     if (light != ModelLight::file && !import.lights.empty()) {
         import.ignored.push_back(
@@ -303,16 +299,16 @@ Sphere requiredBounds(GltfImport& import, const Played& played, const std::optio
         show(import.scene, played.motion, 0, workers);
     }
     if (!isSolid(bounds)) {
-        throw base::InputError(import.scene.name + ": the scene has no extent to look at");
+        throw base::InputError("the scene has no extent to look at");
     }
     return bounds;
 }
 
-/// An import lit and framed. @param path in messages
-OpenedScene opened(const std::filesystem::path& path, GltfImport import, const GltfChoice& choice) {
-    const std::optional<GltfCamera> camera = chosenCamera(path, import, choice.camera);
+/// An import lit and framed.
+OpenedScene staged(GltfImport import, const GltfChoice& choice) {
+    const std::optional<GltfCamera> camera = chosenCamera(import, choice.camera);
     noteCameras(import, camera);
-    noteLights(path, import, choice.light);
+    noteLights(import, choice.light);
     OpenedScene result;
     result.lights = listed(import.lights);
     if (import.animation != nullptr) {
@@ -320,13 +316,16 @@ OpenedScene opened(const std::filesystem::path& path, GltfImport import, const G
             result.animations.push_back({animation.name, animation.seconds});
         }
     }
-    const auto chosen = chosenAnimation(path, result.animations, choice);
+    const auto chosen = chosenAnimation(result.animations, choice);
     const Sphere atRest = boundingSphere(import.scene.instances);
     Played played = playedFrom(import, chosen, choice, result.lights);
     const Sphere bounds = requiredBounds(import, played, chosen, choice);
     boundByPoses(import.scene, played.motion, 0);
     const Sphere lightBounds = isSolid(atRest) ? atRest : bounds;
     const auto own = camera ? std::optional(drawnAs(*camera, camera->camera, lightBounds)) : std::nullopt;
+    if (own) {
+        requireUsable(*own); // that of an orthographic camera depends on the scene
+    }
     result.setup = setUpModel(std::move(import.scene), bounds, own,
                               {choice.light.value_or(ModelLight::lamps), import.lights, lightBounds});
     if (chosen && camera && import.rigNodeOf[static_cast<std::size_t>(camera->node)]) {
@@ -341,6 +340,15 @@ OpenedScene opened(const std::filesystem::path& path, GltfImport import, const G
     result.notes = std::move(import.ignored);
     result.animationsNote = played.animationsNote;
     return result;
+}
+
+/// The same. @param path in messages
+OpenedScene opened(const std::filesystem::path& path, GltfImport import, const GltfChoice& choice) {
+    try {
+        return staged(std::move(import), choice);
+    } catch (const base::InputError& error) {
+        throw base::inputError("{}: {}", platform::oneLine(path), error.what());
+    }
 }
 
 } // namespace

@@ -61,26 +61,6 @@ World::World(Scene scene)
     }
 }
 
-InstanceHandle World::instance(std::size_t index) const {
-    return m_instances.at(index);
-}
-
-MeshHandle World::mesh(std::size_t index) const {
-    return m_meshes.places().at(index);
-}
-
-MaterialHandle World::material(std::size_t index) const {
-    return m_materials.places().at(index);
-}
-
-TextureHandle World::texture(std::size_t index) const {
-    return m_textures.places().at(index);
-}
-
-LightHandle World::light(std::size_t index) const {
-    return m_lightPlaces.at(index);
-}
-
 void World::noteInstance(std::uint32_t index) {
     m_instanceChanges.add(index, m_scene.instances.size());
 }

@@ -48,15 +48,15 @@ class CDR_EXPORT World {
     const Scene& scene() const { return m_scene; }
 
     /// Handles of what the scene held when the world was made, by index; or of what is at that place now.
-    InstanceHandle instance(std::size_t index) const;
+    InstanceHandle instance(std::size_t index) const { return m_instances.at(index); }
     /// As instance().
-    MeshHandle mesh(std::size_t index) const;
+    MeshHandle mesh(std::size_t index) const { return m_meshes.places().at(index); }
     /// As instance().
-    MaterialHandle material(std::size_t index) const;
+    MaterialHandle material(std::size_t index) const { return m_materials.places().at(index); }
     /// As instance().
-    TextureHandle texture(std::size_t index) const;
+    TextureHandle texture(std::size_t index) const { return m_textures.places().at(index); }
     /// As instance().
-    LightHandle light(std::size_t index) const;
+    LightHandle light(std::size_t index) const { return m_lightPlaces.at(index); }
 
     /// Makes an instance; its handle names it until it is removed.
     InstanceHandle addInstance(const InstanceOptions& options);

@@ -63,16 +63,15 @@ void addAttribute(DecodedPrimitive& decoded, const std::string& name, int index,
                where, kDraco, oneLine(name, kMaxNameLength), vertices, found.components, found.componentType,
                index, declared.count(), declared.components(), declared.componentType());
     }
-    const platform::Bytes& bytes = decoded.values.emplace_back(found.bytes);
     decoded.attributes.emplace(
-        name, Accessor(declared, {bytes.data(), static_cast<std::size_t>(declared.components()) *
-                                                    componentBytes(declared.componentType())}));
+        name, Accessor(declared, {found.bytes.data(), static_cast<std::size_t>(declared.components()) *
+                                                          componentBytes(declared.componentType())}));
 }
 
 std::uint64_t bytesOf(const DecodedPrimitive& decoded) {
     std::uint64_t bytes = decoded.indexList.size() * sizeof(std::uint32_t);
-    for (const platform::Bytes& values : decoded.values) {
-        bytes += values.size();
+    for (const auto& [id, values] : decoded.values) {
+        bytes += values.bytes.size();
     }
     return bytes;
 }
@@ -97,14 +96,14 @@ std::uint64_t Decompressor::decode(Primitive& primitive, std::uint64_t room, con
     DracoMesh mesh = decodeDraco(compressed.read(), *primitive.draco, bounds, where);
     auto decoded = std::make_shared<DecodedPrimitive>();
     addIndices(*decoded, std::move(mesh.indices), primitive, m_accessors, bounds.vertices, where);
-    decoded->values.reserve(primitive.draco->ids.size()); // so that their bytes stay where they are
+    decoded->values = std::move(mesh.attributes);
     for (const auto& [name, id] : primitive.draco->ids) {
         const auto named = primitive.attributes.find(name);
         if (named == primitive.attributes.end()) {
             continue; // nothing reads it
         }
-        const auto found = mesh.attributes.find(id);
-        if (found == mesh.attributes.end()) {
+        const auto found = decoded->values.find(id);
+        if (found == decoded->values.end()) {
             refuse("{}: {} holds no attribute {}, which {} is", where, kDraco, id,
                    oneLine(name, kMaxNameLength));
         }

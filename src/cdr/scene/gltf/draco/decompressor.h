@@ -3,8 +3,6 @@
 #include "../accessor.h"
 #include "../primitive.h"
 
-#include <cdr/platform/file.h>
-
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -16,7 +14,7 @@ namespace cdr::scene::gltf {
 /// What of a primitive was compressed. Its accessors are those of the file over the decoded bytes.
 struct DecodedPrimitive {
     std::vector<std::uint32_t> indexList;
-    std::vector<platform::Bytes> values;
+    std::map<int, DracoAttribute> values; ///< by id in the stream; attributes may share one
     std::optional<Accessor> indices;
     std::map<std::string, Accessor> attributes; ///< by name; others are not compressed
 };

@@ -96,9 +96,9 @@ DracoMesh decodeDraco(std::span<const std::uint8_t> compressed, const DracoPrimi
         }
     }
     for (const auto& [name, id] : primitive.ids) {
-        if (const draco::PointAttribute* attribute =
-                mesh->GetAttributeByUniqueId(static_cast<std::uint32_t>(id))) {
-            result.attributes.try_emplace(id, valuesOf(*attribute, mesh->num_points(), where));
+        const draco::PointAttribute* attribute = mesh->GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
+        if (attribute != nullptr && !result.attributes.contains(id)) { // many names may have one
+            result.attributes.emplace(id, valuesOf(*attribute, mesh->num_points(), where));
         }
     }
     return result;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <string_view>
 #include <vector>
 
@@ -132,8 +133,8 @@ MaterialUse MaterialImporter::import(int index, Ground ground) {
         material.doubleSided = boolMember(source, "doubleSided", where);
         material.unlit = extensionOf(source, "KHR_materials_unlit") != nullptr;
         material.alphaMode = alphaMode(source, where);
-        material.alphaCutoff =
-            static_cast<float>(std::max(numberMember(source, "alphaCutoff", where).value_or(0.5), 0.0));
+        material.alphaCutoff = static_cast<float>(
+            std::clamp(numberMember(source, "alphaCutoff", where).value_or(0.5), 0.0, double{FLT_MAX}));
         if (member(factors, kColorTexture) != nullptr) {
             const json& info = objectMember(factors, kColorTexture, where);
             material.baseColorTexture = m_textures.use(requiredIndex(info, "index", where),
