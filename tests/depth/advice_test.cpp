@@ -276,6 +276,18 @@ TEST(Advice, TheWidestContentIsOfWhatWasAskedFor) {
               "anchored with d32f resolves it if what is vis");
 }
 
+/// Thin content takes one cascade, which is coarser than the two of deeper content.
+TEST(Advice, TheWidestContentMayResolveWhatThinContentDoesNot) {
+    const Advice advice = advise(
+        {.scene =
+             {.nearView = 1.0, .farView = 1e6, .footprintSlope = 1.604e-3, .atView = 27.0, .spanView = 10.0},
+         .separationView = 1e-5,
+         .formats = {DepthFormat::d32f},
+         .techniques = {parseTechnique("anchored")}});
+    ASSERT_TRUE(advice.rows[0].suffices);
+    EXPECT_GE(advice.widestSpanView, 10.0);
+}
+
 /// Whoever asks again with content as deep as the line says gets that technique as enough.
 TEST(Advice, TheWidestContentKeepsItsPromise) {
     std::mt19937_64 random(7);

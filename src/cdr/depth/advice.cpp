@@ -44,14 +44,13 @@ double widestSpan(const Technique& technique, const AdviceQuestion& question) {
     const auto fits = [&](double span) { return fitsSpan(technique, question, span); };
     double low = 1e-9 * question.scene.atView;
     double high = 2.0 * question.scene.farView;
-    if (!fits(low)) {
-        return 0.0;
-    }
     const double asked = question.scene.spanView;
-    if (fits(asked)) {
+    if (fits(asked)) { // where thinner content may not, by fewer cascades
         low = std::max(low, asked);
-    } else {
+    } else if (fits(low)) {
         high = std::min(high, asked);
+    } else {
+        return 0.0;
     }
     if (fits(high)) {
         return std::max(low, high);

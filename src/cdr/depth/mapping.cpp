@@ -52,9 +52,10 @@ base::Result<Mapping> tryParseMapping(std::string_view name) {
 Cascade clipRange(Mapping mapping, const Cascades& cascades, std::size_t index) {
     Cascade range = cascades[index];
     if (index + 1 < cascades.size() && cascades[index + 1].nearView == range.farView) {
-        range.farView += isAnchored(mapping) ? 1e-4 * (range.farView - range.nearView)
-                         : isLog(mapping)    ? 1e-4 * range.farView
-                                             : 1e-6 * range.farView;
+        const double overlapView = isAnchored(mapping) ? 1e-4 * (range.farView - range.nearView)
+                                   : isLog(mapping)    ? 1e-4 * range.farView
+                                                       : 1e-6 * range.farView;
+        range.farView = std::min(range.farView + overlapView, cascades[index + 1].farView);
     }
     return range;
 }
@@ -99,9 +100,8 @@ double distanceViewAt(const DepthRange& range, double zNdc) {
         return n / zNdc;
     }
     const double f = *range.farView;
-    // Both forms solve 1/w as a blend of 1/n and 1/f.
-    const double towardsFar = isReversed(range.mapping) ? 1.0 - zNdc : zNdc;
-    return n * f / (f - towardsFar * (f - n));
+    // 1/w is a blend of 1/n and 1/f. Reversed depths near 0 keep all their bits.
+    return n * f / (isReversed(range.mapping) ? n + zNdc * (f - n) : f * (1.0 - zNdc) + n * zNdc);
 }
 
 ClipTerms clipTerms(const DepthRange& range) {

@@ -69,7 +69,7 @@ struct DepthRange {
 };
 
 /// The range that cascade `index` clips and bins against. It is the cascade's own; where the next cascade
-/// touches it, the far plane is moved a little into that cascade. Otherwise view distances that round across
+/// touches it, the far plane is moved a little into that cascade, at most to its end. Otherwise view distances that round across
 /// the shared plane would leave cracks (chapter 3 of the thesis). The overlap depends on what rounds:
 /// - linear mappings: float32 view distances, 1e-6 of the far plane (1 unit at 10^6, as in the thesis);
 /// - log: a logarithm that is interpolated linearly, 1e-4 of the far plane;

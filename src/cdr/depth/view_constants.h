@@ -12,10 +12,10 @@ namespace cdr::depth {
 /// A float64 number as two floats, for devices without float64.
 struct FloatPair {
     float value = 0.0f; ///< the nearest float
-    float rest = 0.0f;  ///< what it leaves out, to 2^-48 of the number
+    float rest = 0.0f;  ///< what it leaves out, to 2^-48 of a number of 1e-23 or more in magnitude
 };
 
-/// A number in two parts, in the unit that it is in. 48 of its 53 bits stay.
+/// A number in two parts, in the unit that it is in. 48 of its 53 bits stay, less where the rest is below the least normal float.
 /// @param number at most float's greatest value in magnitude.
 CDR_EXPORT FloatPair floatPair(double number);
 

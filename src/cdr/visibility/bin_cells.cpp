@@ -20,11 +20,10 @@ constexpr std::size_t kJobWords = 1024;
 /// With fewer visible than one in so many, sorting them is faster than looking through a bit for every instance.
 constexpr std::size_t kFewShare = 8;
 
-/// The cascades that instances land in, and whether they are wide.
+/// The cascades that compact instances land in.
 struct CellLanding {
     std::size_t first = 0;
     std::size_t end = 0;
-    bool isWide = false;
 };
 
 /// Where instances land whose lower ends lie in `lows` and whose upper ends lie in `highs`; none where they differ,

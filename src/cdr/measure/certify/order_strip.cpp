@@ -268,8 +268,11 @@ void OrderStrip::enterPixel(const ScreenTriangle& triangle, const StripSurface& 
     order.offView = std::max(order.offView, surfaceOff);
     if (cover == Cover::goesOn) {
         order.mostBeside = std::max(order.mostBeside, place.most);
-    } else if (place.most < order.most) {
-        order.most = place.most;
+        return;
+    }
+    order.most = std::min(order.most, place.most);
+    if (w - surface.layer.view < order.nearest) {
+        order.nearest = w - surface.layer.view;
         order.isAtDrawn =
             std::abs(w - m_frame.distancesView.at(x, y)) <= std::max(surfaceOff, order.statedOffView);
     }

@@ -80,7 +80,8 @@ class OrderStrip {
     /// Bounds of view distances less layers at a pixel.
     struct Order {
         double least = kNever;       ///< of the drawn object, if it is there
-        double most = kNever;        ///< of the drawn object's nearest sure surface
+        double most = kNever;        ///< least of what its sure surfaces may be at
+        double nearest = kNever;     ///< where its nearest sure surface is
         double mostBeside = 0.0;     ///< of its surfaces beyond edges nearby; infinity where it may end there
         double otherLeast = kNever;  ///< of other objects that may be there
         double maskedLeast = kNever; ///< of masked surfaces that may be there
