@@ -168,10 +168,12 @@ std::vector<std::string> videoFiles() {
 
 /// A folder of each technique, in one that has no files of its own.
 void noteTgaFolders(CommandFiles& files, const FlickerArguments& arguments) {
+    requireFolder(*arguments.tga);
     files.writesFolder("--tga", *arguments.tga, [](const std::string&) { return false; });
     for (const depth::NamedTechnique& technique : arguments.options.techniques) {
-        files.writesFolder("--tga", *arguments.tga / technique.name,
-                           [](const std::string& name) { return name.ends_with(".tga"); });
+        const std::filesystem::path own = *arguments.tga / technique.name;
+        requireFolder(own);
+        files.writesFolder("--tga", own, [](const std::string& name) { return name.ends_with(".tga"); });
     }
 }
 
