@@ -176,11 +176,9 @@ void run(Command& command, ModelsArguments& arguments) {
     const auto progress = command.progress();
     for (const std::string& file : arguments.files) {
         progress(results.size(), arguments.files.size(), file);
-        scene::GltfChoice choice;
+        scene::GltfChoice choice = command.modelChoice();
         choice.camera = arguments.camera;
         choice.light = light;
-        choice.textureMiB = command.global().textureMiB;
-        choice.pointRadius = command.global().pointRadius;
         const scene::OpenedScene model = openModel(file, choice, arguments.seconds);
         command.note(file, model.notes);
         choice.light = scene::ModelLight::lamps;
