@@ -107,6 +107,9 @@ TEST_F(RanksCommand, CascadesThatCannotBeDividedAreRefusedInOneLine) {
     for (const auto& [arguments, what] :
          {std::pair("cubes --antialias edges", "smoothed edges"), std::pair("sheets", "blended materials"),
           std::pair("cubes --occlusion 2", "ambient occlusion over the whole picture"),
+          std::pair("cubes --shadows plain", "shadows"),
+          std::pair("cubes --occlusion-culling", "occlusion culling"),
+          std::pair("cubes --aov linear", "pictures of linear light"),
           std::pair("cubes --submission gpu-driven", "gpu-driven draws")}) {
         expectUndivided(run(render + arguments), what);
     }
