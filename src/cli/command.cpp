@@ -166,12 +166,9 @@ scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_
             source = files.model.string();
         }
     }
-    scene::GltfChoice bounded = choice;
-    bounded.textureMiB = m_global.textureMiB;
-    bounded.pointRadius = m_global.pointRadius;
     const auto reading = progress();
     scene::OpenedScene opened =
-        scenes::openScene(nameOrPath, seed, bounded, [&](std::size_t done, std::size_t all) {
+        scenes::openScene(nameOrPath, seed, modelChoice(choice), [&](std::size_t done, std::size_t all) {
             reading(100 * done / std::max<std::size_t>(all, 1), 100, "% of " + nameOrPath);
         });
     m_console.endProgress();

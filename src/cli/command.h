@@ -36,6 +36,12 @@ class Command {
     const GlobalOptions& global() const { return m_global; }
     /// Of lengths in tables and sentences.
     base::LengthUnit unit() const { return m_global.unit.value_or(base::LengthUnit::none); }
+    /// Of models: what the global options choose of them.
+    scene::GltfChoice modelChoice(scene::GltfChoice choice = {}) const {
+        choice.textureMiB = m_global.textureMiB;
+        choice.pointRadius = m_global.pointRadius;
+        return choice;
+    }
     const OutputOptions& output() const { return m_output; }
     const Console& console() const { return m_console; }
     CommandFiles& files() { return m_files; }

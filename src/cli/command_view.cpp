@@ -1,3 +1,4 @@
+#include "command.h"
 #include "commands.h"
 
 #include <cdr/base/format_error.h>
@@ -67,7 +68,10 @@ void addView(CLI::App& program, const GlobalOptions& global) {
     app->prefix_command();
     app->fallthrough(false);
     app->set_help_flag(); // what follows is the viewer's, --help too
-    app->callback([app, &global] { becomeViewer(app->remaining(), global); });
+    app->callback([app, &global] {
+        requireAlone(*global.ranks, "view");
+        becomeViewer(app->remaining(), global);
+    });
 }
 
 } // namespace cdr::cli

@@ -32,7 +32,7 @@ void addReport(CLI::App& program, const GlobalOptions& global);
 /// The commands that measure. A report is made of all of them but `models`.
 void addExperiments(CLI::App& program, const GlobalOptions& global);
 
-/// Completions and the manual page, made from all commands of the program.
-void addShellCommands(CLI::App& program);
+/// Completions and the manual page, made from all commands of the program. The first rank prints them.
+void addShellCommands(CLI::App& program, const ranks::Ranks& ranks);
 
 } // namespace cdr::cli

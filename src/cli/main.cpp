@@ -82,7 +82,7 @@ void addCommands(CLI::App& program, const cdr::cli::GlobalOptions& global) {
     cdr::cli::addExperiments(program, global);
     cdr::cli::addReport(program, global);
     program.group("Shell");
-    cdr::cli::addShellCommands(program);
+    cdr::cli::addShellCommands(program, *global.ranks);
     cdr::options::takeDecimals(program);
 }
 

@@ -13,11 +13,8 @@
 
 namespace cdr::cli {
 
-namespace {
-
 namespace fs = std::filesystem;
 
-/// base::InputError unless the folder can be made, or is there and can be written.
 void requireFolder(const fs::path& path) {
     std::error_code error;
     fs::path nearest = platform::wholePath(path);
@@ -31,8 +28,6 @@ void requireFolder(const fs::path& path) {
         throw base::inputError("{}: cannot be written: {} is read-only", path.string(), nearest.string());
     }
 }
-
-} // namespace
 
 PictureFolder::PictureFolder(fs::path path, CommandFiles& files,
                              const std::function<bool(const std::string&)>& isWritten)

@@ -15,6 +15,9 @@
 
 namespace cdr::cli {
 
+/// base::InputError unless the folder can be made, or is there and can be written.
+void requireFolder(const std::filesystem::path& path);
+
 /// The folder that a command writes pictures into, if it was asked to. It is made with the first picture.
 class PictureFolder {
   public:

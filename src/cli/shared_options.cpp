@@ -95,8 +95,9 @@ std::string textOf(const CLI::App& command) {
 }
 
 nlohmann::ordered_json givenOptions(const CLI::App& command) {
-    constexpr std::array<std::string_view, 11> kNotWhat{"help", "json",  "state",   "output",   "out",  "csv",
-                                                        "plot", "trace", "certify", "heat-map", "ranks"};
+    constexpr std::array<std::string_view, 14> kNotWhat{"help",  "json",    "videos",   "tga",  "curve",
+                                                        "state", "output",  "out",      "csv",  "plot",
+                                                        "trace", "certify", "heat-map", "ranks"};
     auto given = nlohmann::ordered_json::object();
     for (const CLI::Option* option : command.get_options()) {
         const std::string name = option->get_single_name();

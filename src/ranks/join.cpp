@@ -30,9 +30,13 @@ std::unique_ptr<Ranks> join(Explain explain, Say say) {
 #else
 
 std::unique_ptr<Ranks> join(Explain, Say) {
-    const char* size = std::getenv("OMPI_COMM_WORLD_SIZE");
-    const char* sizeOfMpich = std::getenv("PMI_SIZE");
-    const std::string count = size != nullptr ? size : sizeOfMpich != nullptr ? sizeOfMpich : "1";
+    std::string count = "1";
+    for (const char* name :
+         {"SLURM_STEP_NUM_TASKS", "PMI_SIZE", "OMPI_COMM_WORLD_SIZE"}) { // the last one holds
+        if (const char* size = std::getenv(name)) { // Slurm has its own where it starts ranks by PMIx
+            count = size;
+        }
+    }
     if (isLaunched() && count != "1") {
         throw base::InputError("started as one of " + count + " ranks, but this cdr was built without MPI");
     }

@@ -34,6 +34,7 @@ struct Generator {
     std::string_view name;
     Ingredients ingredients;
     scene::SceneSetup (*make)(std::uint64_t seed);
+    scene::OpenedScene (*open)(const OrbitFiles& files) = nullptr; ///< in place of make()
 };
 
 constexpr std::array kGenerators{
@@ -48,10 +49,12 @@ constexpr std::array kGenerators{
     Generator{"alley", Ingredients::coloured, [](std::uint64_t seed) { return makeAlley(seed); }},
     Generator{"city", Ingredients::coloured, [](std::uint64_t seed) { return makeCity(seed); }},
     Generator{"coplanar", Ingredients::coloured, [](std::uint64_t) { return makeCoplanar(); }},
-    Generator{"orbit", Ingredients::earth, [](std::uint64_t) { return openOrbit(orbitFiles()).setup; }},
+    Generator{"orbit", Ingredients::earth, nullptr, openOrbit},
     Generator{"terrain", Ingredients::coloured, [](std::uint64_t seed) { return makeTerrain(seed); }},
-    Generator{"eclipse", Ingredients::earth, [](std::uint64_t) { return openEclipse(orbitFiles()); }},
-    Generator{"earth", Ingredients::earth, [](std::uint64_t) { return openEarth(orbitFiles()).setup; }},
+    Generator{
+        "eclipse", Ingredients::earth, nullptr,
+        [](const OrbitFiles& files) { return scene::OpenedScene{.setup = openEclipse(files), .notes = {}}; }},
+    Generator{"earth", Ingredients::earth, nullptr, openEarth},
     Generator{"traffic", Ingredients::grey, [](std::uint64_t seed) { return makeTraffic(seed); }},
 };
 
@@ -95,6 +98,11 @@ scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed,
             nameOrPath);
     }
     for (const Generator& generator : kGenerators) {
+        if (nameOrPath == generator.name && generator.open != nullptr) {
+            OrbitFiles files = orbitFiles();
+            files.limits = scene::limitsOf(choice);
+            return generator.open(files);
+        }
         if (nameOrPath == generator.name) {
             return {.setup = generator.make(seed), .notes = {}};
         }

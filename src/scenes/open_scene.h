@@ -22,7 +22,7 @@ bool isGreyInThesis(std::string_view scene);
 /// Opens one of generatedScenes(), or a `.gltf` / `.glb` file by path. A file is lit and framed so that it
 /// fills the picture. base::InputError says what is wrong, with a suggestion.
 /// @param choice what of a file is shown; refused for a generated scene, except for its textureMiB and pointRadius,
-///        which are left aside.
+///        which hold for the model that orbitFiles() may name.
 /// @param progress told how much of a file has been imported.
 scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed,
                              const scene::GltfChoice& choice = {},

@@ -156,6 +156,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"flicker --tga t.json --json ./t.json", "./t.json: both --tga and --json would write it"},
         BadInput{"flicker --json t.json --videos t.json", "t.json: both --videos and --json would write it"},
         BadInput{"models a/x.glb a/x.gltf --json t.json", "two models would both be written as x_*.png"},
+        BadInput{"models a.glb a_plain.glb --out d", "two pictures would both be written as a_plain.png"},
+        BadInput{"models models_sheet.glb --out d", "both be written as models_sheet.png"},
         BadInput{"models a.glb b.glb c.glb d.glb e.glb --size 8192x8192 --json t.json",
                  "the pictures of 5 models at 8192x8192 take 5120 MiB, 4096 are allowed"},
         BadInput{"models none.glb --json t.json", "none.glb"}, BadInput{"models", "models is required"},

@@ -88,6 +88,7 @@ TEST_F(Commands, PrecisionReproducesAll16CellsOfTable41) {
     const ProgramResult result = succeed("precision --json --curve c.csv");
     const json document = json::parse(result.out);
     expectEnvelope(document, "precision");
+    EXPECT_EQ(document.at("given"), json::object()) << "where results go";
     int cells = 0;
     for (const json& cell : document["results"]) {
         if (cell.contains("thesis")) {

@@ -42,6 +42,13 @@ TEST_F(CoplanarCommand, CountsWhichOfTwoFacesIsSeen) {
     EXPECT_NE(result.out.find("through a wall"), std::string::npos);
 }
 
+TEST_F(CoplanarCommand, SaysWhichTruthFindsNoMemory) {
+    const ProgramResult result = run("coplanar --search-views 10000 --size 8192x8192");
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.err.find("the truth of 10000 views to search settings by"), std::string::npos)
+        << result.err;
+}
+
 /// One setting that does nothing draws what no method draws.
 TEST_F(CoplanarCommand, SearchesTheSettingsThatAreGiven) {
     const std::string command =

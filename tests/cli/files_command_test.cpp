@@ -237,12 +237,18 @@ TEST_F(Files, ABudgetShrinksTexturesAndSaysSo) {
         material["emissiveFactor"] = {1, 1, 1}; // else the texture is not used
     }
     std::ofstream(at("m.gltf")) << model.dump();
+    fs::create_directory(at("maps")); // of an Earth without relief
+    image::writeImage(at("maps/earth-topology.png"), image::ImageRgba8(8, 4, {0, 0, 0, 255}));
+    fs::copy(at("maps/earth-topology.png"), at("maps/earth-blue-marble.jpg"));
     const std::string said = "shown smaller than it is, so that all textures fit in 1 MiB";
     for (const char* arguments : {"render m.gltf --size 16x16 --texture-memory 1 -o a.png",
                                   "--texture-memory 1 render m.gltf --size 16x16 -o b.png",
                                   "inspect m.gltf --size 16x16 --texture-memory 1",
-                                  "effects m.gltf --frames 1 --size 16x16 --texture-memory 1"}) {
-        const ProgramResult result = succeed(arguments);
+                                  "effects m.gltf --frames 1 --size 16x16 --texture-memory 1",
+                                  "orbit --data maps --model m.gltf --frames 1 --techniques log --size 16x16 "
+                                  "--texture-memory 1",
+                                  "render orbit --size 16x16 --texture-memory 1 -o d.png"}) {
+        const ProgramResult result = succeed(arguments, "CDR_ORBIT_DATA=maps CDR_ORBIT_MODEL=m.gltf");
         EXPECT_NE(result.out.find(said), std::string::npos) << arguments << result.out;
     }
     const ProgramResult whole = succeed("render m.gltf --size 16x16 -o c.png");

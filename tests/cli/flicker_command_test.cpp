@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -105,6 +106,19 @@ TEST_F(FlickerCommand, AMissingEncoderIsNamed) {
                   "cdr: videos need ffmpeg, which is not installed (Debian, Ubuntu: ffmpeg)\n",
                   "PATH=/nowhere");
     EXPECT_TRUE(folderIsEmpty());
+}
+
+/// Before anything is measured and kept.
+TEST_F(FlickerCommand, AFileInPlaceOfAFolderOfFramesIsRefused) {
+    std::ofstream(at("file")) << "x";
+    fs::create_directory(at("frames"));
+    std::ofstream(at("frames/log")) << "x";
+    for (const char* folder : {"file", "frames"}) {
+        expectRefusal("flicker --frames 1 --size 64x36 --techniques log --state s --tga " +
+                          std::string(folder),
+                      ": cannot be made: ");
+        EXPECT_FALSE(fs::exists(at("s")));
+    }
 }
 
 } // namespace

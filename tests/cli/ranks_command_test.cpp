@@ -107,6 +107,9 @@ TEST_F(RanksCommand, CascadesThatCannotBeDividedAreRefusedInOneLine) {
     for (const auto& [arguments, what] :
          {std::pair("cubes --antialias edges", "smoothed edges"), std::pair("sheets", "blended materials"),
           std::pair("cubes --occlusion 2", "ambient occlusion over the whole picture"),
+          std::pair("cubes --shadows plain", "shadows"),
+          std::pair("cubes --occlusion-culling", "occlusion culling"),
+          std::pair("cubes --aov linear", "pictures of linear light"),
           std::pair("cubes --submission gpu-driven", "gpu-driven draws")}) {
         expectUndivided(run(render + arguments), what);
     }
@@ -238,7 +241,9 @@ TEST_F(RanksCommand, OnlyTheFirstPrints) {
     const ProgramResult three = runAsRanks(3, "precision", folder());
     EXPECT_EQ(three.status, 0) << three.err;
     EXPECT_EQ(three.out, one.out);
-    EXPECT_EQ(runAsRanks(3, "--help", folder()).out, run("--help").out);
+    for (const char* arguments : {"--help", "manual", "completions fish"}) {
+        EXPECT_EQ(runAsRanks(3, arguments, folder()).out, run(arguments).out);
+    }
     EXPECT_NE(runAsRanks(3, "render cubes --size 32x18", folder())
                   .out.find("3 ranks, 3 of them on this machine; lavapipe draws with "),
               std::string::npos);
@@ -265,7 +270,7 @@ TEST_F(RanksCommand, WhatMeasuresTimeSharesNoMachineUnlessTold) {
                                   " measures time, and 2 ranks share this machine: start one on each, or add "
                                   "--share-machine\n");
     }
-    for (const std::string name : {"inspect cubes", "timing --memory", "timing --against x"}) {
+    for (const std::string name : {"inspect cubes", "timing --memory", "timing --against x", "view cubes"}) {
         const ProgramResult result = runAsRanks(2, "--share-machine " + name, folder());
         EXPECT_EQ(result.status, 2) << name;
         EXPECT_NE(result.err.find(" runs in one process, and not as 2 ranks: start it without mpirun\n"),

@@ -1,13 +1,16 @@
 #include "program.h"
 
 #include <cdr/image/codec.h>
+#include <cdr/platform/base64.h>
 #include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace cdr::cli_test {
 
@@ -41,6 +44,35 @@ TEST_F(TranslucencyCommand, ComparesBothMethodsWithTheTruth) {
     }
     EXPECT_EQ(seen.size(), 4u);
     EXPECT_TRUE(std::filesystem::exists(at("p/truth.png")));
+}
+
+/// Whose sums are right, so that only its values tell.
+TEST_F(TranslucencyCommand, RefusesAStateWithAPictureOrAMethodOfNoSuchRun) {
+    const std::string command = "translucency --size 32x18 --cascades 1 --repeats 0 --out p --state s";
+    succeed(command);
+    std::filesystem::remove_all(at("p"));
+    const std::vector<std::string> lines = linesIn(at("s"));
+    const auto expectRefused = [&](const auto& change) {
+        std::vector<std::string> changed = lines;
+        const auto record = recordIn(changed.at(1));
+        json made =
+            json::from_cbor(platform::fromBase64(record.at("made").get_ref<const std::string&>()).value());
+        change(made);
+        changed[1] = stateLineOf(record.at("unit"), platform::toBase64(json::to_cbor(made)));
+        writeLines(at("s"), changed);
+        const ProgramResult result = run(command);
+        EXPECT_EQ(result.status, 2);
+        EXPECT_EQ(result.err,
+                  "cdr: s: holds results that do not fit this run; remove it or name another file\n");
+        EXPECT_FALSE(std::filesystem::exists(at("p")));
+    };
+    expectRefused([](json& made) { made.erase("picture"); });
+    expectRefused([](json& made) {
+        made["picture"] = {{"width", 1}, {"height", 1}, {"pixels", json::binary({0, 0, 0, 255})}};
+    });
+    expectRefused([](json& made) { // behind the number of cascades, which is aligned as what follows
+        made["compared"].get_binary().at(8) = 200;
+    });
 }
 
 TEST_F(TranslucencyCommand, ComparesAMomentOfAnAnimation) {

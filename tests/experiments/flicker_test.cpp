@@ -18,15 +18,23 @@ namespace {
 using namespace cdr;
 using namespace cdr::experiments;
 
+const NamedProgress kNoProgress = [](std::size_t, std::size_t, const std::string&) {};
+
 class FlickerTest : public cdr::test::DeviceTest {
   protected:
+    std::vector<FlickerResult> run(const FlickerOptions& options) {
+        return runFlicker(device(), options, kNoProgress, m_alone);
+    }
+
     /// A start of a run that keeps its results.
     std::vector<FlickerResult> startKept(const FlickerOptions& options,
-                                         const NamedProgress& progress = {}) const {
+                                         const NamedProgress& progress = kNoProgress) const {
         ranks::OneProcess alone;
         runs::KeptRanks kept(alone, m_folder.path() / "s", "run");
-        return runFlicker(device(), options, {.progress = progress, .ranks = &kept});
+        return runFlicker(device(), options, progress, kept);
     }
+
+    ranks::OneProcess m_alone;
 
   private:
     cdr::test::TemporaryFolder m_folder;
@@ -70,7 +78,7 @@ NamedProgress interruptedAt(std::size_t step) {
 /// Interrupted twice, once between two techniques of a frame.
 TEST_F(FlickerTest, ARunThatIsInterruptedEndsAsOneThatIsNot) {
     const FlickerOptions options = smallRun();
-    const auto expected = runFlicker(device(), options);
+    const auto expected = run(options);
     EXPECT_GT(expected[0].flips.compared, 0u);
     EXPECT_GT(expected[0].flipSum, 0.0);
     for (const std::size_t step : {std::size_t{5}, std::size_t{8}}) {
@@ -88,9 +96,9 @@ TEST_F(FlickerTest, RoundedVerticesAreWrongAtMoreEdges) {
     FlickerOptions options = smallRun();
     options.frames = 1;
     options.techniques = {depth::namedTechnique("anchored")};
-    const FlickerResult exact = runFlicker(device(), options).at(0);
+    const FlickerResult exact = run(options).at(0);
     options.drawing.snapBits = 2;
-    EXPECT_GT(runFlicker(device(), options).at(0).wrong.edgeWrong, exact.wrong.edgeWrong);
+    EXPECT_GT(run(options).at(0).wrong.edgeWrong, exact.wrong.edgeWrong);
 }
 
 /// A fitted split remembers frames, and a coarse buffer shows where it cut. The frame before is not enough: its
@@ -105,7 +113,7 @@ TEST_F(FlickerTest, AResumedRunRemembersWhatFittedSplitsDo) {
                            {.mapping = depth::Mapping::standard,
                             .split = depth::SplitFitted{.most = 2},
                             .format = depth::DepthFormat::d16}}};
-    const auto expected = runFlicker(device(), options);
+    const auto expected = run(options);
     EXPECT_GT(expected[0].wrong.wrong, 0u);
     for (const std::size_t step : {std::size_t{4}, std::size_t{9}, std::size_t{17}}) {
         EXPECT_THROW(startKept(options, interruptedAt(step)), Interrupted);
@@ -116,9 +124,9 @@ TEST_F(FlickerTest, AResumedRunRemembersWhatFittedSplitsDo) {
 TEST_F(FlickerTest, ThreadsDoNotChangeTheFigures) {
     FlickerOptions options = smallRun();
     options.frames = 2;
-    const auto one = runFlicker(device(), options);
+    const auto one = run(options);
     options.drawing.threads = 3;
-    expectSame(runFlicker(device(), options), one);
+    expectSame(run(options), one);
 }
 
 /// The field straddles cdr's boundary: the half in front of it is as bad as standard. Cut in front of the
@@ -128,7 +136,7 @@ TEST_F(FlickerTest, MovingTheBoundaryDecidesAboutCdr) {
     options.frames = 4;
     options.techniques = movedBoundaries();
     options.techniques.push_back(depth::namedTechnique("cdr"));
-    const auto results = runFlicker(device(), options);
+    const auto results = run(options);
     EXPECT_EQ(results[0].technique, "cdr-before");
     EXPECT_LT(results[0].wrong.fraction(), 0.2 * results[2].wrong.fraction().value());
     EXPECT_GT(results[1].wrong.fraction(), 1.5 * results[2].wrong.fraction().value());
@@ -139,9 +147,9 @@ TEST_F(FlickerTest, ANearObjectDisturbsAFittedRangeAndNotFittedCascades) {
     FlickerOptions options = smallRun();
     options.frames = 4;
     options.techniques = {fittedRange(), depth::namedTechnique("anchored")};
-    const auto without = runFlicker(device(), options);
+    const auto without = run(options);
     options.nearObject = true;
-    const auto with = runFlicker(device(), options);
+    const auto with = run(options);
     EXPECT_EQ(without[0].scene, "afc");
     EXPECT_EQ(with[0].scene, "afc-near");
     EXPECT_LT(without[0].wrong.fraction(), 0.005);
@@ -157,9 +165,9 @@ TEST_F(FlickerTest, RivalsHaveFiguresAndNoPictures) {
     }
     FlickerOptions options = smallRun();
     options.frames = 2;
-    const auto without = runFlicker(device(), options);
+    const auto without = run(options);
     options.rivalsBeside = {rivals::parseRival("object-anchors")};
-    auto with = runFlicker(device(), options);
+    auto with = run(options);
     ASSERT_EQ(with.size(), 3u);
     const FlickerResult rival = with.back();
     EXPECT_TRUE(rival.isRival());
@@ -170,7 +178,7 @@ TEST_F(FlickerTest, RivalsHaveFiguresAndNoPictures) {
     with.pop_back();
     expectSame(with, without);
     std::uint32_t next = 0;
-    showFlicker(device(), options, {},
+    showFlicker(device(), options, kNoProgress, m_alone,
                 [&](std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures) {
                     EXPECT_EQ(frame, next++);
                     EXPECT_EQ(pictures.size(), 2u);

@@ -148,6 +148,8 @@ TEST_F(PartFrames, AreRefusedWhereAPixelNeedsMoreThanItsSurface) {
               all + "smoothed edges" + need);
     EXPECT_EQ(changed([](auto& options) { options.effects.occlusion.radius = 1.0; }),
               all + "ambient occlusion over the whole picture" + need);
+    EXPECT_EQ(changed([](auto& options) { options.shadows.method = render::ShadowMethod::plain; }),
+              all + "shadows" + need);
     EXPECT_EQ(changed([](auto& options) { options.motion = true; }), all + "motion" + need);
     EXPECT_EQ(changed([](auto& options) { options.linear = true; }), all + "pictures of linear light" + need);
     EXPECT_EQ(changed([](auto& options) { options.submission = render::Submission::gpuDriven; }),

@@ -14,6 +14,9 @@ const char* whatNeedsAllCascades(const RenderOptions& options, const SceneTraits
     if (options.effects.occlusion.radius > 0.0 && !options.effects.occlusion.perLayer) {
         return "ambient occlusion over the whole picture";
     }
+    if (options.shadows.isOn()) {
+        return "shadows"; // what another part draws casts them too
+    }
     if (options.focus.isOn()) {
         return "a lens with a focus";
     }

@@ -32,8 +32,8 @@ struct SceneTraits {
 
 /// Refuses what several renderers cannot draw together.
 /// @throws base::InputError for what reads more than a pixel's own surface, or needs other cascades.
-///         Antialiasing, ambient occlusion over the whole picture, a lens with a focus, motion and linear light do. So do
-///         occlusion culling, blended surfaces and gpu-driven draws. Also for a part that does not exist.
+///         Antialiasing, ambient occlusion over the whole picture, shadows, a lens with a focus, motion and linear light do.
+///         So do occlusion culling, blended surfaces and gpu-driven draws. Also for a part that does not exist.
 CDR_EXPORT void requireDivisible(const RenderOptions& options, const SceneTraits& scene);
 
 } // namespace cdr::render

@@ -84,9 +84,6 @@ void requireShadows(const RenderOptions& options) {
     if (!castsShadows(options.detail.mode)) {
         throw base::InputError("levels of detail by cascade or cluster do without shadows");
     }
-    if (options.part != CascadePart{}) { // what another part draws casts shadows too
-        throw base::InputError("cascades that are drawn apart do without shadows");
-    }
 }
 
 /// Vulkan asks each device to read D32_SFLOAT, but to draw to it only those without D24.

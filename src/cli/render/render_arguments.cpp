@@ -107,7 +107,8 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     options::addParsed(
         command, "--ranks", arguments.ranks, [](const std::string& name) { return kDivisions.parse(name); },
         "What the ranks of an MPI run divide: frames, or the cascades of each frame. With cascades, leave out "
-        "--antialias, --occlusion RADIUS, --shadows, --focus, --submission gpu-driven and blended materials")
+        "--antialias, --occlusion RADIUS, --shadows, --focus, --occlusion-culling, --submission gpu-driven, --aov "
+        "linear and blended materials")
         ->default_str("frames");
     command.option_defaults()->group("Output");
     addSize(command, arguments.drawing.width, arguments.drawing.height);

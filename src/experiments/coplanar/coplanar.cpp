@@ -5,9 +5,11 @@
 #include <cdr/measure/compare/flips.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/truth/object_ray.h>
+#include <cdr/platform/host_memory.h>
 #include <cdr/render/renderer.h>
 #include <scenes/coplanar.h>
 
+#include <fmt/format.h>
 #include <runs/units.h>
 
 #include <algorithm>
@@ -241,6 +243,10 @@ std::vector<CoplanarResult> runCoplanar(const gpu::Device& device, const Coplana
     if (options.offsets.slopes.empty() || options.offsets.constants.empty()) {
         throw base::InputError("coplanar needs a setting of polygon offset");
     }
+    platform::requireHostBytes(
+        platform::saturatingProduct({options.drawing.width, options.drawing.height, options.searchViews,
+                                     sizeof(measure::TruthPixel)}),
+        fmt::format("the truth of {} views to search settings by", options.searchViews));
     const std::vector<depth::NamedTechnique>& techniques = options.techniques;
     const std::size_t all = techniques.size() + options.views;
     CoplanarComparison comparison(device, options);

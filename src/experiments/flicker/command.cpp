@@ -135,8 +135,7 @@ std::vector<experiments::FlickerResult> measure(Command& command, const FlickerA
         videos.emplace(*arguments.videos, names, options.drawing.width, options.drawing.height,
                        options.frames);
     }
-    auto results = experiments::runFlicker(command.device(), options,
-                                           {.progress = command.progress(), .ranks = &command.ranks()});
+    auto results = experiments::runFlicker(command.device(), options, command.progress(), command.ranks());
     const auto write = [&](std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures) {
         if (videos) {
             videos->add(pictures);
@@ -146,8 +145,8 @@ std::vector<experiments::FlickerResult> measure(Command& command, const FlickerA
         }
     };
     if (arguments.videos || arguments.tga) { // by ranks that keep nothing: pictures would fill a state
-        experiments::showFlicker(command.device(), options,
-                                 {.progress = command.progress(), .ranks = command.global().ranks}, write);
+        experiments::showFlicker(command.device(), options, command.progress(), *command.global().ranks,
+                                 write);
     }
     command.endProgress();
     if (videos) {
@@ -169,10 +168,12 @@ std::vector<std::string> videoFiles() {
 
 /// A folder of each technique, in one that has no files of its own.
 void noteTgaFolders(CommandFiles& files, const FlickerArguments& arguments) {
+    requireFolder(*arguments.tga);
     files.writesFolder("--tga", *arguments.tga, [](const std::string&) { return false; });
     for (const depth::NamedTechnique& technique : arguments.options.techniques) {
-        files.writesFolder("--tga", *arguments.tga / technique.name,
-                           [](const std::string& name) { return name.ends_with(".tga"); });
+        const std::filesystem::path own = *arguments.tga / technique.name;
+        requireFolder(own);
+        files.writesFolder("--tga", own, [](const std::string& name) { return name.ends_with(".tga"); });
     }
 }
 

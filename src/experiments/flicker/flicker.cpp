@@ -7,7 +7,6 @@
 #include <experiments/rivals/drawer.h>
 #include <scenes/open_scene.h>
 
-#include <ranks/one_process.h>
 #include <runs/units.h>
 
 #include <algorithm>
@@ -60,10 +59,10 @@ void add(const Figures& figures, FlickerResult& result) {
 /// The experiment as it runs.
 class Flicker {
   public:
-    Flicker(const gpu::Device& device, const FlickerOptions& options, const FlickerHooks& hooks)
+    Flicker(const gpu::Device& device, const FlickerOptions& options, const NamedProgress& progress)
         : m_options(options),
           m_rangeLength(std::clamp(options.frames / 32, 1u, 8u)),
-          m_hooks(hooks),
+          m_progress(progress),
           m_workers(options.drawing.threads),
           m_setup(scenes::openScene(options.nearObject ? "afc-near" : "afc", options.seed).setup),
           m_gpuScene(device, m_setup.scene),
@@ -117,10 +116,8 @@ class Flicker {
     }
 
     void step(std::uint32_t frame, std::size_t lane) const {
-        if (m_hooks.progress) {
-            m_hooks.progress(frame * m_lanes.size() + lane, m_options.frames * m_lanes.size(),
-                             m_results[lane].technique);
-        }
+        m_progress(frame * m_lanes.size() + lane, m_options.frames * m_lanes.size(),
+                   m_results[lane].technique);
     }
 
     /// Past the frames that other ranks or an earlier run drew, which fitted splits remember.
@@ -227,7 +224,7 @@ class Flicker {
     /// A range begins with the frame before it, which flips need, so it has some length. With any number of ranks it has the
     /// same, since they may go on from one state.
     std::uint32_t m_rangeLength;
-    const FlickerHooks& m_hooks;
+    const NamedProgress& m_progress;
     platform::WorkerPool m_workers;
     scene::SceneSetup m_setup;
     render::GpuScene m_gpuScene;
@@ -242,20 +239,18 @@ class Flicker {
 } // namespace
 
 std::vector<FlickerResult> runFlicker(const gpu::Device& device, const FlickerOptions& options,
-                                      const FlickerHooks& hooks) {
+                                      const NamedProgress& progress, ranks::Ranks& ranks) {
     if (options.frames < 1 || options.flipEvery < 1) {
         throw base::InputError("flicker: there must be at least one frame, and FLIP of every first or more");
     }
-    ranks::OneProcess alone;
-    return Flicker(device, options, hooks).run(hooks.ranks != nullptr ? *hooks.ranks : alone);
+    return Flicker(device, options, progress).run(ranks);
 }
 
-void showFlicker(const gpu::Device& device, const FlickerOptions& options, const FlickerHooks& hooks,
-                 const FlickerPictures& take) {
+void showFlicker(const gpu::Device& device, const FlickerOptions& options, const NamedProgress& progress,
+                 ranks::Ranks& ranks, const FlickerPictures& take) {
     FlickerOptions shown = options;
     shown.rivalsBeside.clear(); // they have no pictures
-    ranks::OneProcess alone;
-    Flicker(device, shown, hooks).show(hooks.ranks != nullptr ? *hooks.ranks : alone, take);
+    Flicker(device, shown, progress).show(ranks, take);
 }
 
 std::vector<depth::NamedTechnique> movedBoundaries() {

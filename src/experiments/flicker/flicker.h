@@ -51,26 +51,20 @@ struct FlickerResult {
     double duplication() const { return frames ? duplicationSum / frames : 1.0; }
 };
 
-/// What a caller may do while the frames go by. Each may be empty.
-struct FlickerHooks {
-    /// Called before each frame with how many of all are done.
-    NamedProgress progress;
-    /// That share the frames; null where the process is alone. The first one has results and pictures.
-    ranks::Ranks* ranks = nullptr;
-};
-
 /// Takes a frame's pictures, in the techniques' order.
 using FlickerPictures =
     std::function<void(std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures)>;
 
 /// One result per technique, then per rival, in their order. base::InputError for unusable options, and a rival that the
 /// device cannot draw.
+/// @param ranks that share the frames. The first one has results.
 std::vector<FlickerResult> runFlicker(const gpu::Device& device, const FlickerOptions& options,
-                                      const FlickerHooks& hooks = {});
+                                      const NamedProgress& progress, ranks::Ranks& ranks);
 
-/// Draws the frames that runFlicker() measures, in order, by the techniques that are named. Rivals have no pictures.
-void showFlicker(const gpu::Device& device, const FlickerOptions& options, const FlickerHooks& hooks,
-                 const FlickerPictures& take);
+/// Draws the frames that runFlicker() measures, by the techniques that are named. Rivals have no pictures.
+/// @param take of the first rank, which gets the frames in order.
+void showFlicker(const gpu::Device& device, const FlickerOptions& options, const NamedProgress& progress,
+                 ranks::Ranks& ranks, const FlickerPictures& take);
 
 /// cdr with its last boundary moved off the field, which it straddles: `cdr-before` cuts nearer than the
 /// field, `cdr-behind` farther.

@@ -151,6 +151,14 @@ std::vector<std::string> modelFiles(const std::vector<std::string>& models) {
     return files;
 }
 
+/// base::InputError where two of the files would be one: a model may be named as another one's picture, or as the sheet.
+void requireApart(std::vector<std::string> files) {
+    std::ranges::sort(files);
+    if (const auto twice = std::ranges::adjacent_find(files); twice != files.end()) {
+        throw base::inputError("two pictures would both be written as {}", *twice);
+    }
+}
+
 void writePictures(const PictureFolder& folder, const std::vector<experiments::ModelResult>& results,
                    const std::string& device) {
     for (const experiments::ModelResult& result : results) {
@@ -169,6 +177,9 @@ void run(Command& command, ModelsArguments& arguments) {
     arguments.options.drawing.technique = depth::parseTechnique(arguments.technique);
     const scene::ModelLight light = scene::parseModelLight(arguments.light);
     const PictureFolder folder(arguments.folder, command.files(), PictureFolder::oneOf(modelFiles(names)));
+    if (folder.isWanted()) {
+        requireApart(modelFiles(names));
+    }
     std::vector<experiments::ModelResult> results;
     for (const std::string& file : arguments.files) {
         command.reads(file);
@@ -176,11 +187,9 @@ void run(Command& command, ModelsArguments& arguments) {
     const auto progress = command.progress();
     for (const std::string& file : arguments.files) {
         progress(results.size(), arguments.files.size(), file);
-        scene::GltfChoice choice;
+        scene::GltfChoice choice = command.modelChoice();
         choice.camera = arguments.camera;
         choice.light = light;
-        choice.textureMiB = command.global().textureMiB;
-        choice.pointRadius = command.global().pointRadius;
         const scene::OpenedScene model = openModel(file, choice, arguments.seconds);
         command.note(file, model.notes);
         choice.light = scene::ModelLight::lamps;

@@ -101,6 +101,7 @@ void run(Command& command, OrbitArguments& arguments) {
     requireDistinct(options.techniques);
     command.files().mayPlot(arguments.plot);
     command.readsEarth(arguments.files);
+    arguments.files.limits = scene::limitsOf(command.modelChoice());
     const scene::OpenedScene opened = scenes::openOrbit(arguments.files);
     const scene::SceneSetup& setup = opened.setup;
     command.note(arguments.files.model.string(), opened.notes);

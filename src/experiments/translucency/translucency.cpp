@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -96,15 +97,22 @@ output::Json packedResult(const TranslucencyResult& result, const TranslucencyEx
     return made;
 }
 
-TranslucencyResult unpackedResult(const output::Json& made) {
+/// std::out_of_range for what is no result of such an experiment.
+TranslucencyResult unpackedResult(const output::Json& made, const TranslucencyExperiment& experiment) {
     const Compared compared = runs::unpacked<Compared>(made.at("compared"), 1)[0];
     TranslucencyResult result;
     result.cascades = compared.cascades;
     result.stats = compared.stats;
     result.note = made.at("note").get<std::string>();
     result.difference = compared.difference;
-    if (made.contains("picture")) {
-        result.picture = runs::unpackedPicture(made["picture"]);
+    if (experiment.keepsPictures) {
+        result.picture = runs::unpackedPicture(made.at("picture"));
+    }
+    const image::ImageRgba8& picture = result.picture;
+    if (std::ranges::count(render::kTranslucencies, result.stats.method) == 0 ||
+        (experiment.keepsPictures &&
+         (picture.width != experiment.width || picture.height != experiment.height))) {
+        throw std::out_of_range("another method or size");
     }
     return result;
 }
@@ -158,7 +166,7 @@ TranslucencyResults runTranslucency(const gpu::Device& device, const scene::Scen
             return packedResult(compare(device, setup, gpuScene, pairs[unit], truth), experiment);
         },
         [&](std::size_t unit, const output::Json& made) {
-            all.results.push_back(unpackedResult(made));
+            all.results.push_back(unpackedResult(made, experiment));
             all.results.back().technique = partsOf(pairs[unit].technique);
         });
     if (experiment.repeats > 0) {

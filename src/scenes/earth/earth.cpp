@@ -1,5 +1,4 @@
 #include <cdr/platform/worker_pool.h>
-#include <cdr/scene/gltf/gltf.h>
 #include <scenes/earth/concrete.h>
 #include <scenes/earth/earth.h>
 #include <scenes/earth/ground_blocks.h>
@@ -140,7 +139,7 @@ scene::OpenedScene openEarth(const OrbitFiles& files) {
     if (files.model.empty()) {
         return {.setup = makeEarth(loadEarthMaps(files.folder)), .notes = {}};
     }
-    scene::GltfImport model = scene::loadGltf(files.model);
+    scene::GltfImport model = scene::loadGltf(files.model, files.limits);
     return {.setup = makeEarth(loadEarthMaps(files.folder), &model.scene), .notes = std::move(model.ignored)};
 }
 

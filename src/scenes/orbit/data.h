@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/image/image.h>
+#include <cdr/scene/gltf/gltf.h>
 
 #include <array>
 #include <filesystem>
@@ -28,6 +29,7 @@ std::array<std::filesystem::path, 2> earthFiles(const std::filesystem::path& fol
 struct OrbitFiles {
     std::filesystem::path folder; ///< of the maps
     std::filesystem::path model;  ///< glTF, to be parked at the airport; empty for the generated aircraft
+    scene::GltfLimits limits{};   ///< of the model
 };
 
 /// The folder that the environment variable CDR_ORBIT_DATA names, else where tools/setup.sh puts the maps;

@@ -1,4 +1,3 @@
-#include <cdr/scene/gltf/gltf.h>
 #include <scenes/degree.h>
 #include <scenes/orbit/airport.h>
 #include <scenes/orbit/orbit.h>
@@ -159,7 +158,7 @@ scene::OpenedScene openOrbit(const OrbitFiles& files) {
     if (files.model.empty()) {
         return {.setup = makeOrbit(loadEarthMaps(files.folder)), .notes = {}};
     }
-    scene::GltfImport model = scene::loadGltf(files.model);
+    scene::GltfImport model = scene::loadGltf(files.model, files.limits);
     return {.setup = makeOrbit(loadEarthMaps(files.folder), &model.scene), .notes = std::move(model.ignored)};
 }
 

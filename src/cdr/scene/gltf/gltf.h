@@ -42,6 +42,10 @@ struct GltfLimits {
     ImportProgress progress{}; ///< may be empty
 };
 
+struct GltfChoice;
+/// The limits that a choice sets. base::InputError for a choice that is out of range.
+GltfLimits limitsOf(const GltfChoice& choice);
+
 /// A camera of a file, in world space. Its aspect ratio is left to the picture; where the file gives no far plane it is
 /// kGltfFarRatio times the near one.
 struct GltfCamera {

@@ -210,18 +210,6 @@ CameraPath carriedPath(const GltfImport& import, const GltfCamera& camera, std::
             }};
 }
 
-/// The limits that a choice sets.
-/// base::InputError for a choice that is out of range.
-GltfLimits limitsOf(const GltfChoice& choice) {
-    requireUsable(choice);
-    GltfLimits limits;
-    if (choice.textureMiB) {
-        limits.textureMemory = *choice.textureMiB << 20u;
-    }
-    limits.pointRadius = choice.pointRadius;
-    return limits;
-}
-
 /// Says which cameras of a file are not looked through, or not as they are.
 void noteCameras(GltfImport& import, const std::optional<GltfCamera>& chosen) {
     if (!chosen && !import.cameras.empty()) {
@@ -398,6 +386,16 @@ std::optional<std::size_t> animationOf(std::span<const PlayableAnimation> animat
     const auto named = first([&](std::size_t i) { return animations[i].name == text; });
     const std::string_view digits = text.starts_with('#') ? text.substr(1) : text;
     return named ? named : first([&](std::size_t i) { return std::to_string(i) == digits; });
+}
+
+GltfLimits limitsOf(const GltfChoice& choice) {
+    requireUsable(choice);
+    GltfLimits limits;
+    if (choice.textureMiB) {
+        limits.textureMemory = *choice.textureMiB << 20u;
+    }
+    limits.pointRadius = choice.pointRadius;
+    return limits;
 }
 
 std::optional<double> secondsAt(const GltfChoice& choice, std::uint32_t frame) {
