@@ -101,10 +101,10 @@ bool castsShadows(const render::RenderOptions& options) {
 
 render::RenderOptions renderOptions(const ViewSettings& settings, std::size_t side,
                                     const PictureExtent& extent) {
-    const std::uint32_t eyes = stereoPictureOf(settings) == options::StereoPicture::sideBySide ? 2 : 1;
+    const PictureExtent eye = extentOfEye(settings, extent);
     render::RenderOptions options = settings.drawing;
-    options.width = std::max(extent.width / eyes, 1u);
-    options.height = extent.height;
+    options.width = eye.width;
+    options.height = eye.height;
     options.technique = side == 1 && settings.second ? *settings.second : settings.technique;
     leaveOutUnused(options);
     return options;
