@@ -175,9 +175,12 @@ void Session::update(const SessionInput& input) {
     request.isSteered = input.isSteered || (m_model.camera.motion == Motion::free && m_asked.has_value() &&
                                             m_asked->camera != request.camera);
     Wanted wanted{.request = std::move(request),
+    // A request that failed is not repeated.
+    const bool isFading =
+        fades(m_model.picture.shown.get()) && m_model.picture.shown->serial == m_shownSerial;
                   .isFlying = input.isSteered || m_model.camera.motion != Motion::free ||
                               m_model.camera.playback.isPlaying,
-                  .rendersAlways = m_model.performance.rendersAlways,
+                  .rendersAlways = m_model.performance.rendersAlways || isFading,
                   .surfacesAreDue = (input.area.contains(input.cursor) || input.isSteered) &&
                                     now - m_surfacesAsked >= kSurfacesEvery,
                   .isThreadReady = m_thread->isReady()};
