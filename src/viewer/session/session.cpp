@@ -54,10 +54,11 @@ void Session::renewDevice() {
 void Session::followPath(double seconds) {
     // A tour waits while another scene is opened.
     const bool isOnTour = m_model.camera.motion == Motion::tour && m_model.settings.scene == kTourScene;
-    if (m_model.camera.motion == Motion::recording || isOnTour) {
+    const bool isShown = m_model.picture.shown != nullptr;
+    if (isShown && (m_model.camera.motion == Motion::recording || isOnTour)) {
         m_model.camera.playedSeconds += seconds;
     }
-    if (m_model.camera.motion == Motion::free || m_model.picture.shown == nullptr || !m_thread->isReady()) {
+    if (m_model.camera.motion == Motion::free || !isShown || !m_thread->isReady()) {
         return;
     }
     if (m_model.camera.motion == Motion::scenePath) {
