@@ -28,6 +28,7 @@ RenderResult answerOrExplain(SceneRenderer& renderer, const RenderRequest& reque
     }
     // On the heap: GCC 12 takes part of one on the stack for uninitialised.
     const auto result = std::make_unique<RenderResult>();
+    result->settings = request.settings;
     result->serial = request.serial;
     result->failure = std::move(failure);
     return std::move(*result);

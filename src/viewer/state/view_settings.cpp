@@ -110,6 +110,15 @@ render::RenderOptions renderOptions(const ViewSettings& settings, std::size_t si
     return options;
 }
 
+ViewSettings settingsAfterFailure(const ViewSettings& now, const ViewSettings& failed,
+                                  const ViewSettings& shown) {
+    ViewSettings asked = failed;
+    asked.divider = now.divider;
+    ViewSettings next = now == asked ? shown : now;
+    next.divider = now.divider;
+    return next;
+}
+
 void compareTwo(ViewSettings& settings, bool compares) {
     settings.second.reset();
     if (compares) {
