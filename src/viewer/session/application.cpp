@@ -168,7 +168,9 @@ bool Application::isMoving() const {
 }
 
 bool Application::isRedrawDue() const {
-    return m_redraws > 0 || (isMoving() && Clock::now() - m_lastFrame >= kRedrawEvery);
+    const auto now = Clock::now();
+    return m_redraws > 0 || m_model.interface.notice.isOverSince(m_lastFrame, now) ||
+           (isMoving() && now - m_lastFrame >= kRedrawEvery);
 }
 
 void Application::layOut() {
