@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/gpu/vulkan_hpp.h>
+#include <viewer/session/arguments.h>
 #include <viewer/session/render_thread.h>
 #include <viewer/session/startup.h>
 
@@ -12,6 +13,7 @@
 #include <new>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace cdr::viewer_test {
 
@@ -25,6 +27,20 @@ TEST(FreeName, TakesAFileThatCannotBeSeenForOne) {
     EXPECT_EQ(freeName(stem, ".png"), stem + "-0001.png");
     std::filesystem::create_symlink("cdr-0001.png", stem + "-0001.png"); // to itself
     EXPECT_EQ(freeName(stem, ".png"), stem + "-0002.png");
+}
+
+/// Parameters of a technique are separated by commas too.
+TEST(ComparedPair, IsSplitWhereBothSidesAreTechniques) {
+    const std::string fitted = "anchored/fitted:0.00001px,max=32";
+    for (const auto& [left, right] :
+         {std::pair<std::string, std::string>{fitted, "cdr"}, {"standard", fitted}, {fitted, fitted}}) {
+        const auto pair = parsePair(left + "," + right);
+        EXPECT_EQ(pair[0], depth::parseTechnique(left));
+        EXPECT_EQ(pair[1], depth::parseTechnique(right));
+    }
+    for (const char* bad : {"standard", "standard,", "standard,nonsense", "nonsense,cdr", ",", ""}) {
+        EXPECT_THROW(parsePair(bad), base::InputError) << bad;
+    }
 }
 
 template <typename Error>
