@@ -109,6 +109,27 @@ TEST(Trace, CountsWhatItDoesNotKeep) {
     EXPECT_EQ(document.at("otherData").at("dropped_events"), 5u);
 }
 
+TEST(Trace, KeepsNoMoreFramesThanEventsAndNoneOnceStopped) {
+    Trace trace(1);
+    for (std::size_t i = 0; i < Trace::kMaxEventsPerTrack; ++i) {
+        trace.beginFrame("frame");
+    }
+    const Trace::Clock::time_point now = Trace::Clock::now();
+    trace.addStage("cull", now, now);
+    trace.stop();
+    trace.beginFrame("ignored");
+    trace.addStage("ignored", now, now);
+    ASSERT_EQ(trace.stages().size(), 1u);
+    EXPECT_EQ(trace.stages()[0].frame, Trace::kMaxEventsPerTrack);
+    const ordered_json document = trace.toJson();
+    EXPECT_EQ(document.at("otherData").at("dropped_events"), 1u) << "the frame that has no name";
+    const auto names = namesByTrack(document);
+    EXPECT_FALSE(names.contains("frames"));
+    EXPECT_EQ(names.at("stages").size(), 1u);
+    trace.forget();
+    EXPECT_TRUE(namesByTrack(trace.toJson()).empty());
+}
+
 TEST(Trace, AnEmptyOneIsStillATrace) {
     const ordered_json document = Trace(1).toJson();
     EXPECT_TRUE(document.at("traceEvents").is_array());

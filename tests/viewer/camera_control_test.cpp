@@ -1,4 +1,5 @@
 #include <viewer/session/camera_control.h>
+#include <viewer/state/camera/stereo_view.h>
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -56,6 +57,29 @@ double flown(std::initializer_list<int> keys) {
     constexpr double kSeconds = 0.01;
     control.apply({}, kSeconds, model);
     return glm::length(model.camera.now.position);
+}
+
+/// The camera after Alt and the wheel, with two eyes beside each other or one.
+scene::Camera zoomedAt(double x, const PictureArea& area, const ViewSettings& settings) {
+    CameraControl control = holding({GLFW_KEY_LEFT_ALT});
+    ViewerModel model;
+    model.settings = settings;
+    model.camera.isThere = true;
+    control.handle(MoveInput{x, 70.0}, area, InputOwner::picture, model);
+    control.handle(ScrollInput{.y = 2.0}, area, InputOwner::picture, model);
+    control.apply(area, 0.01, model);
+    return model.camera.now;
+}
+
+TEST(LensOfTwoEyes, NarrowsAboutWhatTheEyeUnderTheCursorSees) {
+    const PictureArea both{.extent = {400, 150}};
+    const PictureArea one{.extent = {200, 150}};
+    const ViewSettings beside = withNextStereo({}, 10.0);
+    const scene::Camera expected = zoomedAt(30.0, one, {});
+    EXPECT_NE(expected, ViewerModel().camera.now);
+    EXPECT_EQ(zoomedAt(30.0, both, beside), expected);
+    EXPECT_EQ(zoomedAt(230.0, both, beside), expected);
+    EXPECT_NE(zoomedAt(30.0, both, {}), expected);
 }
 
 TEST(HeldKeys, OfOneMeaningAreLetOneByOne) {

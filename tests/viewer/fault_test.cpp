@@ -152,6 +152,13 @@ std::vector<Fault> passing() {
 
 INSTANTIATE_TEST_SUITE_P(Surface, ViewerMended, testing::ValuesIn(passing()));
 
+TEST_F(ViewerFault, SavesTheRecordedPathWhenTheDeviceIsLost) {
+    const RunResult run = suffer({.call = "vkQueueSubmit2", .device = "render", .after = 30},
+                                 "wait-frame\nkey R\nhold W\nwait-frame 1000\nquit\n");
+    expectOneLine(run, 1, kLost);
+    EXPECT_EQ(files(), std::vector<std::string>{"camera-path-0001.json"});
+}
+
 TEST_F(ViewerFault, KeepsThePictureWhenMemoryRunsOut) {
     // What a window of 240x180 needs was had by then; what 1920x1080 needs is not to be had.
     const RunResult run = suffer(

@@ -23,8 +23,9 @@ TEST_F(LayersOfTheViewer, AreSetAndClearedForWhatIsPicked) {
         kOpened + "picture own.png\n" + kPickPoster + "window before.png\n" + kBehindTheWall +
             "state\npicture set.png\nwindow after.png\nmove 278 242\nwait-ui 2\nwait-frame\nstate\ncommand\n" +
             "key V\nkey V\nkey V\nkey V\nwait-frame\nstate\nkey V\nkey V\nwait-frame\n" +
+            "click 8/layer\ntype 1e-40\nkey enter\nwait-ui 2\nwait-frame\nstate\n" +
             "click the scene's own\nwait-ui 2\nwait-frame\nstate\npicture cleared.png\nquit\n");
-    const auto states = run.states(4);
+    const auto states = run.states(5);
     EXPECT_EQ(valueOf(states[0], "picked").substr(0, 6), "poster") << states[0];
     EXPECT_EQ(valueOf(states[0], "layer"), "poster=-1");
     EXPECT_GT(difference(picture("set.png"), picture("own.png")), 0.003);
@@ -32,7 +33,9 @@ TEST_F(LayersOfTheViewer, AreSetAndClearedForWhatIsPicked) {
         << "not what the new layer shows: " << states[1];
     EXPECT_EQ(valueOf(states[2], "view"), "wrong");
     EXPECT_EQ(valueOf(states[2], "wrong"), "0") << "the answer has another layer";
-    EXPECT_EQ(valueOf(states[3], "layer"), "");
+    EXPECT_EQ(valueOf(states[3], "layer"), "poster=0.0001")
+        << "the command line refuses less than a normal float";
+    EXPECT_EQ(valueOf(states[4], "layer"), "");
     EXPECT_EQ(picture("cleared.png"), picture("own.png"));
     const auto commands = run.lines("cdr render");
     ASSERT_EQ(commands.size(), 1u);

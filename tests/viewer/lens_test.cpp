@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/scene/camera_recording.h>
+#include <viewer/session/player.h>
 #include <viewer/session/startup.h>
 
 #include <gtest/gtest.h>
@@ -69,6 +70,19 @@ TEST_F(ViewerTest, ASliderMovesTheAnimatedCameraAndTakesNothingThatIsNoNumber) {
     EXPECT_GT(std::stod(valueOf(states[0], "time")), 0.0) << states[0];
     EXPECT_EQ(valueOf(states[1], "time"), "0") << states[1];
     EXPECT_EQ(valueOf(states[2], "time"), "0") << states[2];
+}
+
+/// Opening takes far longer than a step of the window.
+TEST_F(ViewerTest, PlaysARecordingFromItsBeginningOnceTheSceneIsOpen) {
+    scene::CameraRecording recording{.scene = "cubes", .cameras = {}};
+    for (const double seconds : {0.0, 1000.0}) { // the camera's place tells the time
+        const scene::Camera camera = scene::lookAt({}, {seconds, 0.0, 10.0}, {seconds, 0.0, 0.0});
+        ASSERT_TRUE(scene::record(recording, seconds, camera));
+    }
+    scene::writeRecording(folder() / "path.json", recording);
+    const RunResult run = play("--size 240x180 --technique standard --path path.json cubes",
+                               "wait-state shown=\nstate\nquit\n");
+    EXPECT_LE(std::stod(valueOf(run.states(1)[0], "eye")), 2.1 * viewer::Player::kStepSeconds);
 }
 
 TEST(Startup, ARecordingIsPlayedThroughTheLensOfTheCommandLine) {

@@ -132,13 +132,15 @@ TEST_F(ViewerTest, ViewsShowTheSameSceneDifferently) {
 }
 
 TEST_F(ViewerTest, FlipsShowWhileTheCameraMoves) {
-    const std::string script = "key V\nkey V\nkey V\nkey V\nkey V\nwait-frame\nkey space\nwait-frame 8\n"
-                               "wait-state flipped=\nstate\npicture standard.png\nkey space\nquit\n";
+    const std::string script =
+        "key V\nkey V\nkey V\nkey V\nkey V\nwait-frame\nkey space\nwait-frame 8\n"
+        "wait-state flipped=\nstate\npicture standard.png\nkey space\nwait-frame\nstate\nquit\n";
     const RunResult standard = play(kSmall + "afc --technique standard", script);
-    const auto states = standard.states(1);
+    const auto states = standard.states(2);
     EXPECT_GT(std::stoi(valueOf(states[0], "flipped")), 100) << states[0];
+    EXPECT_EQ(valueOf(states[1], "flipped"), "0") << "they fade at rest: " << states[1];
     const RunResult anchored = play(kSmall + "afc --technique anchored", script);
-    EXPECT_LT(std::stoi(valueOf(anchored.states(1)[0], "flipped")), 10);
+    EXPECT_LT(std::stoi(valueOf(anchored.states(2)[0], "flipped")), 10);
 }
 
 /// As the keys 1 to 6 do.

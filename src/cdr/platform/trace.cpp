@@ -76,7 +76,11 @@ class Trace::Writer {
             add(device ? kDeviceTrack : kStageTrack, stage.name, stage.begin, stage.end, stage.frame);
         }
         for (const auto& [frame, span] : frames) {
-            add(kFrameTrack, m_trace.m_frames[frame], span.begin, span.end, frame);
+            if (frame < m_trace.m_frames.size()) {
+                add(kFrameTrack, m_trace.m_frames[frame], span.begin, span.end, frame);
+            } else {
+                ++m_dropped;
+            }
         }
         m_dropped += m_trace.m_droppedStages;
     }
@@ -147,7 +151,13 @@ class Trace::Writer {
 Trace::Trace(std::size_t workers) : m_frames{"before the first frame"}, m_workers(workers) {}
 
 void Trace::beginFrame(std::string name) {
-    m_frames.push_back(std::move(name));
+    if (m_stopped) {
+        return;
+    }
+    ++m_frame;
+    if (m_frames.size() < kMaxEventsPerTrack) {
+        m_frames.push_back(std::move(name));
+    }
 }
 
 void Trace::addStage(const char* name, Clock::time_point begin, Clock::time_point end) {
@@ -158,7 +168,7 @@ void Trace::addStage(const char* name, Clock::time_point begin, Clock::time_poin
         ++m_droppedStages;
         return;
     }
-    m_stages.push_back({.name = name, .frame = m_frames.size() - 1, .begin = begin, .end = end});
+    m_stages.push_back({.name = name, .frame = m_frame, .begin = begin, .end = end});
 }
 
 void Trace::addJob(std::size_t worker, const Job& job) {
@@ -170,11 +180,12 @@ void Trace::addJob(std::size_t worker, const Job& job) {
         ++track.dropped;
         return;
     }
-    track.jobs.push_back({.frame = m_frames.size() - 1, .job = job});
+    track.jobs.push_back({.frame = m_frame, .job = job});
 }
 
 void Trace::forget() {
     m_frames.resize(1);
+    m_frame = 0;
     m_stages.clear();
     m_droppedStages = 0;
     for (WorkerTrack& track : m_workers) {

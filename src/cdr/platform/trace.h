@@ -99,7 +99,8 @@ class CDR_EXPORT Trace {
     class Writer;
 
     Clock::time_point m_start = Clock::now();
-    std::vector<std::string> m_frames;
+    std::vector<std::string> m_frames; ///< names
+    std::size_t m_frame = 0;           ///< that events belong to, perhaps beyond the names
     std::vector<Stage> m_stages;
     std::size_t m_droppedStages = 0;
     std::vector<WorkerTrack> m_workers;

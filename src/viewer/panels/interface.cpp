@@ -59,8 +59,7 @@ void initVulkan(ImGui_ImplVulkan_InitInfo info, vk::RenderPass renderPass) {
 Interface::Interface(const UiDevice& ui, Window& window, const Presenter& presenter, double scale)
     : m_device(ui.device()),
       m_window(window),
-      m_scale(static_cast<float>(scale > 0.0 ? scale : window.textScale())),
-      m_pixelsPerUnit(static_cast<float>(window.pixelsPerUnit())) {
+      m_scale(static_cast<float>(scale > 0.0 ? scale : window.textScale())) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr; // layout is ours, nothing is left behind
     io.LogFilename = nullptr;
@@ -107,9 +106,10 @@ Interface::Context::~Context() {
 
 void Interface::loadFont() const {
     ImGuiIO& io = ImGui::GetIO();
-    const float pixels = std::round(kTextHeight * m_scale * m_pixelsPerUnit);
-    // Drawn at the display's pixels, laid out in screen coordinates.
-    io.FontGlobalScale = 1.0f / m_pixelsPerUnit;
+    const auto pixelsPerUnit = static_cast<float>(m_window.pixelsPerUnit());
+    const float pixels = std::round(kTextHeight * m_scale * pixelsPerUnit);
+    // Drawn at the display's pixels, laid out in screen coordinates. It keeps its size there if the display changes.
+    io.FontGlobalScale = 1.0f / pixelsPerUnit;
 #ifdef CDR_VIEWER_FONT
     // Latin, Greek and Cyrillic letters, as names have them, and the signs of our own text.
     static constexpr ImWchar kGlyphs[] = {0x20,   0x17f,  0x370,  0x52f,  0x2013, 0x2026, 0x2070, 0x207b,
@@ -139,9 +139,10 @@ void Interface::begin(double seconds, ArrowKeys keys) {
     io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 1.0));
     // The window's size as the callbacks told it, so that injected sizes count too.
     const vk::Extent2D extent = m_window.extent();
-    io.DisplaySize = {static_cast<float>(extent.width) / m_pixelsPerUnit,
-                      static_cast<float>(extent.height) / m_pixelsPerUnit};
-    io.DisplayFramebufferScale = {m_pixelsPerUnit, m_pixelsPerUnit};
+    const auto pixelsPerUnit = static_cast<float>(m_window.pixelsPerUnit()); // another one on another display
+    io.DisplaySize = {static_cast<float>(extent.width) / pixelsPerUnit,
+                      static_cast<float>(extent.height) / pixelsPerUnit};
+    io.DisplayFramebufferScale = {pixelsPerUnit, pixelsPerUnit};
 #if IMGUI_VERSION_NUM < 18700 // asks GLFW for the pointer, which knows nothing of injected input
     const Pointer& pointer = m_window.pointer();
     io.MousePos = {static_cast<float>(pointer.x), static_cast<float>(pointer.y)};

@@ -48,7 +48,6 @@ class Interface {
     const gpu::Device& m_device;
     Window& m_window;
     float m_scale;
-    float m_pixelsPerUnit;
     vk::UniqueDescriptorPool m_descriptors;
     Context m_context;
 };

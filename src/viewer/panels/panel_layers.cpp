@@ -19,7 +19,8 @@ void drawLayer(const Widgets& widgets, const scene::Scene& scene, std::uint32_t 
     const scene::Material& own = scene.materials[material];
     widgets.value("material", own.name.empty() ? scenes::materialName(scene, material) : own.name);
     float layer = chosenLayer(settings, scene, material).value_or(own.layer);
-    if (widgets.number(fmt::format("{}/layer", material), layer) && std::isfinite(layer)) {
+    const bool isTyped = widgets.number(fmt::format("{}/layer", material), layer);
+    if (isTyped && (layer == 0.0f || std::isnormal(layer))) { // as --layer takes it
         chooseLayer(settings, scene, material, layer);
     }
     if (own.alphaMode == scene::AlphaMode::blend) {

@@ -168,7 +168,9 @@ bool Application::isMoving() const {
 }
 
 bool Application::isRedrawDue() const {
-    return m_redraws > 0 || (isMoving() && Clock::now() - m_lastFrame >= kRedrawEvery);
+    const auto now = Clock::now();
+    return m_redraws > 0 || m_model.interface.notice.isOverSince(m_lastFrame, now) ||
+           (isMoving() && now - m_lastFrame >= kRedrawEvery);
 }
 
 void Application::layOut() {
@@ -229,6 +231,16 @@ void Application::drawFrame() {
 }
 
 void Application::run() {
+    std::exception_ptr failure;
+    try {
+        serve();
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    finish(failure);
+}
+
+void Application::serve() {
     const auto began = Clock::now();
     while (goesOn()) {
         wait();
@@ -267,7 +279,6 @@ void Application::run() {
         platform::printOutput(
             statisticsReport(m_model.performance, m_session.results(), secondsSince(began), m_uiIntervals));
     }
-    finish();
 }
 
 void Application::saveScreenshot() {
@@ -285,8 +296,9 @@ void Application::saveScreenshot() {
     }
 }
 
-void Application::finish() {
-    std::exception_ptr failure; // nobody sees a notice any more
+void Application::finish(std::exception_ptr failure) {
+    const bool isFailed = failure != nullptr;
+    // Thrown at the end, since nobody sees a notice any more.
     const auto attempt = [&](void (Application::*save)()) {
         try {
             (this->*save)();
@@ -300,7 +312,7 @@ void Application::finish() {
     if (m_model.camera.recorder.isRecording()) {
         attempt(&Application::toggleRecording);
     }
-    if (!m_arguments.screenshot.empty()) {
+    if (!isFailed && !m_arguments.screenshot.empty()) {
         attempt(&Application::saveScreenshot);
     }
     m_window.hide(); // the end waits for the picture being rendered; hidden meanwhile

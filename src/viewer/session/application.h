@@ -17,6 +17,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -73,8 +74,12 @@ class Application {
     void present(image::ImageRgba8* capture, ImDrawData* drawn);
     void savePicture(const std::filesystem::path& file);
     void saveScreenshot();
-    /// Saves what is still to be saved. A failure does not keep the rest from being saved, and is thrown at the end.
-    void finish();
+    /// What run() does until the window closes.
+    void serve();
+    /// Saves what is still to be saved, but no screenshot after a failure. One does not keep the rest from being saved; the
+    /// first is thrown at the end.
+    /// @param failure that came before; null: none.
+    void finish(std::exception_ptr failure);
 
     Arguments m_arguments;
     ViewerModel m_model;

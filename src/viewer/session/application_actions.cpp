@@ -7,6 +7,7 @@
 #include <cdr/platform/file.h>
 #include <viewer/state/camera/framing.h>
 #include <viewer/state/camera/obstacles.h>
+#include <viewer/state/camera/stereo_view.h>
 #include <viewer/state/plain_words.h>
 #include <viewer/state/shown_picture.h>
 #include <viewer/state/tour.h>
@@ -136,7 +137,7 @@ void Application::frameSelected() {
         m_model.interface.sayProblem("nothing is selected: click an object first");
         return;
     }
-    const double aspect = pictureArea().extent.aspect();
+    const double aspect = extentOfEye(m_model.settings, pictureArea().extent).aspect();
     const Ball ball = ballOf(m_model.picture.shown->obstacles->instances(), last->object);
     m_model.camera.motion = Motion::free;
     m_model.camera.followsAnimation = false;

@@ -15,6 +15,7 @@
 #include <options/parsed_option.h>
 #include <program/build_info.h>
 
+#include <exception>
 #include <memory>
 
 namespace cdr::viewer {
@@ -98,11 +99,20 @@ void addMeasuringOptions(CLI::App& program, Arguments& arguments) {
 } // namespace
 
 std::array<depth::Technique, 2> parsePair(std::string_view text) {
-    const std::size_t comma = text.find(',');
-    if (comma == std::string_view::npos) {
-        throw base::inputError("--compare must be LEFT,RIGHT, not '{}'", text.substr(0, 60));
+    std::exception_ptr failure; // at the first comma, though parameters of a technique have some too
+    for (std::size_t comma = text.find(','); comma != std::string_view::npos;
+         comma = text.find(',', comma + 1)) {
+        try {
+            return {depth::parseTechnique(text.substr(0, comma)),
+                    depth::parseTechnique(text.substr(comma + 1))};
+        } catch (const base::InputError&) {
+            failure = failure != nullptr ? failure : std::current_exception();
+        }
     }
-    return {depth::parseTechnique(text.substr(0, comma)), depth::parseTechnique(text.substr(comma + 1))};
+    if (failure != nullptr) {
+        std::rethrow_exception(failure);
+    }
+    throw base::inputError("--compare must be LEFT,RIGHT, not '{}'", text.substr(0, 60));
 }
 
 PictureExtent parseWindowSize(std::string_view text) {

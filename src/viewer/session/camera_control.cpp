@@ -6,6 +6,7 @@
 #include <viewer/state/camera/gamepad.h>
 #include <viewer/state/camera/lens_zoom.h>
 #include <viewer/state/camera/obstacles.h>
+#include <viewer/state/camera/stereo_view.h>
 
 #include <GLFW/glfw3.h>
 
@@ -162,10 +163,11 @@ bool CameraControl::isActive() const {
 
 void CameraControl::apply(const PictureArea& area, double seconds, ViewerModel& model) {
     readGamepad();
-    m_input.extent = area.extent;
+    m_input.extent = extentOfEye(model.settings, area.extent);
     m_input.seconds = seconds;
     m_input.flies = m_held == GLFW_MOUSE_BUTTON_RIGHT;
-    const CameraInput input = m_input;
+    CameraInput input = m_input;
+    input.cursor = inEye(model.settings, area.extent, input.cursor);
     m_input.drag = m_input.look = m_input.turn = m_input.pan = glm::dvec2(0.0);
     m_input.scroll = m_input.lens = 0.0;
     const bool drags = input.drag + input.look + input.turn + input.pan != glm::dvec2(0.0);

@@ -7,6 +7,9 @@
 
 #include <exception>
 #include <memory>
+#include <new>
+#include <string>
+#include <system_error>
 #include <utility>
 
 namespace cdr::viewer {
@@ -19,21 +22,38 @@ RenderResult answerOrExplain(SceneRenderer& renderer, const RenderRequest& reque
     RenderFailure failure;
     try {
         return renderer.answer(request, stop);
-    } catch (const base::InputError& error) {
-        failure = {error.what(), std::current_exception()};
-    } catch (const base::RunError& error) {
-        failure = {error.what(), std::current_exception()};
-    } catch (const vk::OutOfDeviceMemoryError&) {
-        failure = {"the device has too little memory for that", std::current_exception()};
+    } catch (...) {
+        failure = explainFailure();
     }
     // On the heap: GCC 12 takes part of one on the stack for uninitialised.
     const auto result = std::make_unique<RenderResult>();
     result->serial = request.serial;
+    result->settings = request.settings;
     result->failure = std::move(failure);
     return std::move(*result);
 }
 
 } // namespace
+
+RenderFailure explainFailure() {
+    std::string message;
+    try {
+        throw;
+    } catch (const base::InputError& error) {
+        message = error.what();
+    } catch (const base::RunError& error) {
+        message = error.what();
+    } catch (const vk::OutOfDeviceMemoryError&) {
+        message = "the device has too little memory for that";
+    } catch (const vk::SystemError&) { // a std::system_error too
+        throw;
+    } catch (const std::system_error& error) { // such as of a thread that cannot start
+        message = error.what();
+    } catch (const std::bad_alloc&) {
+        message = "out of memory";
+    }
+    return {std::move(message), std::current_exception()};
+}
 
 RenderThread::RenderThread(const gpu::Device& device, std::function<void()> notify)
     : m_notify(std::move(notify)),

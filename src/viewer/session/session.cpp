@@ -54,10 +54,11 @@ void Session::renewDevice() {
 void Session::followPath(double seconds) {
     // A tour waits while another scene is opened.
     const bool isOnTour = m_model.camera.motion == Motion::tour && m_model.settings.scene == kTourScene;
-    if (m_model.camera.motion == Motion::recording || isOnTour) {
+    const bool isShown = m_model.picture.shown != nullptr;
+    if (isShown && (m_model.camera.motion == Motion::recording || isOnTour)) {
         m_model.camera.playedSeconds += seconds;
     }
-    if (m_model.camera.motion == Motion::free || m_model.picture.shown == nullptr || !m_thread->isReady()) {
+    if (m_model.camera.motion == Motion::free || !isShown || !m_thread->isReady()) {
         return;
     }
     if (m_model.camera.motion == Motion::scenePath) {
@@ -174,10 +175,13 @@ void Session::update(const SessionInput& input) {
     RenderRequest request = wantedRequest(input.area);
     request.isSteered = input.isSteered || (m_model.camera.motion == Motion::free && m_asked.has_value() &&
                                             m_asked->camera != request.camera);
+    // A request that failed is not repeated.
+    const bool isFading =
+        fades(m_model.picture.shown.get()) && m_model.picture.shown->serial == m_shownSerial;
     Wanted wanted{.request = std::move(request),
                   .isFlying = input.isSteered || m_model.camera.motion != Motion::free ||
                               m_model.camera.playback.isPlaying,
-                  .rendersAlways = m_model.performance.rendersAlways,
+                  .rendersAlways = m_model.performance.rendersAlways || isFading,
                   .surfacesAreDue = (input.area.contains(input.cursor) || input.isSteered) &&
                                     now - m_surfacesAsked >= kSurfacesEvery,
                   .isThreadReady = m_thread->isReady()};
@@ -232,11 +236,10 @@ bool Session::takeResult() {
         std::rethrow_exception(result->failure->error);
     }
     m_model.interface.sayProblem(result->failure->message);
-    if (m_model.camera.motion == Motion::tour && m_model.settings.scene == kTourScene) {
+    if (m_model.camera.motion == Motion::tour && result->settings.scene == kTourScene) {
         m_model.camera.motion = Motion::free; // it would fail again
     }
-    m_good.divider = m_model.settings.divider;
-    m_model.settings = m_good;
+    m_model.settings = settingsAfterFailure(m_model.settings, result->settings, m_good);
     return false;
 }
 

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <system_error>
+
 namespace cdr::viewer {
 
 namespace {
@@ -97,7 +99,8 @@ std::filesystem::path freeName(const std::string& stem, const std::string& exten
     constexpr int kMaxNumbers = 10'000;
     for (int number = 1; number < kMaxNumbers; ++number) {
         std::filesystem::path name = fmt::format("{}-{:04}{}", stem, number, extension);
-        if (!std::filesystem::exists(name)) {
+        std::error_code unknown; // a name that cannot be looked at counts as taken
+        if (std::filesystem::status(name, unknown).type() == std::filesystem::file_type::not_found) {
             return name;
         }
     }

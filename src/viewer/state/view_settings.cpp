@@ -101,13 +101,22 @@ bool castsShadows(const render::RenderOptions& options) {
 
 render::RenderOptions renderOptions(const ViewSettings& settings, std::size_t side,
                                     const PictureExtent& extent) {
-    const std::uint32_t eyes = stereoPictureOf(settings) == options::StereoPicture::sideBySide ? 2 : 1;
+    const PictureExtent eye = extentOfEye(settings, extent);
     render::RenderOptions options = settings.drawing;
-    options.width = std::max(extent.width / eyes, 1u);
-    options.height = extent.height;
+    options.width = eye.width;
+    options.height = eye.height;
     options.technique = side == 1 && settings.second ? *settings.second : settings.technique;
     leaveOutUnused(options);
     return options;
+}
+
+ViewSettings settingsAfterFailure(const ViewSettings& now, const ViewSettings& failed,
+                                  const ViewSettings& shown) {
+    ViewSettings asked = failed;
+    asked.divider = now.divider;
+    ViewSettings next = now == asked ? shown : now;
+    next.divider = now.divider;
+    return next;
 }
 
 void compareTwo(ViewSettings& settings, bool compares) {

@@ -68,6 +68,10 @@ void chooseLayer(ViewSettings& settings, const scene::Scene& scene, std::uint32_
 /// Gives a material the scene's own layer again, and with it those of its name that were given one as one.
 void clearLayer(ViewSettings& settings, const scene::Scene& scene, std::uint32_t material);
 
+/// What is wanted once a request failed: what was last shown, unless something else was chosen since. The divider stays.
+ViewSettings settingsAfterFailure(const ViewSettings& now, const ViewSettings& failed,
+                                  const ViewSettings& shown);
+
 /// Splits the screen, with `anchored` in the format of the left side at the right, or joins it.
 void compareTwo(ViewSettings& settings, bool compares);
 

@@ -104,9 +104,13 @@ void Swapchain::present(vk::Queue queue, std::uint32_t image) {
 }
 
 bool Swapchain::isOutgrown(const gpu::Device& device, vk::SurfaceKHR surface, vk::Extent2D wanted) const {
-    const vk::SurfaceCapabilitiesKHR now =
-        vk::PhysicalDevice(device.physical()).getSurfaceCapabilitiesKHR(surface);
-    return chooseSurfaceExtent(now, wanted) != m_extent || now.currentTransform != m_transform;
+    try {
+        const vk::SurfaceCapabilitiesKHR now =
+            vk::PhysicalDevice(device.physical()).getSurfaceCapabilitiesKHR(surface);
+        return chooseSurfaceExtent(now, wanted) != m_extent || now.currentTransform != m_transform;
+    } catch (const vk::SurfaceLostKHRError&) {
+        return true; // whoever makes the next one learns of it
+    }
 }
 
 vk::UniqueRenderPass makeWindowPass(vk::Device device, vk::Format format) {

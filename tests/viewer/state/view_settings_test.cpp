@@ -112,6 +112,21 @@ TEST(ViewSettings, ChoosingTheSameFileAgainIsAnotherRequest) {
     EXPECT_EQ(settings, cubes);
 }
 
+/// A request may fail long after it was asked.
+TEST(ViewSettings, AFailureLeavesWhatWasChosenSince) {
+    ViewSettings good;
+    good.divider = 0.1;
+    ViewSettings failed = good;
+    chooseScene(failed, "missing.glb");
+    ViewSettings now = failed;
+    now.divider = 0.3; // pictures do not depend on it
+    const ViewSettings mended = settingsAfterFailure(now, failed, good);
+    EXPECT_EQ(mended.scene, good.scene);
+    EXPECT_EQ(mended.divider, 0.3);
+    chooseScene(now, "cubes");
+    EXPECT_EQ(settingsAfterFailure(now, failed, good), now);
+}
+
 TEST(Explanations, EachChoiceHasASentenceOfItsOwn) {
     std::set<std::string> seen;
     const auto expectSentence = [&](std::string_view text) {

@@ -1,5 +1,7 @@
 #include "playback.h"
 
+#include <cdr/base/format_error.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -57,6 +59,10 @@ Playback playbackOf(scene::GltfChoice& choice, std::uint32_t frame) {
     Playback playback;
     if (choice.framesPerSecond) {
         playback.seconds = frame / *choice.framesPerSecond;
+        if (!std::isfinite(playback.seconds)) {
+            throw base::inputError("--frame {} at --fps {} is at no finite time", frame,
+                                   *choice.framesPerSecond);
+        }
     } else if (choice.animation || choice.seconds) {
         playback.seconds = choice.seconds.value_or(0.0);
         choice.seconds.reset();

@@ -36,6 +36,7 @@ struct Playback {
 scene::GltfChoice withAnimation(scene::GltfChoice choice, const scene::OpenedScene& scene, int number);
 
 /// The choice of a command line made ready for playing: a moment without a rate is where playing begins.
+/// base::InputError for a frame at no finite moment.
 /// @param frame of the command line
 Playback playbackOf(scene::GltfChoice& choice, std::uint32_t frame);
 

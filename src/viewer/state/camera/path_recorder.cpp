@@ -30,12 +30,12 @@ bool PathRecorder::add(double seconds, const scene::Camera& camera) {
     const scene::RecordedCamera now{.seconds = m_seconds, .camera = camera};
     if (m_recording.cameras.empty()) {
         keep(now);
-    } else if (m_last->camera != camera) {
+    } else {
         const double kept = m_recording.seconds();
-        if (m_last->camera == m_recording.cameras.back().camera) {
+        if (m_last->camera != camera && m_last->camera == m_recording.cameras.back().camera) {
             keep(*m_last); // it rested until then
         }
-        if (m_seconds - kept >= 1.0 / kCamerasPerSecond) {
+        if (camera != m_recording.cameras.back().camera && m_seconds - kept >= 1.0 / kCamerasPerSecond) {
             keep(now);
         }
     }

@@ -58,6 +58,17 @@ ViewSettings withNextStereo(ViewSettings settings, double surfaceView) {
     return withStereo(std::move(settings), next, surfaceView);
 }
 
+PictureExtent extentOfEye(const ViewSettings& settings, const PictureExtent& picture) {
+    const std::uint32_t eyes = stereoPictureOf(settings) == options::StereoPicture::sideBySide ? 2 : 1;
+    return {.width = std::max(picture.width / eyes, 1u), .height = picture.height};
+}
+
+glm::dvec2 inEye(const ViewSettings& settings, const PictureExtent& picture, const glm::dvec2& pixel) {
+    const double width = extentOfEye(settings, picture).width;
+    const bool isInRight = width < picture.width && pixel.x >= width;
+    return {isInRight ? std::min(pixel.x - width, width - 0.5) : pixel.x, pixel.y};
+}
+
 glm::dvec2 middleOf(const render::Frame& frame) {
     const double views = frame.views.empty() ? 1.0 : static_cast<double>(frame.views.size());
     return {frame.width() / (2.0 * views), frame.height() / 2.0};

@@ -23,6 +23,10 @@ ViewSettings withOtherEyes(ViewSettings settings);
 /// people see one picture. They take the place of those of the command line.
 void fitEyes(ViewSettings& settings, double surfaceView);
 
+/// What one eye has of a picture: half of its width where two stand beside each other.
+PictureExtent extentOfEye(const ViewSettings& settings, const PictureExtent& picture);
+/// A pixel of the picture, in that of the eye that it belongs to.
+glm::dvec2 inEye(const ViewSettings& settings, const PictureExtent& picture, const glm::dvec2& pixel);
 /// The pixel in the middle of what a camera sees: of two eyes, the left one.
 glm::dvec2 middleOf(const render::Frame& frame);
 /// How many columns of a frame, from its first, the picture's width stands for: in an anaglyph those of the left eye.

@@ -34,6 +34,12 @@ struct Notice {
     std::string text;
     NoticeKind kind = NoticeKind::news;
     std::chrono::steady_clock::time_point until{};
+
+    /// Whether a frame drawn at `last` may show it though it is over now.
+    bool isOverSince(std::chrono::steady_clock::time_point last,
+                     std::chrono::steady_clock::time_point now) const {
+        return last <= until && until < now;
+    }
 };
 
 /// What stands beside and over the picture.

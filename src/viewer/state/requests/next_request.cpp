@@ -1,5 +1,7 @@
 #include "next_request.h"
 
+#include <algorithm>
+
 namespace cdr::viewer {
 
 namespace {
@@ -27,6 +29,11 @@ std::optional<RenderRequest> decide(const RenderRequest* previous, Wanted wanted
     next.isAtRest = !wanted.isFlying && remembersFrames(next.settings);
     const bool isWorthAsking = wanted.rendersAlways || lacks(*previous, next);
     return isWorthAsking && wanted.isThreadReady ? std::optional(next) : std::nullopt;
+}
+
+bool fades(const RenderResult* shown) {
+    return shown != nullptr &&
+           std::ranges::any_of(shown->sides, [](const SideResult& side) { return side.flippedPixels > 0; });
 }
 
 } // namespace cdr::viewer

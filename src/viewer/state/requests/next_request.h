@@ -20,4 +20,8 @@ struct Wanted {
 /// @param previous null before the first.
 std::optional<RenderRequest> decide(const RenderRequest* previous, Wanted wanted);
 
+/// Whether a picture at rest goes on changing: flips that it shows have to fade.
+/// @param shown null before the first.
+bool fades(const RenderResult* shown);
+
 } // namespace cdr::viewer

@@ -1,3 +1,4 @@
+#include <cdr/base/error.h>
 #include <viewer/state/animation/playback.h>
 
 #include <gtest/gtest.h>
@@ -118,6 +119,14 @@ TEST(Playback, GoesToTheAnimationsOwnTime) {
     choice.seconds.reset();
     playback.goTo(0.5, choice);
     EXPECT_EQ(playback.moment(choice), 0.5);
+}
+
+/// Such a moment could not be played on from.
+TEST(Playback, RefusesAFrameAtNoFiniteMoment) {
+    scene::GltfChoice choice;
+    choice.framesPerSecond = 1e-308;
+    EXPECT_THROW(playbackOf(choice, 4294967295), base::InputError);
+    EXPECT_EQ(playbackOf(choice, 0).seconds, 0.0);
 }
 
 } // namespace

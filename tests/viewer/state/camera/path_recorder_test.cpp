@@ -46,6 +46,29 @@ TEST(PathRecorder, KeepsTheEndsOfARest) {
     EXPECT_EQ(scene::cameraAt(recorder.recording(), 5.0).position.x, 0.0);
 }
 
+/// Its first camera may come too soon after one that was kept.
+TEST(PathRecorder, KeepsTheEndsOfARestThatBeginsBetweenTwoOfThirtyASecond) {
+    const auto rested = [](bool leaves) {
+        PathRecorder recorder;
+        recorder.begin("cubes");
+        recorder.add(0.0, cameraAt(0.0));
+        recorder.add(0.05, cameraAt(1.0));
+        recorder.add(0.01, cameraAt(2.0));
+        for (int i = 0; i < 100; ++i) {
+            recorder.add(0.1, cameraAt(2.0));
+        }
+        if (leaves) {
+            recorder.add(0.1, cameraAt(3.0));
+        }
+        recorder.end();
+        return recorder.recording();
+    };
+    for (const bool leaves : {true, false}) {
+        EXPECT_EQ(scene::cameraAt(rested(leaves), 5.0).position.x, 2.0) << leaves;
+        EXPECT_EQ(rested(leaves).cameras.size(), leaves ? 5u : 4u);
+    }
+}
+
 TEST(PathRecorder, MayHoldNothingOrOneCamera) {
     PathRecorder recorder;
     EXPECT_FALSE(recorder.add(0.1, cameraAt(1.0))) << "not begun";

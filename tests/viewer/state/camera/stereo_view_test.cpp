@@ -62,6 +62,20 @@ TEST(StereoViewTest, EyesBesideEachOtherShareTheWidth) {
     EXPECT_EQ(columnsShown(withNextStereo(beside, 10.0), frame), 4u);
 }
 
+TEST(StereoViewTest, ACursorIsInThePictureOfOneEye) {
+    const ViewSettings beside = withNextStereo({}, 10.0);
+    const PictureExtent whole{641, 360};
+    EXPECT_EQ(extentOfEye(beside, whole), (PictureExtent{320, 360}));
+    EXPECT_EQ(extentOfEye({}, whole), whole);
+    EXPECT_EQ(extentOfEye(beside, {1, 360}), (PictureExtent{1, 360}));
+    EXPECT_EQ(inEye(beside, whole, {319.5, 7.0}), glm::dvec2(319.5, 7.0));
+    EXPECT_EQ(inEye(beside, whole, {330.0, 7.0}), glm::dvec2(10.0, 7.0));
+    EXPECT_EQ(inEye(beside, whole, {640.5, 7.0}), glm::dvec2(319.5, 7.0))
+        << "beyond both, as an odd width leaves a column";
+    EXPECT_EQ(inEye({}, whole, {330.0, 7.0}), glm::dvec2(330.0, 7.0));
+    EXPECT_EQ(inEye(beside, whole, kNoCursor), kNoCursor);
+}
+
 TEST(StereoViewTest, TheCopiedLineSaysTheEyes) {
     ReproducedView view{.settings = withNextStereo({}, 30.0),
                         .side = 0,

@@ -90,6 +90,16 @@ TEST(NextRequest, RenderingAlwaysAsksWheneverTheThreadIsReady) {
     EXPECT_FALSE(decide(&*first, wanted));
 }
 
+TEST(NextRequest, FlipsFadeAtRestUntilNoneIsLeft) {
+    EXPECT_FALSE(fades(nullptr));
+    RenderResult shown;
+    EXPECT_FALSE(fades(&shown));
+    shown.sides.resize(2);
+    EXPECT_FALSE(fades(&shown));
+    shown.sides[1].flippedPixels = 1;
+    EXPECT_TRUE(fades(&shown));
+}
+
 } // namespace
 
 } // namespace cdr::viewer
