@@ -47,7 +47,7 @@ CDR_CONST kMetallicRoughnessMask = 0xffu;
 CDR_CONST kFinishNone = 0u;
 CDR_CONST kFinishExposed = 1u; // times an exposure
 CDR_CONST kFinishNeutral = 2u; // times an exposure, then tone mapping by Khronos PBR Neutral
-CDR_CONST kFinishLater = 3u;   // a later step finishes, and half floats hold them until then
+CDR_CONST kFinishLater = 3u;   // a later step finishes; half floats hold the colours until then
 
 // Most cascades, depth::kMaxCascades.
 CDR_CONST kCascadeSlots = 64u;

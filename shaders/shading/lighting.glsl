@@ -114,7 +114,7 @@ vec3 lightOn(LitPoint point) {
         }
         light += record.color.rgb * (share * max(dot(point.normal, way), 0.0) / reach);
     }
-    return light;
+    return min(light, kMostLight);
 }
 
 // Light of a sky that microfacets mirror to the camera.

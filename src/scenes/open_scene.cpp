@@ -98,14 +98,15 @@ scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed,
             nameOrPath);
     }
     for (const Generator& generator : kGenerators) {
-        if (nameOrPath == generator.name && generator.open != nullptr) {
-            OrbitFiles files = orbitFiles();
-            files.limits = scene::limitsOf(choice);
-            return generator.open(files);
+        if (nameOrPath != generator.name) {
+            continue;
         }
-        if (nameOrPath == generator.name) {
+        if (generator.open == nullptr) {
             return {.setup = generator.make(seed), .notes = {}};
         }
+        OrbitFiles files = orbitFiles();
+        files.limits = scene::limitsOf(choice);
+        return generator.open(files);
     }
     throw base::InputError(base::unknownName("scene", nameOrPath, kNames) + ", or a .gltf or .glb file");
 }

@@ -44,6 +44,23 @@ TEST(Fault, ThatNeverComesChangesNothing) {
     EXPECT_FALSE(folder.isEmpty());
 }
 
+/// There depth is cleared within a scope, and no draw fills the G-buffer.
+TEST(Fault, ADeviceThatSaysItIsACardDrawsTheSame) {
+    const TemporaryFolder folder;
+    const std::string card = Fault{.call = "vkGetPhysicalDeviceProperties2",
+                                   .times = test::kForever,
+                                   .result = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU}
+                                 .environment();
+    EXPECT_NE(succeed("devices", folder.path(), card).out.find("discrete"), std::string::npos);
+    for (const char* options : {"", " --submission primaries", " --surface visibility", " --threads 3"}) {
+        const std::string command =
+            fmt::format("render afc --technique cdr --size 96x64 --validate{} -o ", options);
+        succeed(command + "here.png", folder.path());
+        succeed(command + "card.png", folder.path(), card);
+        EXPECT_EQ(readText(folder.path() / "card.png"), readText(folder.path() / "here.png")) << options;
+    }
+}
+
 constexpr const char* kLost = "the Vulkan device was lost";
 
 /// A call of every path and of what has passes of its own.

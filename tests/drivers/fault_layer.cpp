@@ -7,6 +7,7 @@
 // - DEVICE is "window" (devices with a swapchain), "render" (devices without) or "any".
 // - Calls are counted over all such devices. The first AFTER succeed, the next TIMES return RESULT, a VkResult.
 // - For vkGetPhysicalDeviceSurfaceCapabilitiesKHR by its name, RESULT replaces both sides of currentExtent; -1 is "any".
+// - For vkGetPhysicalDeviceProperties2, RESULT replaces the type of the device.
 // - Calls on the instance and its physical devices count as calls of "render", those on surfaces as calls of "window".
 // - For vkCmdSetViewport, RESULT moves the viewport to the right, in 1/16 of a pixel: a driver that draws beside the place.
 //
@@ -39,6 +40,7 @@ namespace {
 constexpr const char* kSurfaceCapabilities = "vkGetPhysicalDeviceSurfaceCapabilitiesKHR";
 constexpr const char* kCreateSwapchain = "vkCreateSwapchainKHR";
 constexpr const char* kSetViewport = "vkCmdSetViewport";
+constexpr const char* kProperties = "vkGetPhysicalDeviceProperties2";
 
 /// Whether a function can return a result, by the specification. Those that wait, submit or read results tell of a lost
 /// device; those do not run out of device memory that never take any.
@@ -182,6 +184,7 @@ Link* linkOf(const Info* info, VkStructureType type) {
 }
 
 constexpr std::array kOfInstances{kSurfaceCapabilities,
+                                  kProperties,
                                   "vkDestroySurfaceKHR",
                                   "vkEnumeratePhysicalDevices",
                                   "vkEnumerateDeviceExtensionProperties",
@@ -308,6 +311,13 @@ VKAPI_ATTR void VKAPI_CALL setViewport(VkCommandBuffer commands, std::uint32_t f
     device->call<PFN_vkCmdSetViewport>(kSetViewport)(commands, first, count, moved.data());
 }
 
+VKAPI_ATTR void VKAPI_CALL deviceProperties(VkPhysicalDevice device, VkPhysicalDeviceProperties2* made) {
+    instanceOf(device).call<PFN_vkGetPhysicalDeviceProperties2>(kProperties)(device, made);
+    if (fault().call == kProperties && fault().hits(kProperties, false)) {
+        made->properties.deviceType = static_cast<VkPhysicalDeviceType>(fault().result);
+    }
+}
+
 /// `Function` as the layer implements it: fails when it must, else calls the next layer.
 template <typename Function>
 struct Call;
@@ -381,6 +391,7 @@ PFN_vkVoidFunction own(const char* name) {
         {"vkGetDeviceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(&getDeviceProc)},
         {kCreateSwapchain, reinterpret_cast<PFN_vkVoidFunction>(&createSwapchain)},
         {kSetViewport, reinterpret_cast<PFN_vkVoidFunction>(&setViewport)},
+        {kProperties, reinterpret_cast<PFN_vkVoidFunction>(&deviceProperties)},
         {"vkDestroySurfaceKHR", reinterpret_cast<PFN_vkVoidFunction>(&destroySurface)},
         {kSurfaceCapabilities, reinterpret_cast<PFN_vkVoidFunction>(&surfaceCapabilities)}};
     if (const auto found = made.find(name); found != made.end()) {

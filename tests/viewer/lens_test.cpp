@@ -81,8 +81,10 @@ TEST_F(ViewerTest, PlaysARecordingFromItsBeginningOnceTheSceneIsOpen) {
     }
     scene::writeRecording(folder() / "path.json", recording);
     const RunResult run = play("--size 240x180 --technique standard --path path.json cubes",
-                               "wait-state shown=\nstate\nquit\n");
-    EXPECT_LE(std::stod(valueOf(run.states(1)[0], "eye")), 2.1 * viewer::Player::kStepSeconds);
+                               "wait-state shown=\nstate\nwait-ui 10\nstate\nquit\n");
+    const std::vector<std::string> states = run.states(2);
+    EXPECT_LE(std::stod(valueOf(states[0], "eye")), 2.1 * viewer::Player::kStepSeconds);
+    EXPECT_GE(std::stod(valueOf(states[1], "eye")), 5.0 * viewer::Player::kStepSeconds);
 }
 
 TEST(Startup, ARecordingIsPlayedThroughTheLensOfTheCommandLine) {

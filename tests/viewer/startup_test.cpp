@@ -3,7 +3,7 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <viewer/session/arguments.h>
-#include <viewer/session/render_thread.h>
+#include <viewer/session/render_failure.h>
 #include <viewer/session/startup.h>
 
 #include <gtest/gtest.h>

@@ -39,7 +39,8 @@ bool fitsSpan(const Technique& technique, const AdviceQuestion& question, double
     return resolves(technique, scene, question.separationView);
 }
 
-/// How deep the content may be so that a technique resolves the separation; 0 where it does at no depth.
+/// How deep the content may be so that a technique resolves the separation; 0 where neither the depth that was asked for nor a
+/// thin one is resolved.
 double widestSpan(const Technique& technique, const AdviceQuestion& question) {
     const auto fits = [&](double span) { return fitsSpan(technique, question, span); };
     double low = 1e-9 * question.scene.atView;

@@ -1,6 +1,7 @@
 #include <cdr/base/enum_names.h>
 #include <cdr/depth/mapping.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cdr::depth {

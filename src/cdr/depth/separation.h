@@ -16,8 +16,8 @@
 namespace cdr::depth {
 
 /// The view-distance gap beyond `distanceView` over which a depth buffer of this format moves by one step.
-/// The buffer alone resolves this; vertices round as well. Not to first order, but by the spacing of depths just below that of
-/// the distance. At a power of two the spacing above is twice that. The mapping goes on beyond a closed far
+/// The buffer alone resolves this; vertices round as well. Not to first order, but by the spacing just below the depth of the
+/// distance. At a power of two the spacing above is twice that. The mapping goes on beyond a closed far
 /// plane, so the gap may end there. Infinity where all that is farther lies within one step.
 CDR_EXPORT double separationView(const DepthRange& range, DepthFormat format, double distanceView);
 

@@ -76,8 +76,8 @@ class Application {
     void saveScreenshot();
     /// What run() does until the window closes.
     void serve();
-    /// Saves what is still to be saved, but no screenshot after a failure. One does not keep the rest from being saved; the
-    /// first is thrown at the end.
+    /// Saves what is still to be saved, but no screenshot after a failure. A failed save does not prevent the others; the
+    /// first failure is thrown at the end.
     /// @param failure that came before; null: none.
     void finish(std::exception_ptr failure);
 

@@ -1,4 +1,5 @@
 #include "application.h"
+#include "render_failure.h"
 #include "startup.h"
 
 #include <cdr/base/error.h>
@@ -176,10 +177,8 @@ void Application::goHome() {
 void Application::perform(Action action) {
     try {
         tryPerform(action);
-    } catch (const base::InputError& error) {
-        m_model.interface.sayProblem(error.what());
-    } catch (const base::RunError& error) {
-        m_model.interface.sayProblem(error.what());
+    } catch (...) {
+        m_model.interface.sayProblem(explainFailure().message);
     }
 }
 

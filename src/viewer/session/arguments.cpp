@@ -15,7 +15,6 @@
 #include <options/parsed_option.h>
 #include <program/build_info.h>
 
-#include <exception>
 #include <memory>
 
 namespace cdr::viewer {
@@ -99,20 +98,19 @@ void addMeasuringOptions(CLI::App& program, Arguments& arguments) {
 } // namespace
 
 std::array<depth::Technique, 2> parsePair(std::string_view text) {
-    std::exception_ptr failure; // at the first comma, though parameters of a technique have some too
-    for (std::size_t comma = text.find(','); comma != std::string_view::npos;
-         comma = text.find(',', comma + 1)) {
-        try {
-            return {depth::parseTechnique(text.substr(0, comma)),
-                    depth::parseTechnique(text.substr(comma + 1))};
-        } catch (const base::InputError&) {
-            failure = failure != nullptr ? failure : std::current_exception();
+    const std::size_t first = text.find(',');
+    if (first == std::string_view::npos) {
+        throw base::inputError("--compare must be LEFT,RIGHT, not '{}'", text.substr(0, 60));
+    }
+    for (std::size_t comma = first; comma != std::string_view::npos; comma = text.find(',', comma + 1)) {
+        const auto left =
+            depth::tryParseTechnique(text.substr(0, comma)); // its parameters may have commas too
+        const auto right = depth::tryParseTechnique(text.substr(comma + 1));
+        if (left && right) {
+            return {*left, *right};
         }
     }
-    if (failure != nullptr) {
-        std::rethrow_exception(failure);
-    }
-    throw base::inputError("--compare must be LEFT,RIGHT, not '{}'", text.substr(0, 60));
+    return {depth::parseTechnique(text.substr(0, first)), depth::parseTechnique(text.substr(first + 1))};
 }
 
 PictureExtent parseWindowSize(std::string_view text) {

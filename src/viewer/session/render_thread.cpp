@@ -1,15 +1,10 @@
 #include "render_thread.h"
 
+#include "render_failure.h"
 #include "scene_renderer.h"
-
-#include <cdr/base/error.h>
-#include <cdr/gpu/vulkan_hpp.h>
 
 #include <exception>
 #include <memory>
-#include <new>
-#include <string>
-#include <system_error>
 #include <utility>
 
 namespace cdr::viewer {
@@ -34,26 +29,6 @@ RenderResult answerOrExplain(SceneRenderer& renderer, const RenderRequest& reque
 }
 
 } // namespace
-
-RenderFailure explainFailure() {
-    std::string message;
-    try {
-        throw;
-    } catch (const base::InputError& error) {
-        message = error.what();
-    } catch (const base::RunError& error) {
-        message = error.what();
-    } catch (const vk::OutOfDeviceMemoryError&) {
-        message = "the device has too little memory for that";
-    } catch (const vk::SystemError&) { // a std::system_error too
-        throw;
-    } catch (const std::system_error& error) { // such as of a thread that cannot start
-        message = error.what();
-    } catch (const std::bad_alloc&) {
-        message = "out of memory";
-    }
-    return {std::move(message), std::current_exception()};
-}
 
 RenderThread::RenderThread(const gpu::Device& device, std::function<void()> notify)
     : m_notify(std::move(notify)),

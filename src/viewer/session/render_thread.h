@@ -12,9 +12,6 @@
 
 namespace cdr::viewer {
 
-/// Why a request failed with the exception that is being handled. Rethrows one that the next request cannot mend.
-RenderFailure explainFailure();
-
 /// Renders on a thread of its own: takes the newest request, puts the newest result.
 class RenderThread {
   public:

@@ -1,5 +1,7 @@
 #include "scene_renderer.h"
 
+#include "render_failure.h"
+
 #include <cdr/base/error.h>
 #include <cdr/gpu/memory.h>
 #include <cdr/image/beside.h>
@@ -149,8 +151,8 @@ std::optional<render::Frame> SceneRenderer::renderReferenceIfItFits(const Render
                                                                     const scene::Camera& camera) {
     try {
         return renderReference(request, camera);
-    } catch (const base::RunError&) { // no memory for its images
-    } catch (const vk::OutOfDeviceMemoryError&) {
+    } catch (...) {
+        explainFailure(); // no memory for its images, say
     }
     m_reference.drop();
     return std::nullopt;

@@ -109,7 +109,7 @@ bool Swapchain::isOutgrown(const gpu::Device& device, vk::SurfaceKHR surface, vk
             vk::PhysicalDevice(device.physical()).getSurfaceCapabilitiesKHR(surface);
         return chooseSurfaceExtent(now, wanted) != m_extent || now.currentTransform != m_transform;
     } catch (const vk::SurfaceLostKHRError&) {
-        return true; // whoever makes the next one learns of it
+        return true; // making the next one reports it
     }
 }
 

@@ -66,6 +66,7 @@ TEST_F(FinishTest, TheSceneChoosesUnlessTold) {
 TEST_F(FinishTest, LightBeyondAllRangesIsWhite) {
     scene::Scene scene = boxScene();
     scene.lights.assign(2, {.position = {0.0, 0.0, 0.0}, .color = glm::vec3(3e38f), .halfDistance = 20.0});
+    scene.materials[0].baseColorFactor = glm::vec4(1.0f, 0.5f, 0.0f, 1.0f);
     addBox(scene, {0.0, 0.0, -3.0});
     scene.materials.push_back({.name = "glass",
                                .baseColorFactor = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f),

@@ -271,8 +271,9 @@ void OrderStrip::enterPixel(const ScreenTriangle& triangle, const StripSurface& 
         return;
     }
     order.most = std::min(order.most, place.most);
-    if (w - surface.layer.view < order.nearest) {
-        order.nearest = w - surface.layer.view;
+    const double orderedView = w - surface.layer.movedView(w);
+    if (orderedView < order.nearest) {
+        order.nearest = orderedView;
         order.isAtDrawn =
             std::abs(w - m_frame.distancesView.at(x, y)) <= std::max(surfaceOff, order.statedOffView);
     }

@@ -12,7 +12,6 @@
 #include <cdr/visibility/occluders.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace cdr::render {
 
