@@ -3,14 +3,14 @@
 #
 # apt gets a sources list, state and cache of its own, from the mirror that the system already uses. If the system's sources
 # had a newer release, it could upgrade any package. Packages are downloaded and verified by Debian's key, never installed.
-# Expects a function fail MESSAGE.
+# Expects a function fail MESSAGE [STATUS].
 
 # private_apt_open RELEASE: makes the folder $scratch, removed at exit, and fetches the package index of RELEASE into it.
 private_apt_open() {
     local keyring=/usr/share/keyrings/debian-archive-keyring.gpg distribution mirror
     # shellcheck source=/dev/null
     distribution=$(. /etc/os-release && echo "$ID ${VERSION_CODENAME-}")
-    [[ $distribution == debian\ * && -e $keyring ]] || fail "only Debian's packages are known here"
+    [[ $distribution == debian\ * && -e $keyring ]] || fail "only Debian's packages are known here" 77
 
     # Reading apt's own view of its sources covers every format they come in, and every kind of mirror.
     # shellcheck disable=SC2016 # apt expands $(REPO_URI)

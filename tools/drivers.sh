@@ -5,14 +5,15 @@
 #   mesa         lavapipe of the distribution's backports (packages mesa-vulkan-drivers and libdrm2)
 #   swiftshader  what Chromium draws with (package chromium-common; the installed one, where it is)
 #
-# What is missing is downloaded through apt and unpacked into .cache/drivers. Nothing is installed.
+# What is missing is downloaded through apt and unpacked into .cache/drivers. Nothing is installed. Status 77 where the
+# distribution does not have it.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 unpacked=.cache/drivers # below the repository
 
-fail() {
+fail() { # MESSAGE [STATUS]
     echo "tools/drivers.sh: $1" >&2
-    exit 1
+    exit "${2-1}"
 }
 
 usage() {
@@ -60,6 +61,7 @@ fetch_swiftshader() {
         dpkg-query --showformat '${Package} ${Version}\n' --show chromium-common >"$new/packages"
     else
         echo "tools/drivers.sh: fetching chromium-common into $folder (32 MB, of which 5 MB stay)" >&2
+        apt-cache show chromium-common >/dev/null 2>&1 || fail "this distribution has no chromium-common, which holds SwiftShader" 77
         (cd "$scratch" && apt-get download chromium-common) >"$scratch/log" 2>&1 </dev/null ||
             { cat "$scratch/log" >&2 && fail "apt did not deliver chromium-common, which holds SwiftShader"; }
         unpack chromium-common "$new" './usr/lib/chromium/libvk_swiftshader.so' ||

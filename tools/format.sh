@@ -21,6 +21,10 @@ if [[ $found != "$reference" ]]; then
     exit 0
 fi
 
+if [[ ! -e .git ]]; then
+    echo "tools/format.sh: skipped, no git" >&2
+    exit 0
+fi
 # Tracked or new, but neither ignored nor deleted.
 git ls-files -z --cached --others --exclude-standard -- '*.h' '*.cpp' |
     while IFS= read -r -d '' file; do [[ ! -e $file ]] || printf '%s\0' "$file"; done |

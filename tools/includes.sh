@@ -18,11 +18,14 @@ if ((${#files[@]} == 0)); then
     mapfile -t files <<<"$found"
 fi
 echo "include-what-you-use: ${#files[@]} files"
-findings=$(iwyu_tool -p build/tidy -j "$(nproc)" "${files[@]}" -- \
-    -w -Xiwyu --no_fwd_decls -Xiwyu --mapping_file="$PWD/tools/includes.imp" 2>/dev/null | awk -v root="$PWD/" '
+log=build/tidy/includes.log
+iwyu_tool -p build/tidy -j "$(nproc)" "${files[@]}" -- \
+    -w -Xiwyu --no_fwd_decls -Xiwyu --mapping_file="$PWD/tools/includes.imp" >"$log" 2>&1 ||
+    { tail -20 "$log" >&2 && echo "tools/includes.sh: iwyu_tool failed, see $log" >&2 && exit 1; }
+findings=$(awk -v root="$PWD/" '
     / should remove these lines:$/ { file = $1; sub(root, "", file); removing = 1; next }
     /^$/ { removing = 0 }
-    removing && /^- #include/ && !/fmt\/ranges.h/ { sub(/^- /, ""); sub(/ *\/\/ lines /, " line "); sub(/-[0-9]+$/, ""); print file ": " $0 }' |
+    removing && /^- #include/ && !/fmt\/ranges.h/ { sub(/^- /, ""); sub(/ *\/\/ lines /, " line "); sub(/-[0-9]+$/, ""); print file ": " $0 }' "$log" |
     sort --unique)
 if [[ -n $findings ]]; then
     echo "$findings"

@@ -4,7 +4,7 @@
 // same bytes.
 // Usage: tools/sbom.mjs >cdr.spdx.json
 import { execFileSync } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -61,6 +61,9 @@ function pinnedFiles() {
     const archives = [...mikktspace.matchAll(/^([0-9a-f]{64}) {2}(\w+)-(\S+)\.tgz$/gm)].map(([, hash, name, version]) =>
         ({ name, version, purl: `pkg:npm/${name}@${version}`, checksum: ["SHA256", hash] }));
     const vma = read("third_party/vma.sh");
+    if (!existsSync(join(root, ".cache/vma"))) { // the distribution has a package of it
+        return [...pictures, ...archives];
+    }
     return [...pictures, ...archives, {
         name: "vk_mem_alloc.h", version: vma.match(/^version='([^*'-]+)/m)[1], licence: "MIT",
         checksum: ["SHA256", vma.match(/^header_sha256=([0-9a-f]{64})$/m)[1]],

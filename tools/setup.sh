@@ -98,7 +98,6 @@ if $dry_run; then
 fi
 
 if ((${#missing[@]})) || ! third_party/vma.sh --present; then
-    ((EUID == 0)) || command -v sudo >/dev/null || fail "needs root or sudo to install: ${missing[*]}"
     # Always, since package lists may be absent (containers) or name files that the mirror has dropped since.
     as_root apt-get update -q </dev/null || echo "tools/setup.sh: package lists not refreshed, using those at hand" >&2
     allocator=libvulkan-memory-allocator-dev
@@ -106,6 +105,7 @@ if ((${#missing[@]})) || ! third_party/vma.sh --present; then
         missing+=("$allocator")
     fi
     if ((${#missing[@]})); then
+        ((EUID == 0)) || command -v sudo >/dev/null || fail "needs root or sudo to install: ${missing[*]}"
         echo "tools/setup.sh: installing ${missing[*]}"
         as_root env DEBIAN_FRONTEND=noninteractive \
             apt-get install -q --yes --no-install-recommends "${missing[@]}" </dev/null

@@ -94,16 +94,29 @@ for what in "clang-tidy: src/cdr" "AddressSanitizer: test_" "fuzzing of: camera_
     [[ $output == *"no time was left for"*"$what"* ]] || fail "what was left out" "$what" "$output"
 done
 [[ $(wc --lines <"$log") == 1 ]] || fail "what is run without time" "the build for valgrind" "$(cat "$log")"
+fails() { # COMMAND...
+    ! PATH=$work/bin:$PATH "$@" >"$work/output" 2>&1 || fail "$* without $tool" "a failure" "$(cat "$work/output")"
+}
+# Whichever check fails, the whole does.
+for tool in tools/build.sh tools/tidy.sh tools/includes.sh tools/fuzz.sh "$work/bin/valgrind" "$work/bin/ctest"; do
+    mv "$tool" "$work/stub"
+    printf '#!/bin/sh\nexit 1\n' >"$tool"
+    chmod +x "$tool"
+    fails tools/check.sh --changed
+    mv "$work/stub" "$tool"
+done
 # Where git fails, nothing was checked, and that is said by the status.
+tool=git
 cp "$source/tools/tidy.sh" "$source/tools/includes.sh" "$work"
 printf '#!/bin/sh\nexit 128\n' >"$work/bin/git"
 chmod +x "$work/bin/git"
-fails() { # COMMAND...
-    ! PATH=$work/bin:$PATH "$@" >"$work/output" 2>&1 || fail "$* without git" "a failure" "$(cat "$work/output")"
-}
 fails tools/check.sh --changed
 for script in tidy includes; do
     cp "$work/$script.sh" tools
     fails "tools/$script.sh"
 done
+mkdir build/tidy
+printf '#!/bin/sh\necho no database\nexit 1\n' >"$work/bin/iwyu_tool"
+fails tools/includes.sh a.cpp
+grep --quiet "no database" "$work/output" || fail "includes.sh where iwyu_tool fails" "no database" "$(cat "$work/output")"
 echo "changes of a day are listed and checked, newest first"

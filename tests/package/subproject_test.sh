@@ -17,8 +17,12 @@ fail() {
 for by in add_subdirectory FetchContent; do
     quiet cmake -G Ninja -S "$source_dir/tests/package/subproject" -B "$work/$by" -DCMAKE_BUILD_TYPE=Debug \
         -DCMAKE_CXX_FLAGS_DEBUG= "-DCMAKE_CXX_FLAGS=-fno-exceptions -fno-rtti" "-DCDR_BY=$by" "-DCDR_SOURCE=$source_dir" \
-        -DCDR_WARNINGS_AS_ERRORS=ON -DCDR_UNITY_BUILD=ON
+        -DCDR_WARNINGS_AS_ERRORS=ON -DCDR_UNITY_BUILD=ON "-DCDR_INSTALL=$([[ $by == add_subdirectory ]] && echo OFF || echo ON)"
 done
+# CMake installs nothing of a folder with EXCLUDE_FROM_ALL, which FetchContent is without.
+grep -q '/_deps/cdr-build/cmake_install.cmake"' "$work/FetchContent/cmake_install.cmake" ||
+    fail "CDR_INSTALL=ON: an engine does not install cdr's folder"
+grep -q 'file(INSTALL' "$work/FetchContent/_deps/cdr-build/cmake_install.cmake" || fail "CDR_INSTALL=ON: there are no install rules"
 # An engine has some of the libraries already. All of them at once find whichever cdr makes again; CDR_ALL_CASES takes each alone too.
 # Its own libraries are shared, which makes none of cdr's so.
 libraries=(fmt glm nlohmann_json meshoptimizer draco)

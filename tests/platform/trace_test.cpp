@@ -56,7 +56,7 @@ ordered_json traceTwoFrames() {
         const auto begin = Trace::Clock::now();
         trace.addStage("execute", begin, Trace::Clock::now());
     }
-    return trace.toJson();
+    return ordered_json::parse(trace.toJson());
 }
 
 TEST(Trace, HasATrackForEveryWorkerCascadeAndTheDevice) {
@@ -105,8 +105,8 @@ TEST(Trace, CountsWhatItDoesNotKeep) {
     for (std::size_t i = 0; i < Trace::kMaxEventsPerTrack + 5; ++i) {
         trace.addJob(0, {.index = i, .cascade = {}, .draws = 0, .begin = {}, .end = {}});
     }
-    const ordered_json document = trace.toJson();
-    EXPECT_EQ(document.at("otherData").at("dropped_events"), 5u);
+    EXPECT_TRUE(trace.toJson().ends_with(R"("otherData":{"dropped_events":5}})"
+                                         "\n"));
 }
 
 TEST(Trace, KeepsNoMoreFramesThanEventsAndNoneOnceStopped) {
@@ -131,7 +131,7 @@ TEST(Trace, KeepsNoMoreFramesThanEventsAndNoneOnceStopped) {
 }
 
 TEST(Trace, AnEmptyOneIsStillATrace) {
-    const ordered_json document = Trace(1).toJson();
+    const ordered_json document = ordered_json::parse(Trace(1).toJson());
     EXPECT_TRUE(document.at("traceEvents").is_array());
     EXPECT_TRUE(namesByTrack(document).empty());
 }

@@ -13,8 +13,6 @@ target_sources(cdr_base PUBLIC
     FILE_SET version TYPE HEADERS BASE_DIRS "${version_include}" FILES "${version_include}/cdr/version.h")
 include(tools/cmake/CdrShared.cmake)
 
-configure_package_config_file("${PROJECT_SOURCE_DIR}/tools/cmake/cdr-config.cmake.in"
-    "${PROJECT_BINARY_DIR}/cdr-config.cmake" INSTALL_DESTINATION "${CDR_CONFIG_DIR}" PATH_VARS CDR_SHADER_DIR)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/cdr-config-version.cmake" COMPATIBILITY SameMajorVersion)
 file(RELATIVE_PATH CDR_PC_TO_PREFIX "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
 foreach(folder LIBDIR INCLUDEDIR) # absolute ones stay as they are
@@ -80,7 +78,12 @@ function(cdr_install kind chosen)
     cdr_install_licences(${where})
     install(DIRECTORY "${PROJECT_SOURCE_DIR}/shaders/public/" DESTINATION "${CDR_SHADER_DIR}" ${where}
         FILES_MATCHING PATTERN "*.glsl" PATTERN "*.hlsl")
-    install(FILES "${PROJECT_BINARY_DIR}/cdr-config.cmake" "${PROJECT_BINARY_DIR}/cdr-config-version.cmake"
+    # CMake keeps a file that is as old as the one to install, as those of the two kinds are to the second.
+    cmake_path(ABSOLUTE_PATH CMAKE_INSTALL_LIBDIR BASE_DIRECTORY "\${CMAKE_INSTALL_PREFIX}" OUTPUT_VARIABLE at)
+    install(CODE "file(REMOVE \"\$ENV{DESTDIR}${at}/cmake/cdr/cdr-config.cmake\" \"\$ENV{DESTDIR}${at}/pkgconfig/cdr.pc\")" ${where})
+    configure_package_config_file("${PROJECT_SOURCE_DIR}/tools/cmake/cdr-config.cmake.in"
+        "${PROJECT_BINARY_DIR}/${kind}/cdr-config.cmake" INSTALL_DESTINATION "${CDR_CONFIG_DIR}" PATH_VARS CDR_SHADER_DIR)
+    install(FILES "${PROJECT_BINARY_DIR}/${kind}/cdr-config.cmake" "${PROJECT_BINARY_DIR}/cdr-config-version.cmake"
         DESTINATION "${CDR_CONFIG_DIR}" ${where})
     set(CDR_PC_LIBS "-lcdr_depth")
     if(kind STREQUAL "static")

@@ -157,7 +157,9 @@ function(cdr_test name)
         set(suites ${TEST_TOGETHER})
     endif()
     foreach(suite IN LISTS suites)
-        add_test(NAME ${suite} COMMAND ${name} "--gtest_filter=${suite}.*:*/${suite}.*:${suite}/*" --gtest_brief=1)
+        # With GoogleTest's own test of the suite, which fails where it is never instantiated.
+        add_test(NAME ${suite} COMMAND ${name} --gtest_brief=1
+            "--gtest_filter=${suite}.*:*/${suite}.*:${suite}/*:GoogleTestVerification.*<${suite}>")
         set_tests_properties(${suite} PROPERTIES ${properties})
     endforeach()
 endfunction()

@@ -30,8 +30,8 @@ endfunction()
 
 cdr_shared_library(depth ROOMS base depth)
 if(CDR_BUILD_RENDER)
-    cdr_shared_library(scene ROOMS platform image scene PUBLIC cdr_shared_depth glm::glm nlohmann_json::nlohmann_json
-        PRIVATE fmt::fmt Threads::Threads draco::draco meshoptimizer::meshoptimizer PkgConfig::spng
+    cdr_shared_library(scene ROOMS platform image scene PUBLIC cdr_shared_depth glm::glm
+        PRIVATE fmt::fmt nlohmann_json::nlohmann_json Threads::Threads draco::draco meshoptimizer::meshoptimizer PkgConfig::spng
                 PkgConfig::turbojpeg OpenEXR::OpenEXR)
     cdr_shared_library(render ROOMS visibility gpu render PUBLIC cdr_shared_scene Vulkan::Headers PRIVATE fmt::fmt ${CMAKE_DL_LIBS})
 endif()

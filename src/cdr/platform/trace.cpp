@@ -194,12 +194,12 @@ void Trace::forget() {
     }
 }
 
-nlohmann::ordered_json Trace::toJson() const {
-    return Writer(*this).write();
+std::string Trace::toJson() const {
+    return textOf(Writer(*this).write(), -1);
 }
 
 void Trace::write(const std::filesystem::path& path) const {
-    writeText(path, textOf(toJson(), -1));
+    writeText(path, toJson());
 }
 
 } // namespace cdr::platform

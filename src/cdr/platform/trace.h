@@ -2,8 +2,6 @@
 
 #include <cdr/base/export.h>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
@@ -80,8 +78,8 @@ class CDR_EXPORT Trace {
     /// Ignores everything from now on. Between batches.
     void stop() { m_stopped = true; }
 
-    /// {"traceEvents": [...]}, microseconds since the trace was made. Between batches.
-    nlohmann::ordered_json toJson() const;
+    /// One line of JSON, {"traceEvents": [...]}, microseconds since the trace was made. Between batches.
+    std::string toJson() const;
     /// Writes toJson() whole or not at all. Between batches.
     /// @throws base::InputError when the file cannot be made.
     /// @throws base::RunError when it cannot all be written, as on a full disk.
