@@ -121,13 +121,13 @@ TEST(Trace, KeepsNoMoreFramesThanEventsAndNoneOnceStopped) {
     trace.addStage("ignored", now, now);
     ASSERT_EQ(trace.stages().size(), 1u);
     EXPECT_EQ(trace.stages()[0].frame, Trace::kMaxEventsPerTrack);
-    const ordered_json document = trace.toJson();
+    const ordered_json document = ordered_json::parse(trace.toJson());
     EXPECT_EQ(document.at("otherData").at("dropped_events"), 1u) << "the frame that has no name";
     const auto names = namesByTrack(document);
     EXPECT_FALSE(names.contains("frames"));
     EXPECT_EQ(names.at("stages").size(), 1u);
     trace.forget();
-    EXPECT_TRUE(namesByTrack(trace.toJson()).empty());
+    EXPECT_TRUE(namesByTrack(ordered_json::parse(trace.toJson())).empty());
 }
 
 TEST(Trace, AnEmptyOneIsStillATrace) {
