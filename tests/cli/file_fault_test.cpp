@@ -49,10 +49,9 @@ class FileFaults : public testing::TestWithParam<Writer> {
 
     static void run(Run& run) {
         const std::filesystem::path log = run.folder->path().string() + ".calls";
-        run.result = runProgram(
-            GetParam().command, run.folder->path(),
-            fmt::format("CDR_FILE_FAULT='{} {}' CDR_FILE_FAULT_LOG='{}' LD_PRELOAD='{}' timeout 1000",
-                        run.after, run.error, log.string(), CDR_FILE_FAULTS));
+        run.result = runProgram(GetParam().command, run.folder->path(),
+                                fmt::format("CDR_FILE_FAULT='{} {}' CDR_FILE_FAULT_LOG='{}' {} timeout 1000",
+                                            run.after, run.error, log.string(), preloading(CDR_FILE_FAULTS)));
         std::istringstream counts(readText(log));
         for (long calls = 0; counts >> calls;) {
             run.calls = std::max(run.calls, calls);

@@ -142,8 +142,8 @@ TEST_F(TimingCommand, TimesTrafficThatMoves) {
 TEST_F(TimingCommand, RunsTwoBuildsInTurns) {
     // Whatever others left in the folder for temporary files.
     std::filesystem::create_directory(at("cdr-timing.json"));
-    succeed("timing --against " CDR_PROGRAM
-            " --rounds 2 --frames 2 --size 64x36 --modes log,cdr-2 --json a.json",
+    succeed("timing --against '" CDR_PROGRAM
+            "' --rounds 2 --frames 2 --size 64x36 --modes log,cdr-2 --json a.json",
             "TMPDIR=.");
     const json document = jsonIn("a.json");
     EXPECT_EQ(document.at("options").at("rounds"), 2);

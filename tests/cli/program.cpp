@@ -75,6 +75,11 @@ ProgramResult runProgram(const std::string& arguments, const fs::path& folder,
     return result;
 }
 
+std::string preloading(const fs::path& library) {
+    return "LD_LIBRARY_PATH=\"" + library.parent_path().string() +
+           "${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}\" LD_PRELOAD=" + library.filename().string();
+}
+
 ProgramResult succeed(const std::string& arguments, const fs::path& folder, const std::string& environment) {
     ProgramResult result = runProgram(arguments, folder, environment);
     EXPECT_EQ(result.status, 0) << arguments << ": " << result.err;

@@ -24,6 +24,9 @@ using ProgramResult = test::ShellResult;
 ProgramResult runProgram(const std::string& arguments, const std::filesystem::path& folder,
                          const std::string& environment = "");
 
+/// Assignments for a shell that load a library before the system's. LD_PRELOAD splits at blanks, which its folder may have.
+std::string preloading(const std::filesystem::path& library);
+
 /// Runs the program, which has to succeed.
 ProgramResult succeed(const std::string& arguments, const std::filesystem::path& folder,
                       const std::string& environment = "");

@@ -148,8 +148,8 @@ TEST_F(RankMachine, ARankThatCannotBeBoundIsNamed) {
     const ProgramResult result =
         run("--bind render cubes --size 32x18 -o a.png",
             test::launched(CDR_MPIEXEC, 2) +
-                " sh -c '[ $OMPI_COMM_WORLD_RANK$PMI_RANK = 0 ] || export CDR_AFFINITY_FAULT=1 LD_PRELOAD=" +
-                CDR_FILE_FAULTS + "; exec \"$@\"' sh");
+                " sh -c '[ $OMPI_COMM_WORLD_RANK$PMI_RANK = 0 ] || export CDR_AFFINITY_FAULT=1 " +
+                preloading(CDR_FILE_FAULTS) + "; exec \"$@\"' sh");
     EXPECT_EQ(result.status, 1);
     EXPECT_TRUE(std::regex_match(
         result.err,

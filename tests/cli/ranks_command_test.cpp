@@ -361,20 +361,21 @@ TEST_F(RanksCommand, JobsOfSlurmRun) {
                             folder().string() + ".log' 2>&1")
                                .c_str());
     };
-    const std::string jobs = CDR_SOURCE_DIR "/tools/slurm/";
-    EXPECT_EQ(runJob("SLURM_ARRAY_TASK_ID=3 " + jobs + "sweep.sh out --size 64x36 --techniques reversed"), 0);
+    const std::string jobs = "'" CDR_SOURCE_DIR "/tools/slurm/";
+    EXPECT_EQ(runJob("SLURM_ARRAY_TASK_ID=3 " + jobs + "sweep.sh' out --size 64x36 --techniques reversed"),
+              0);
     const auto row = jsonIn("out/probe_3.json").at("results").at(0);
     EXPECT_EQ(row.at("distance"), 1000.0);
-    EXPECT_NE(runJob(jobs + "sweep.sh out"), 0);
+    EXPECT_NE(runJob(jobs + "sweep.sh' out"), 0);
 
     const std::string launcher = test::launched(CDR_MPIEXEC, 2);
     const std::string environment = launcher.substr(0, launcher.find('\''));
     EXPECT_EQ(runJob("MPIRUN='" CDR_MPIEXEC "' " + environment + jobs +
-                     "frames.sh cubes frames/%02d.png --size 32x18 --frames 2"),
+                     "frames.sh' cubes frames/%02d.png --size 32x18 --frames 2"),
               0)
         << readText(folder().string() + ".log");
     EXPECT_TRUE(fs::exists(at("frames/01.png")));
-    EXPECT_NE(runJob(jobs + "frames.sh cubes"), 0);
+    EXPECT_NE(runJob(jobs + "frames.sh' cubes"), 0);
     fs::remove(folder().string() + ".log");
 }
 

@@ -22,8 +22,8 @@ export const headers = rooms.flatMap((room) => {
 export function runDoxygen() {
     const output = mkdtempSync(join(tmpdir(), "cdr-reference-"));
     try {
-        const settings = [`@INCLUDE = ${root}/tools/reference.doxyfile`, `INPUT = ${headers.join(" ")}`,
-            `STRIP_FROM_PATH = ${root}`, `OUTPUT_DIRECTORY = ${output}`, "GENERATE_HTML = NO", "GENERATE_XML = YES",
+        const settings = ["@INCLUDE = tools/reference.doxyfile", `INPUT = ${headers.join(" ")}`,
+            `STRIP_FROM_PATH = "${root}"`, `OUTPUT_DIRECTORY = "${output}"`, "GENERATE_HTML = NO", "GENERATE_XML = YES",
             "XML_PROGRAMLISTING = NO"];
         execFileSync("doxygen", ["-"], { cwd: root, input: settings.join("\n"), encoding: "utf8", stdio: "pipe" });
         const xml = join(output, "xml");
