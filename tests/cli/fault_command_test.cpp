@@ -44,7 +44,7 @@ TEST(Fault, ThatNeverComesChangesNothing) {
     EXPECT_FALSE(folder.isEmpty());
 }
 
-/// There depth is cleared within a scope, and no draw fills the G-buffer.
+/// There no draw fills the G-buffer.
 TEST(Fault, ADeviceThatSaysItIsACardDrawsTheSame) {
     const TemporaryFolder folder;
     const std::string card = Fault{.call = "vkGetPhysicalDeviceProperties2",

@@ -30,25 +30,13 @@ void OnePrimaryPath::drawScope(const GBufferScope& scope, std::span<const std::s
     m_device.beginLabel(m_primary, labelOf(cascades).c_str());
     beginGBufferScope(m_primary, scope, m_flags);
     for (const std::size_t cascade : cascades) {
-        if (scope.depthByCascade && cascade != cascades.front()) {
-            clearDepth(scope);
+        if (scope.depthClear != nullptr && cascade != cascades.front()) {
+            scope.depthClear->putInto(m_primary, m_flags);
         }
         drawCascade(cascade);
     }
     m_primary.endRendering();
     m_device.endLabel(m_primary);
-}
-
-void OnePrimaryPath::clearDepth(const GBufferScope& scope) {
-    if (scope.depthClear != nullptr) {
-        scope.depthClear->putInto(m_primary, m_flags);
-        return;
-    }
-    GBufferScope next = scope;
-    next.keepsColors = true;
-    m_primary.endRendering();
-    chainGBufferScopes(m_primary, next);
-    beginGBufferScope(m_primary, next, m_flags);
 }
 
 std::span<const vk::CommandBuffer> OnePrimaryPath::endDraws(const FrameView&) {

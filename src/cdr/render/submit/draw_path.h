@@ -75,9 +75,6 @@ class OnePrimaryPath : public DrawPath {
     virtual void drawCascade(std::size_t cascade) = 0;
 
   private:
-    /// Between two cascades of a scope.
-    void clearDepth(const GBufferScope& scope);
-
     const gpu::Device& m_device;
     gpu::CommandPool m_pool;
     vk::RenderingFlags m_flags;

@@ -36,7 +36,7 @@ void PrimaryPath::closeBetween() {
 
 void PrimaryPath::drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) {
     closeBetween();
-    const std::size_t perPart = scope.depthByCascade ? 1 : cascades.size();
+    const std::size_t perPart = scope.depthClear != nullptr ? 1 : cascades.size();
     for (std::size_t first = 0; first < cascades.size(); first += perPart) {
         const std::span<const std::size_t> drawn = cascades.subspan(first, perPart);
         m_parts.push_back(

@@ -22,10 +22,8 @@ struct GBufferScope {
     bool reversedDepth = false;
     glm::vec4 clearColor{0.0f}; ///< of the colours; zeros are 0 in formats of integers too
     const ScopeCommands* zeroFill =
-        nullptr;                 ///< clears the colours, where there is one, as the scope's first draw
-    bool depthByCascade = false; ///< each cascade begins with a clear depth buffer; else they share it
-    const ScopeCommands* depthClear =
-        nullptr; ///< clears depth within the scope; null: each cascade has a scope of its own
+        nullptr; ///< clears the colours, where there is one, as the scope's first draw
+    const ScopeCommands* depthClear = nullptr; ///< clears depth between cascades; null: they share it
 };
 
 /// The depth attachment if it marks what is drawn, else null.

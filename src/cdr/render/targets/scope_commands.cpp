@@ -34,17 +34,13 @@ void ScopeCommands::putInto(vk::CommandBuffer commands, vk::RenderingFlags flags
     }
 }
 
-std::unique_ptr<ScopeCommands> makeDepthClear(const gpu::Device& device, const TargetsOptions& options) {
-    if (device.info().kind == gpu::DeviceKind::cpu) {
-        return nullptr;
-    }
+ScopeCommands makeDepthClear(const gpu::Device& device, const TargetsOptions& options) {
     const vk::ClearAttachment farthest{
         .aspectMask = vk::ImageAspectFlagBits::eDepth,
         .clearValue = vk::ClearDepthStencilValue{.depth = options.reversedDepth ? 0.0f : 1.0f}};
     const vk::ClearRect all{.rect = {{0, 0}, options.extent}, .layerCount = 1};
-    return std::make_unique<ScopeCommands>(device, options, [farthest, all](vk::CommandBuffer commands) {
-        commands.clearAttachments(farthest, all);
-    });
+    return {device, options,
+            [farthest, all](vk::CommandBuffer commands) { commands.clearAttachments(farthest, all); }};
 }
 
 std::unique_ptr<ScopeCommands> makeZeroFill(const gpu::Device& device, const TargetsOptions& options) {

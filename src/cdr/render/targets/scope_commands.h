@@ -28,9 +28,8 @@ class ScopeCommands {
 };
 
 /// Clears the depth buffer, so that a nearer cascade is drawn over a farther one without leaving the scope. A graphics
-/// card that draws by tiles then keeps the G-buffer on the chip. Null on a software device, which clears faster where a
-/// scope begins.
-std::unique_ptr<ScopeCommands> makeDepthClear(const gpu::Device& device, const TargetsOptions& options);
+/// card that draws by tiles then keeps the G-buffer on the chip.
+ScopeCommands makeDepthClear(const gpu::Device& device, const TargetsOptions& options);
 
 /// Fills the G-buffer with background by a draw, in place of a clear and before anything else. A software device clears
 /// pixels of 16 bytes one by one, which takes three times as long. Null where the device clears quickly.

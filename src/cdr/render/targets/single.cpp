@@ -14,8 +14,7 @@ void SingleTargets::record(CascadeCommands& commands, const FrameView& view) {
     std::vector<std::size_t> farthestFirst = commands.drawnCascades(view.cascades.size());
     std::reverse(farthestFirst.begin(), farthestFirst.end());
     GBufferScope cleared = scope(view.clearColor);
-    cleared.depthByCascade = true;
-    cleared.depthClear = m_depthClear.get();
+    cleared.depthClear = &m_depthClear;
     commands.drawScope(cleared, farthestFirst);
 }
 

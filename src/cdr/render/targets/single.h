@@ -13,7 +13,7 @@ class SingleTargets final : public OneGBufferTargets {
     void record(CascadeCommands& commands, const FrameView& view) override;
 
   private:
-    std::unique_ptr<ScopeCommands> m_depthClear; ///< null where another scope is faster
+    ScopeCommands m_depthClear;
 };
 
 } // namespace cdr::render
