@@ -97,7 +97,7 @@ class ChunkTestCase {
         m_position = m_camera.position + vector(6e3);
     }
 
-    ChunkTest test() const { return {m_camera, m_frustum, m_range}; }
+    ChunkTest test() const { return {m_camera, m_frustum, m_range, 0.0}; }
     ChunkTest::Placed placed(const scene::Mesh& mesh) const {
         double most = 0.0;
         for (const scene::Vertex& vertex : mesh.vertices) {

@@ -7,7 +7,7 @@
 namespace cdr::visibility {
 
 ChunkTest::ChunkTest(const scene::Camera& camera, const scene::Frustum& frustum,
-                     const depth::Cascade& clipRange)
+                     const depth::Cascade& clipRange, double anchorView)
     : m_position(camera.position),
       m_toView(glm::transpose(glm::dmat3(frustum.rightOf(camera), frustum.upOf(camera), -camera.back))),
       m_sides{HalfSpace({frustum.cosX, 0.0, frustum.sinX}, 0.0),
@@ -16,6 +16,7 @@ ChunkTest::ChunkTest(const scene::Camera& camera, const scene::Frustum& frustum,
               HalfSpace({0.0, -frustum.cosY, frustum.sinY}, 0.0),
               HalfSpace({0.0, 0.0, 1.0}, -clipRange.nearView),
               HalfSpace({0.0, 0.0, -1.0}, clipRange.farView)},
+      m_anchorView(anchorView),
       m_pixel(frustum.footprintSlope) {}
 
 ChunkTest::Placed ChunkTest::placed(const glm::dvec3& position, const glm::mat3& basis, float radius) const {
@@ -24,7 +25,7 @@ ChunkTest::Placed ChunkTest::placed(const glm::dvec3& position, const glm::mat3&
     return {.centre = m_toView * fromCamera,
             .basis = m_toView * glm::dmat3(basis),
             .radius = reach,
-            .rounding = vertexRounding(fromCamera, reach)};
+            .rounding = vertexRounding(fromCamera, reach, m_anchorView)};
 }
 
 bool ChunkTest::holdsAll(const Placed& instance) const {

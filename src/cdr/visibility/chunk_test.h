@@ -14,8 +14,9 @@ namespace cdr::visibility {
 /// What a cascade shows of large meshes. What it leaves out covers no pixel there, wherever the device rounds vertices to.
 class ChunkTest {
   public:
-    /// @param clipRange of the cascade.
-    ChunkTest(const scene::Camera& camera, const scene::Frustum& frustum, const depth::Cascade& clipRange);
+    /// @param clipRange of the cascade. @param anchorView of its depth::ClipTerms.
+    ChunkTest(const scene::Camera& camera, const scene::Frustum& frustum, const depth::Cascade& clipRange,
+              double anchorView);
 
     /// An instance as the camera sees it.
     struct Placed {
@@ -37,6 +38,7 @@ class ChunkTest {
     glm::dvec3 m_position;
     glm::dmat3 m_toView;
     std::array<HalfSpace, 6> m_sides;
+    double m_anchorView;
     double m_pixel; ///< what snapped vertices may move by, per unit of distance
 };
 

@@ -60,7 +60,7 @@ scene::Scene withWideChunks(scene::Scene scene) {
 class LargeMeshesTest : public RenderTest {
   protected:
     /// Whether parts that are left out would have been seen, or have cast a shadow that is.
-    void expectAllSeen(const RenderOptions& options, std::uint32_t step) {
+    void expectAllSeen(const RenderOptions& options, std::uint32_t step, double farView = 0.0) {
         const scene::SceneSetup setup = hillsAround();
         const scene::Scene other = withWideChunks(setup.scene);
         const render::GpuScene ordered(device(), setup.scene);
@@ -70,6 +70,7 @@ class LargeMeshesTest : public RenderTest {
         render::Renderer whole(device(), other, wide, options);
         for (std::uint32_t frame = 0; frame < 360; frame += step) {
             scene::Camera camera = setup.path.at(frame);
+            camera.farView = std::max(camera.farView, farView);
             camera.lensShift = frame % 2 == 0 ? glm::dvec2(0.0) : glm::dvec2(0.3, -0.1);
             ASSERT_EQ(hashOf(cut.render(camera)), hashOf(whole.render(camera)))
                 << "frame " << frame << ", " << nameOf(options.technique);
@@ -83,6 +84,12 @@ TEST_F(LargeMeshesTest, AreSeenAsIfDrawnWhole) {
         options.threads = 2;
         expectAllSeen(options, test::takesAllCases() ? 7 : 61);
     }
+}
+
+/// Then float32 rounds vertices by the distance to the far plane.
+TEST_F(LargeMeshesTest, AreSeenWhereTheAnchorIsFarBehindThem) {
+    RenderOptions options = quarterOf(smallOptions(depth::parseTechnique("anchored-reversed/none")));
+    expectAllSeen(options, test::takesAllCases() ? 7 : 13, 3e10);
 }
 
 TEST_F(LargeMeshesTest, CastTheShadowsOfWholeOnes) {

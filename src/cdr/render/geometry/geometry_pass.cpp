@@ -114,7 +114,8 @@ class GeometryPass::CutDraws {
     CutDraws(const GpuScene& scene, const Recording& recording, std::size_t cascade)
         : m_scene(scene),
           m_recording(recording),
-          m_test(recording.view.camera, recording.view.frustum, recording.view.cascades[cascade].clipRange) {}
+          m_test(recording.view.camera, recording.view.frustum, recording.view.cascades[cascade].clipRange,
+                 recording.view.cascades[cascade].terms.anchorView) {}
 
     bool isCut(std::size_t draw) const {
         const DrawKind& kind = kindOf(draw);
