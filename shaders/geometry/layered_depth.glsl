@@ -8,7 +8,7 @@ layout(constant_id = 8) const float kDepthStep = 0.0;  // of the depth buffer; 0
 layout(constant_id = 9) const float kTowards = -1.0;   // the camera, in depth
 
 // log(1 - x), exact for small x too, where 1 - x rounds.
-float logOneMinus(float x) { return x < 0.01 ? -x * (1.0 + x * (0.5 + x / 3.0)) : log(1.0 - x); }
+float logOneMinus(float x) { return abs(x) < 0.01 ? -x * (1.0 + x * (0.5 + x / 3.0)) : log(1.0 - x); }
 
 // What depth in [0, 1] gains where the view distance falls from distanceView by offset.
 float depthGain(float distanceView, float offset) {
@@ -28,12 +28,13 @@ float layerShift(float ahead) {
 }
 
 // clipDistances() of a moved surface. It belongs to the cascade in which its new place lies, which draws over what it is
-// to hide. The far cascade keeps it as well where it was moved out, since the near one may not list it.
+// to hide. The cascade of its old place keeps it as well, since the other one may not list it.
 vec2 layeredClipDistances(float ahead, float shift) {
     const float kRounding = 2e-6; // of distances, interpolated
     float margin = sign(cascade.layerRank) * kRounding * (cascade.anchorView + ahead);
     float moved = ahead - shift;
-    return vec2(max(ahead, moved) - cascade.nearAhead + max(-margin, 0.0), cascade.farAhead - moved + margin);
+    return vec2(max(ahead, moved) - cascade.nearAhead + max(-margin, 0.0),
+                cascade.farAhead - min(ahead, moved) + max(margin, 0.0));
 }
 
 float layeredDepth(float ahead, float shift) {

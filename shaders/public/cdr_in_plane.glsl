@@ -1,5 +1,5 @@
 // Keeps triangles in their planes where a device rounds vertices to sub-pixels. It does so across the picture and leaves their
-// depth, so triangles tilt, and surfaces that are close together swap. For GLSL 3.30 or newer, or HLSL by cdr_in_plane.hlsl. It
+// depth, so triangles tilt, and surfaces that are close together swap. For GLSL 4.00 or newer, or HLSL by cdr_in_plane.hlsl. It
 // relies on float32 sums and products that are rounded to nearest.
 //
 // @units Distances are view distances in scene units; `ahead` is one less anchorView, as in cdr_depth.glsl.

@@ -115,7 +115,9 @@ AirSeen airAlong(AirRecord air, vec3 ray, float distance) {
     float offset = abs(lowestAt - way.nearest);
     float sunUp = dot(air.up.xyz, air.toSun.xyz) * (1.0 + way.eyeHeight);
     float sunAhead = dot(ahead, air.toSun.xyz);
-    vec2 phases = airPhases(sunAhead, air.sunlight.w);
+    vec3 unstretched = air.toSun.xyz -
+                       air.axis.xyz * (dot(air.axis.xyz, air.toSun.xyz) / (1.0 + dot(air.axis.xyz, air.axis.xyz)));
+    vec2 phases = airPhases(dot(ray, normalize(unstretched)), air.sunlight.w);
     int first = lowestAt > begin ? 0 : kAirSteps;
     int last = end > lowestAt ? 2 * kAirSteps : kAirSteps;
     for (int step = first; step < last; ++step) {

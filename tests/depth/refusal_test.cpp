@@ -93,6 +93,8 @@ const std::vector<BadCall> kBadCalls{
     constantsCall("a field of view that is no number", 0, {.fovY = kNan, .aspect = 1.0}),
     constantsCall("no width", 0, {.fovY = 1.0, .aspect = 0.0}),
     constantsCall("an infinite width", 0, {.fovY = 1.0, .aspect = HUGE_VAL}),
+    constantsCall("a width that float32 cannot divide by", 0, {.fovY = 1.0, .aspect = 1e-40}),
+    constantsCall("a field of view that float32 cannot divide by", 0, {.fovY = 1e-39, .aspect = 1.0}),
     {"advice's scene", [] { return messageOf(tryAdvise({.scene = kFarAway})); },
      [] { advise({.scene = kFarAway}); }},
 };

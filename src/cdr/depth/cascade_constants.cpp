@@ -2,7 +2,9 @@
 #include <cdr/depth/cascade_constants.h>
 #include <cdr/depth/view_constants.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -17,6 +19,13 @@ std::optional<base::Refusal> refusalOf(const Projection& projection) {
     }
     if (!(projection.aspect > 0.0 && std::isfinite(projection.aspect))) {
         return base::Refusal{base::concat("width over height must be above 0, not ", projection.aspect)};
+    }
+    const double tangent = std::tan(0.5 * projection.fovY);
+    constexpr double kMost = std::numeric_limits<float>::max();
+    if (!(std::max(1.0, 1.0 / projection.aspect) / tangent <= kMost)) {
+        return base::Refusal{base::concat("a field of view of ", projection.fovY,
+                                          " radians and a width over height of ", projection.aspect,
+                                          " are too narrow for float32")};
     }
     return {};
 }

@@ -11,7 +11,7 @@
 
 namespace cdr::depth {
 
-/// A perspective lens, as a projection matrix has it.
+/// A perspective lens, as a projection matrix has it. The matrix must be finite in float32.
 struct Projection {
     double fovY = 0.0;   ///< vertical field of view in radians, above 0 and below pi
     double aspect = 1.0; ///< width / height, above 0 and finite

@@ -244,6 +244,36 @@ TEST_F(LayersTest, KeepTheirOrderAcrossTheEndOfACascade) {
     }
 }
 
+/// Though they are moved beyond the end of every cascade that lists them.
+TEST_F(LayersTest, AreSeenWhereTheyAreMovedOutOfTheirCascade) {
+    for (const char* technique :
+         {"anchored", "standard/none", "log/none", "standard/at:10.1", "anchored/at:10.1"}) {
+        scene::Scene scene = boxScene();
+        scene.meshes.push_back(scenes::makeSquare(0.05f));
+        scene.materials.push_back(inLayer(-2.0f));
+        scene::addInstance(scene, 1, 1, 0, {0.0, 0.0, -10.0}, glm::mat3(1.0f));
+        scene::Camera camera{.fovY = 0.01};
+        camera.farView = std::string(technique).ends_with("none") ? 11.0 : 1000.0;
+        const render::Frame frame = draw(scene, camera, optionsFor(depth::parseTechnique(technique)));
+        EXPECT_EQ(frame.id(160, 90), 1u) << technique;
+    }
+}
+
+/// Far beyond their own distance, where a logarithm is no polynomial.
+TEST_F(LayersTest, ThatAreMovedFarAwayAreStillNearer) {
+    for (const char* technique : {"standard/none", "log/none", "log-fragment/none", "anchored/none"}) {
+        scene::Scene scene = boxScene();
+        scene.meshes.push_back(scenes::makeSquare(20.0f));
+        scene.materials.push_back(inLayer(-3.0f));
+        scene::addInstance(scene, 1, 1, 0, {0.0, 0.0, -1.0}, glm::mat3(1.0f));
+        scene::addInstance(scene, 1, 0, 1, {0.0, 0.0, -10.0}, glm::mat3(1.0f));
+        scene::Camera camera;
+        camera.farView = 1e4;
+        const render::Frame frame = draw(scene, camera, optionsFor(depth::parseTechnique(technique)));
+        EXPECT_EQ(frame.id(160, 90), 1u) << technique;
+    }
+}
+
 TEST_F(LayersTest, OrderBlendedSurfacesToo) {
     scene::Scene scene = boxScene();
     scene.meshes.push_back(scenes::makeSquare(1.0f));

@@ -56,6 +56,22 @@ TEST_F(AirTest, SkiesRimsAndTheGroundAreAsInFloat64) {
         << "whole planet, along its night";
 }
 
+/// As flat as Saturn, whose own sky shows its Sun beside the axis.
+TEST_F(AirTest, HazeIsBrightestAroundTheSunOfAFlatPlanetToo) {
+    scene::Scene scene = airScene();
+    scene.air->flattening = 0.1;
+    scene.air->hazeAhead = 0.9;
+    const double added = 1.0 / 0.9 - 1.0;
+    const double stretched =
+        glm::length(glm::dvec3(0.0, 1.0, 0.0) + added * scene.air->axis.y * scene.air->axis);
+    scene.air->centre = {0.0, -2.0 - kGround / stretched, 0.0};
+    for (const double angle : {0.1, 0.3}) {
+        const glm::dvec3 across = glm::normalize(glm::dvec3(0.0, 0.643, 0.766));
+        scene.air->toSun = std::cos(angle) * scene.air->axis + std::sin(angle) * across;
+        EXPECT_LE(largestStep(scene, lookFrom(0.0, 1e4 * scene.air->axis, 0.9)), 3) << angle;
+    }
+}
+
 /// Near and far, opaque and blended, from 2 m and from a station.
 TEST_F(AirTest, SurfacesAreVeiledAsInFloat64) {
     scene::Scene scene = airScene();

@@ -8,18 +8,21 @@ namespace {
 class FarLightsTest : public RenderTest {
   protected:
     /// Boxes in a light that is so far away, and half as strong there.
-    image::ImageRgba8 pictureAt(double distance, render::SurfacePath surface, bool isMetal) {
+    image::ImageRgba8 pictureAt(double distance, render::SurfacePath surface, bool isMetal,
+                                render::ShadowMethod shadows = render::ShadowMethod::none) {
         scene::Scene scene = boxScene();
         if (isMetal) {
             scene.materials[0].metallicRoughness = {.metallic = 0.5f, .roughness = 0.6f};
         }
         addBox(scene, {-0.7, 0.2, -4.0});
         addBox(scene, {1.5, -0.4, -90.0}, glm::mat3(20.0f));
+        addBox(scene, {0.0, -11.5, -8.0}, glm::mat3(20.0f));
         scene.ambient = glm::vec3(0.1f);
         scene.lights.front().position = distance * glm::normalize(glm::dvec3(0.4, 0.7, 0.6));
         scene.lights.front().halfDistance = distance;
         render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
         options.surface = surface;
+        options.shadows.method = shadows;
         return draw(scene, {.position = {0.0, 0.5, 0.0}, .nearView = 0.5, .farView = 1e4}, options).color;
     }
 };
@@ -38,6 +41,18 @@ TEST_F(FarLightsTest, LightAsNearerOnes) {
                 EXPECT_LE(largestStep(pictureAt(distance, surface, isMetal), wanted), 1)
                     << distance << ", surface " << nameOf(surface) << ", metal " << isMetal;
             }
+        }
+    }
+}
+
+TEST_F(FarLightsTest, CastTheShadowsOfNearerOnes) {
+    constexpr auto kSurface = render::SurfacePath::gbuffer;
+    const image::ImageRgba8 unshadowed = pictureAt(1e12, kSurface, false);
+    for (const render::ShadowMethod method : {render::ShadowMethod::anchored, render::ShadowMethod::plain}) {
+        const image::ImageRgba8 wanted = pictureAt(1e12, kSurface, false, method);
+        ASSERT_GT(largestStep(wanted, unshadowed), 20);
+        for (const double distance : {1e19, 1e100, 1e160, 1e300}) {
+            EXPECT_LE(largestStep(pictureAt(distance, kSurface, false, method), wanted), 1) << distance;
         }
     }
 }

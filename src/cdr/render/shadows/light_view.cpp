@@ -177,7 +177,7 @@ std::vector<LightView> lightViews(const scene::PointLight& light, const glm::dve
         return views;
     }
     const glm::dvec3 way = (camera - light.position) + slice.middle;
-    const double distance = glm::length(way);
+    const double distance = std::hypot(way.x, way.y, way.z); // its square may overflow
     const auto add = [&](const glm::dvec3& shift) {
         const std::optional<LightView> made = withMap(view, slice, shift, limits);
         if (made && isInCone(light, *made)) {
