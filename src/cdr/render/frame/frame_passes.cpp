@@ -115,7 +115,7 @@ std::unique_ptr<SlotInputs> FramePasses::makeInputs(std::size_t lightRoom) const
 }
 
 void FramePasses::forgetFrames() {
-    cutter.forget();
+    cutter.split().forget();
     if (auto* byCpu = findIn<OcclusionCulling>(occlusion)) {
         byCpu->forget();
     }
