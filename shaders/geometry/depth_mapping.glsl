@@ -15,6 +15,12 @@ vec2 projectedOf(float x, float y, float ahead, CascadePush cascade) {
     return projected;
 }
 
+// For gl_FragDepth. The viewport moves interpolated depths into the slice, but not those that a shader sets.
+float logDepthInSlice(float ahead, CascadePush cascade) {
+    float depth = cdrLogDepth(cascade.anchorView + ahead, depthOf(cascade));
+    return cascade.minDepth + depth * (cascade.maxDepth - cascade.minDepth);
+}
+
 // centreAhead: of the draw's origin.
 vec4 clipPosition(uint form, float x, float y, float ahead, float centreAhead, CascadePush cascade) {
     vec2 projected = projectedOf(x, y, ahead, cascade);

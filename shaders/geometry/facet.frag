@@ -55,8 +55,6 @@ void main() {
     outFacet = inFacet;
 #endif
 #ifdef WRITES_DEPTH
-    // The viewport moves interpolated depths into the slice, but not those set here.
-    float depth = cdrLogDepth(cascade.anchorView + inAhead, depthOf(cascade));
-    gl_FragDepth = cascade.minDepth + depth * (cascade.maxDepth - cascade.minDepth);
+    gl_FragDepth = logDepthInSlice(inAhead, cascade);
 #endif
 }

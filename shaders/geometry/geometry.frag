@@ -95,8 +95,6 @@ void main() {
 #endif
 #endif
 #ifdef WRITES_DEPTH
-    // The viewport moves interpolated depths into the slice, but not those set here.
-    float depth = cdrLogDepth(cascade.anchorView + ahead, depthOf(cascade));
-    gl_FragDepth = cascade.minDepth + depth * (cascade.maxDepth - cascade.minDepth);
+    gl_FragDepth = logDepthInSlice(ahead, cascade);
 #endif
 }

@@ -40,9 +40,7 @@ vec2 layeredClipDistances(float ahead, float shift) {
 float layeredDepth(float ahead, float shift) {
     float distanceView = cascade.anchorView + ahead;
     float range = cascade.maxDepth - cascade.minDepth;
-    float depth = kDepthForm == kDepthFormLogFragment
-                      ? cascade.minDepth + cdrLogDepth(distanceView, depthOf(cascade)) * range
-                      : gl_FragCoord.z;
+    float depth = kDepthForm == kDepthFormLogFragment ? logDepthInSlice(ahead, cascade) : gl_FragCoord.z;
     depth += depthGain(distanceView, shift) * range;
     float twoSteps = 2.0 * (kDepthStep > 0.0 ? kDepthStep : depth * 1.1920929e-7);
     return clamp(depth + kTowards * cascade.layerRank * twoSteps, cascade.minDepth, cascade.maxDepth);

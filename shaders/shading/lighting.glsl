@@ -76,13 +76,6 @@ struct LitPoint {
 #endif
 };
 
-// The share of a light that no shadow takes.
-#ifdef SHADOWED
-float shareOf(LitPoint point, uint light) { return light < kShadowChannels ? point.reached[light] : 1.0; }
-#else
-float shareOf(LitPoint point, uint light) { return 1.0; }
-#endif
-
 // From a point to a light. Subtracting float from float and rest from rest keeps the small difference of two large
 // distances; none of it is fused with a multiplication.
 vec3 wayTo(LightRecord light, LitPoint point) {
@@ -93,11 +86,20 @@ vec3 wayTo(LightRecord light, LitPoint point) {
     return vec3(lightAcross, ahead);
 }
 
-// The share of a light that its range and its cone let through, by KHR_lights_punctual. toLight is of length 1.
-float shapeOf(LightRecord light, vec3 toLight, float distanceSquared) {
-    float ofRange = min(distanceSquared, 1e37) * light.positionRest.w;
-    float inCone = clamp(light.beam.w - dot(light.beam.xyz, toLight), 0.0, 1.0);
-    return max(1.0 - ofRange * ofRange, 0.0) * inCone * inCone;
+// The share of light i that no shadow takes, and that its range and its cone let through (KHR_lights_punctual).
+float shareOf(uint i, LightRecord light, LitPoint point, vec3 way, float distanceSquared) {
+#ifdef SHADOWED
+    float share = i < kShadowChannels ? point.reached[i] : 1.0;
+#else
+    float share = 1.0;
+#endif
+    if (isShaped(light)) {
+        vec3 toLight = way * inversesqrt(max(distanceSquared, 1e-30));
+        float ofRange = min(distanceSquared, 1e37) * light.positionRest.w;
+        float inCone = clamp(light.beam.w - dot(light.beam.xyz, toLight), 0.0, 1.0);
+        share *= max(1.0 - ofRange * ofRange, 0.0) * inCone * inCone;
+    }
+    return share;
 }
 
 // Light that falls on a matt surface: what its albedo is multiplied by.
@@ -108,10 +110,7 @@ vec3 lightOn(LitPoint point) {
         vec3 way = wayTo(record, point);
         float distanceSquared = dot(way, way);
         float reach = sqrt(max(distanceSquared, 1e-30)) * (1.0 + distanceSquared * record.position.w);
-        float share = shareOf(point, i);
-        if (isShaped(record)) {
-            share *= shapeOf(record, way * inversesqrt(max(distanceSquared, 1e-30)), distanceSquared);
-        }
+        float share = shareOf(i, record, point, way, distanceSquared);
         light += record.color.rgb * (share * max(dot(point.normal, way), 0.0) / reach);
     }
     return min(light, kMostLight);
@@ -153,10 +152,7 @@ vec3 glossyLight(MetallicRoughness metallicRoughness, LitPoint point) {
         vec3 way = wayTo(record, point);
         float distanceSquared = dot(way, way);
         vec3 direction = way * inversesqrt(max(distanceSquared, 1e-30));
-        float share = shareOf(point, i);
-        if (isShaped(record)) {
-            share *= shapeOf(record, direction, distanceSquared);
-        }
+        float share = shareOf(i, record, point, way, distanceSquared);
         light += record.color.rgb * (share / (1.0 + distanceSquared * record.position.w)) *
                  pointReflectance(metallicRoughness, point.normal, toCamera, facing, direction);
     }

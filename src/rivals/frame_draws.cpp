@@ -8,6 +8,7 @@
 #include <rivals/frame_draws.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace cdr::rivals {
@@ -52,7 +53,7 @@ void FrameDraws::prepare(const scene::Camera& camera, render::FrameStats& stats)
 }
 
 void FrameDraws::cut() {
-    const depth::Cascades ranges = m_split.cut(m_view.camera, m_view.frustum, m_visible, {});
+    const depth::Cascades ranges = m_split.cut(m_view.camera, m_view.frustum, std::array{&m_visible}, {});
     m_view.cascades = render::cascadeViews(m_mapping, ranges, ranges, m_split.farEnd(), m_extent);
     m_view.drawn = {0, ranges.size()};
 }

@@ -24,7 +24,7 @@ const char* litRefusalOf(const DrawnScene& drawn, const RenderOptions& options) 
     if (options.shadows.isOn()) {
         return "shadows fall on surfaces that are shaded later";
     }
-    if (drawn.uploaded.hasMetallicRoughness() || preparedSurfaces(options.prepareFor).metallicRoughness) {
+    if (preparedSurfaces(drawn.uploaded, options.prepareFor).kept.metallicRoughness) {
         return "it draws matt surfaces";
     }
     if (drawn.scene.sky || drawn.scene.air) {
@@ -54,11 +54,11 @@ const char* refusalOf(const DrawnScene& drawn, const RenderOptions& options) {
     if (options.focus.isOn()) {
         return "a lens with a focus reads the G-buffer";
     }
-    const PreparedSurfaces prepared = preparedSurfaces(options.prepareFor);
-    if (drawn.uploaded.hasBlended() || prepared.blended) {
+    const PreparedSurfaces prepared = preparedSurfaces(drawn.uploaded, options.prepareFor);
+    if (prepared.blended) {
         return "blended surfaces read the G-buffer";
     }
-    if (drawn.uploaded.hasEmission() || prepared.emission) {
+    if (prepared.kept.emission) {
         return "surfaces that emit light, or have an occlusion texture, read the G-buffer";
     }
     if (!drawn.uploaded.hasHostVertices()) {

@@ -1,5 +1,6 @@
 #include <cdr/render/frame_cutter.h>
 
+#include <array>
 #include <optional>
 
 namespace cdr::render {
@@ -29,7 +30,7 @@ FrameView FrameCutter::look(const scene::Camera& camera) const {
 
 void FrameCutter::cut(FrameView& view, const visibility::VisibleCells& visible,
                       std::span<const depth::Interval> occupied) {
-    take(view, m_split.cut(view.camera, view.frustum, visible, occupied));
+    take(view, m_split.cut(view.camera, view.frustum, std::array{&visible}, occupied));
 }
 
 void FrameCutter::take(FrameView& view, const depth::Cascades& ranges) const {

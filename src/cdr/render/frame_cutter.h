@@ -20,7 +20,7 @@ class FrameCutter {
     FrameView look(const scene::Camera& camera) const;
 
     /// Fills FrameView::cascades. base::InputError for an unusable split or range.
-    /// @param visible opaque instances; read only where needsVisible().
+    /// @param visible opaque instances; read only where FrameSplit::needsVisible().
     /// @param occupied view distances of what else is drawn.
     void cut(FrameView& view, const visibility::VisibleCells& visible,
              std::span<const depth::Interval> occupied = {});
@@ -28,12 +28,8 @@ class FrameCutter {
     /// The same with cascades that another split cut for this camera among others.
     void take(FrameView& view, const depth::Cascades& ranges) const;
 
-    bool needsVisible() const { return m_split.needsVisible(); }
-    /// The next frame is cut as a first one is.
-    void forget() { m_split.forget(); }
-    /// As FrameSplit has them.
-    const depth::Cascades& previous() const { return m_split.previous(); }
-    void takeBack(depth::Cascades previous) { m_split.takeBack(std::move(previous)); }
+    /// What cuts.
+    FrameSplit& split() { return m_split; }
 
   private:
     const Targets& m_targets;

@@ -1,17 +1,9 @@
 #include <cdr/render/frame_split.h>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 
 namespace cdr::render {
-
-depth::Cascades FrameSplit::cut(const scene::Camera& camera, const scene::Frustum& frustum,
-                                const visibility::VisibleCells& visible,
-                                std::span<const depth::Interval> occupied) {
-    const std::array<const visibility::VisibleCells*, 1> one{&visible};
-    return cut(camera, frustum, one, occupied);
-}
 
 depth::Cascades FrameSplit::cut(const scene::Camera& camera, const scene::Frustum& frustum,
                                 std::span<const visibility::VisibleCells* const> visible,

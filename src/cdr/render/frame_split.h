@@ -17,12 +17,9 @@ class FrameSplit {
   public:
     explicit FrameSplit(const depth::Technique& technique) : m_technique(technique) {}
 
-    /// base::InputError for an unusable split or range.
-    /// @param frustum of the camera and the picture. @param occupied view distances of what is not visible cells.
-    depth::Cascades cut(const scene::Camera& camera, const scene::Frustum& frustum,
-                        const visibility::VisibleCells& visible, std::span<const depth::Interval> occupied);
-    /// Of cameras that share their cascades.
-    /// @param camera any of them: their lenses are the same. @param visible what each of them sees.
+    /// Of one camera, or of several that share their cascades. base::InputError for an unusable split or range.
+    /// @param camera any of them: their lenses are the same. @param frustum of the camera and the picture.
+    /// @param visible what each of them sees. @param occupied view distances of what is not visible cells.
     depth::Cascades cut(const scene::Camera& camera, const scene::Frustum& frustum,
                         std::span<const visibility::VisibleCells* const> visible,
                         std::span<const depth::Interval> occupied);

@@ -122,14 +122,16 @@ TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const Rend
             .occlusionRadius = options.effects.occlusion.perLayer ? options.effects.occlusion.radius : 0.0};
 }
 
-PreparedSurfaces preparedSurfaces(const PrepareFor& prepared) {
-    PreparedSurfaces surfaces{.metallicRoughness = prepared.metallicRoughness,
-                              .blended = prepared.blended,
-                              .emission = prepared.emission};
+PreparedSurfaces preparedSurfaces(const GpuScene& uploaded, const PrepareFor& prepared) {
+    PreparedSurfaces surfaces{
+        .kept = {.metallicRoughness = uploaded.hasMetallicRoughness() || prepared.metallicRoughness,
+                 .emission = uploaded.hasEmission() || prepared.emission},
+        .blended = uploaded.hasBlended() || prepared.blended};
+    KeptSurfaces& kept = surfaces.kept;
     for (const scene::Material& material : prepared.materials) {
-        surfaces.metallicRoughness = surfaces.metallicRoughness || isMetallicRoughness(material);
+        kept.metallicRoughness = kept.metallicRoughness || isMetallicRoughness(material);
         surfaces.blended = surfaces.blended || material.alphaMode == scene::AlphaMode::blend;
-        surfaces.emission = surfaces.emission || scene::hasEmission(material);
+        kept.emission = kept.emission || scene::hasEmission(material);
     }
     return surfaces;
 }

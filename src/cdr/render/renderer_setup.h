@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/render/gpu_scene.h>
 #include <cdr/render/render_options.h>
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/shading/shading_pass.h>
@@ -27,13 +28,19 @@ PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options,
 /// Without emission.
 TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options);
 
-/// What a renderer is prepared for: by PrepareFor itself, and by its materials.
-struct PreparedSurfaces {
-    bool metallicRoughness = false;
-    bool blended = false;
-    bool emission = false;
+/// What surfaces keep for shading beside the G-buffer's colour, normal, distance and id.
+struct KeptSurfaces {
+    bool metallicRoughness = false; ///< GeometryOptions::metallicRoughness
+    bool emission = false;          ///< GeometryOptions::emission
+    bool operator==(const KeptSurfaces&) const = default;
 };
-PreparedSurfaces preparedSurfaces(const PrepareFor& prepared);
+
+/// What a renderer is prepared for: by its scene, by PrepareFor itself, and by its materials.
+struct PreparedSurfaces {
+    KeptSurfaces kept{};
+    bool blended = false;
+};
+PreparedSurfaces preparedSurfaces(const GpuScene& uploaded, const PrepareFor& prepared);
 
 /// Whether frames show metallic and roughness; else FrameStats::lostMetallicRoughness says so where a surface has them.
 bool keepsMetallicRoughness(const RenderOptions& options);

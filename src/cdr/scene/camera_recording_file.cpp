@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -47,25 +48,16 @@ double numberIn(const nlohmann::json& json, const char* key) {
     return value.get<double>();
 }
 
-glm::dvec3 vectorIn(const nlohmann::json& json, const char* key) {
+/// Two or three.
+template <int N>
+glm::vec<N, double> numbersIn(const nlohmann::json& json, const char* key) {
     const nlohmann::json& value = json.at(key);
-    if (!value.is_array() || value.size() != 3 || !value[0].is_number() || !value[1].is_number() ||
-        !value[2].is_number()) {
-        throw base::inputError("{} must be three numbers", key);
+    if (!value.is_array() || value.size() != N || !std::ranges::all_of(value, &nlohmann::json::is_number)) {
+        throw base::inputError("{} must be {} numbers", key, N == 3 ? "three" : "two");
     }
-    return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
-}
-
-/// None where the recording does not name it.
-glm::dvec2 lensShiftIn(const nlohmann::json& json) {
-    const auto found = json.find("lens_shift");
-    if (found == json.end()) {
-        return glm::dvec2(0.0);
-    }
-    if (!found->is_array() || found->size() != 2 || !(*found)[0].is_number() || !(*found)[1].is_number()) {
-        throw base::InputError("lens_shift must be two numbers");
-    }
-    return {(*found)[0].get<double>(), (*found)[1].get<double>()};
+    glm::vec<N, double> numbers(0.0);
+    std::copy(value.begin(), value.end(), &numbers.x);
+    return numbers;
 }
 
 void requireOrthonormal(const Camera& camera) {
@@ -85,14 +77,16 @@ void requireOrthonormal(const Camera& camera) {
 
 RecordedCamera cameraIn(const nlohmann::json& json) {
     const RecordedCamera recorded{.seconds = numberIn(json, "seconds"),
-                                  .camera = {.position = vectorIn(json, "position"),
-                                             .right = vectorIn(json, "right"),
-                                             .up = vectorIn(json, "up"),
-                                             .back = vectorIn(json, "back"),
+                                  .camera = {.position = numbersIn<3>(json, "position"),
+                                             .right = numbersIn<3>(json, "right"),
+                                             .up = numbersIn<3>(json, "up"),
+                                             .back = numbersIn<3>(json, "back"),
                                              .fovY = numberIn(json, "fov_radians"),
                                              .nearView = numberIn(json, "near"),
                                              .farView = numberIn(json, "far"),
-                                             .lensShift = lensShiftIn(json)}};
+                                             .lensShift = json.contains("lens_shift")
+                                                              ? numbersIn<2>(json, "lens_shift")
+                                                              : glm::dvec2(0.0)}};
     requireOrthonormal(recorded.camera); // says more than requireUsable() about axes
     requireUsable(recorded.camera);
     return recorded;
@@ -148,8 +142,7 @@ void writeRecording(const std::filesystem::path& path, const CameraRecording& re
                     {"version", kFormatVersion},
                     {"scene", recording.scene},
                     {"cameras", std::move(cameras)}};
-    // A scene is named by a path, which need not be UTF-8.
-    platform::writeText(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    platform::writeText(path, platform::textOf(json, 1)); // a scene's path need not be UTF-8
 }
 
 CameraRecording readRecording(const std::filesystem::path& path) {

@@ -179,7 +179,7 @@ class Flicker {
             .picture = {}};
         made.inner = measure::innerMask(made.truth);
         if (takesFlip(frame)) {
-            made.picture = measure::shadeTruth(m_setup.scene, camera, made.truth, m_workers);
+            made.picture = measure::shadeTruth(m_setup.scene, m_caster, camera, made.truth, m_workers);
         }
         return made;
     }

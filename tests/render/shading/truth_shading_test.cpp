@@ -16,8 +16,9 @@ class TruthShadingTest : public RenderTest {};
 /// Two programs that share no line light the same surfaces alike.
 void expectAlike(const render::Frame& frame, const scene::Scene& scene, const scene::Camera& camera) {
     platform::WorkerPool workers(2);
-    const auto truth = measure::castTruth(scene, camera, frame.width(), frame.height(), workers);
-    const auto shaded = measure::shadeTruth(scene, camera, truth, workers);
+    const measure::TruthCaster caster(scene, workers);
+    const auto truth = caster.cast(camera, frame.width(), frame.height(), workers);
+    const auto shaded = measure::shadeTruth(scene, caster, camera, truth, workers);
     const auto inner = measure::innerMask(truth);
     std::size_t alike = 0;
     std::size_t off = 0;
@@ -92,12 +93,15 @@ TEST_F(TruthShadingTest, HighlightsAMillionUnitsAwayToo) {
     expectAlike(draw(scene, camera, smallOptions(depth::parseTechnique("anchored"))), scene, camera);
 }
 
-TEST_F(TruthShadingTest, RefusesWhatHasNoFlatFaces) {
+TEST_F(TruthShadingTest, InterpolatedNormalsToo) {
     scene::Scene scene = boxScene();
     scene.meshes[0].boxHalfSides.reset();
-    addBox(scene, glm::dvec3(0.0));
-    platform::WorkerPool workers(1);
-    EXPECT_THROW(measure::shadeTruth(scene, {}, measure::TruthImage(2, 2), workers), base::InputError);
+    for (scene::Vertex& vertex : scene.meshes[0].vertices) {
+        vertex.normal = glm::normalize(vertex.position);
+    }
+    addBox(scene, glm::dvec3(0.0), glm::mat3(3.0f));
+    const scene::Camera camera = scene::lookAt({.fovY = 0.9}, {1.0, 2.0, 4.0}, glm::dvec3(0.0));
+    expectAlike(draw(scene, camera, smallOptions(depth::parseTechnique("standard"))), scene, camera);
 }
 
 TEST(OrderByTruth, ReplacesOnlyWhatIsWrong) {

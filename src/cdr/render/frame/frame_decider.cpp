@@ -31,7 +31,7 @@ void FrameDecider::decide(FrameSlot& slot, const scene::Camera& camera, const De
     slot.before = {.view = std::move(slot.view),
                    .stats = slot.stats,
                    .copy = slot.copy,
-                   .cut = m_equipment.passes().cutter.previous(),
+                   .cut = m_equipment.passes().cutter.split().previous(),
                    .isMotionFollowed = false};
     try {
         platform::StageWatch watch(m_equipment.options().trace);
@@ -47,7 +47,7 @@ void FrameDecider::takeBack(FrameSlot& slot) {
     slot.view = std::move(slot.before.view);
     slot.stats = slot.before.stats;
     slot.copy = slot.before.copy;
-    m_equipment.passes().cutter.takeBack(std::move(slot.before.cut));
+    m_equipment.passes().cutter.split().takeBack(std::move(slot.before.cut));
     if (slot.before.isMotionFollowed) {
         forgetMotion();
     }
@@ -138,7 +138,7 @@ void FrameDecider::followMotion(const scene::Camera& camera) {
 
 void FrameDecider::followCut(const scene::Camera& camera) {
     FrameCutter& cutter = m_equipment.passes().cutter;
-    if (cutter.needsVisible()) {
+    if (cutter.split().needsVisible()) {
         FrameView view = cutter.look(camera);
         cull(view);
         cutter.cut(view, m_visible);
@@ -157,7 +157,8 @@ void FrameDecider::forgetMotion() {
 }
 
 bool FrameDecider::readsVisible(const FrameSlot& slot) const {
-    return slot.path->needsVisible() || m_equipment.passes().cutter.needsVisible() || slot.inputs->shadows;
+    return slot.path->needsVisible() || m_equipment.passes().cutter.split().needsVisible() ||
+           slot.inputs->shadows;
 }
 
 void FrameDecider::cull(const FrameView& view) {

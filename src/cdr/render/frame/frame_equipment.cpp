@@ -43,10 +43,8 @@ void FrameEquipment::giveLightRoom(std::size_t lights) {
 
 FrameEquipment::Made FrameEquipment::make(const SceneNeeds& needs, const RenderOptions& options) const {
     const bool snapsAnew = snapsVertices(options) && options != m_options;
-    const bool keepsOther =
-        needs.metallicRoughness != m_needs.metallicRoughness || needs.emission != m_needs.emission;
     Made made{.needs = needs, .options = options, .paths = nullptr, .passes = nullptr, .slots = nullptr};
-    if (keepsOther || snapsAnew) {
+    if (needs.kept != m_needs.kept || snapsAnew) {
         made.paths = makePaths(needs, options);
     }
     const DrawPathFactory& used = made.paths != nullptr ? *made.paths : *m_paths;
@@ -69,7 +67,7 @@ void FrameEquipment::take(Made made) {
 std::unique_ptr<DrawPathFactory> FrameEquipment::makePaths(const SceneNeeds& needs,
                                                            const RenderOptions& options) const {
     return std::make_unique<DrawPathFactory>(m_device, m_drawn, chooseFacets(m_drawn, options), options,
-                                             needs.kept());
+                                             needs.kept);
 }
 
 std::unique_ptr<SlotRing> FrameEquipment::makeSlots(const RenderOptions& options,

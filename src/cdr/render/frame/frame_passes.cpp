@@ -59,7 +59,7 @@ FramePasses::FramePasses(const gpu::Device& device, const DrawnScene& drawn, con
       litTargets(makeLitTargets(device, extent, options)),
       picture(device, pictureOptions(extent, options, needs.traits(), daylightIf(needs.sky || needs.air)),
               litTargets != nullptr ? &litTargets->gbuffer() : nullptr),
-      ownTargets(makeOwnTargets(device, drawn, options, needs.kept(), picture)),
+      ownTargets(makeOwnTargets(device, drawn, options, needs.kept, picture)),
       targets(std::visit([](const auto& own) -> Targets& { return *own; }, ownTargets)),
       cutter(options, targets),
       shadows(options.shadows.isOn()
@@ -68,7 +68,7 @@ FramePasses::FramePasses(const gpu::Device& device, const DrawnScene& drawn, con
                   : nullptr),
       shading(device, targets.gbuffer(), picture.lit(),
               {.effects = options.effects,
-               .metallicRoughness = needs.metallicRoughness,
+               .metallicRoughness = needs.kept.metallicRoughness,
                .mapping = options.technique.mapping,
                .sky = needs.sky,
                .air = needs.air,
@@ -115,7 +115,7 @@ std::unique_ptr<SlotInputs> FramePasses::makeInputs(std::size_t lightRoom) const
 }
 
 void FramePasses::forgetFrames() {
-    cutter.forget();
+    cutter.split().forget();
     if (auto* byCpu = findIn<OcclusionCulling>(occlusion)) {
         byCpu->forget();
     }

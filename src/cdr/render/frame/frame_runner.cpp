@@ -60,7 +60,7 @@ void FrameRunner::skip(const scene::Camera& camera) {
 void FrameRunner::requireRecordable(const HostFrame& frame) {
     render::requireRecordable(m_device, options(), frame);
     followScene(); // what was added may emit light
-    if (frame.draw && m_equipment.needs().emission) {
+    if (frame.draw && m_equipment.needs().kept.emission) {
         throw base::InputError("a host cannot draw beside surfaces that emit light or have occlusion "
                                "textures, nor where these are prepared for");
     }

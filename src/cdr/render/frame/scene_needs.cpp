@@ -1,15 +1,12 @@
 #include <cdr/render/frame/scene_needs.h>
-#include <cdr/render/renderer_setup.h>
 
 namespace cdr::render {
 
 SceneNeeds needsOf(const DrawnScene& drawn, const RenderOptions& options) {
-    const GpuScene& uploaded = drawn.uploaded;
-    const PreparedSurfaces prepared = preparedSurfaces(options.prepareFor);
-    return {.metallicRoughness = (uploaded.hasMetallicRoughness() || prepared.metallicRoughness) &&
-                                 keepsMetallicRoughness(options),
-            .blended = uploaded.hasBlended() || prepared.blended,
-            .emission = (uploaded.hasEmission() || prepared.emission) && keepsEmission(options),
+    const auto [kept, blended] = preparedSurfaces(drawn.uploaded, options.prepareFor);
+    return {.kept = {.metallicRoughness = kept.metallicRoughness && keepsMetallicRoughness(options),
+                     .emission = kept.emission && keepsEmission(options)},
+            .blended = blended,
             .sky = drawn.scene.sky.has_value(),
             .air = drawn.scene.air.has_value(),
             .focusBackground = options.focus.isOn() ? drawn.scene.background : glm::vec3(0.0f)};

@@ -18,8 +18,9 @@ namespace cdr::render {
 /// What a light sees of the surfaces of a slice, and of all that lies between. Positions are relative to `origin`, which is
 /// subtracted in float64. So what is near it keeps its place, however far away the light and the world's origin are.
 struct LightView {
-    std::size_t slice = 0; ///< of the frame's
-    double nearView = 0.0; ///< ReceiverSlice
+    std::size_t slice = 0;   ///< of the frame's
+    std::size_t channel = 0; ///< of the mask: the light's place in scene::shadowLights()
+    double nearView = 0.0;   ///< ReceiverSlice
     double farView = 0.0;
     glm::dvec3 origin{0.0};          ///< world space
     glm::dvec3 right{1.0, 0.0, 0.0}; ///< world axes, unit, as all three

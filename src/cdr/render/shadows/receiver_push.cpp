@@ -40,7 +40,7 @@ shaders::ReceiverPush receiverPush(const LightView& view, const FrameView& frame
             .lens = view.lens(),
             .snap = static_cast<float>(frame.frustum.footprintSlope * halfStep),
             .mapSnap = static_cast<float>(halfStep),
-            .channel = static_cast<std::uint32_t>(options.channel),
+            .channel = static_cast<std::uint32_t>(view.channel),
             .isPlain = options.isPlain ? 1u : 0u,
             .mapLast = last,
             // A texel less than the border, so that neighbouring parts overlap.

@@ -5,14 +5,12 @@
 #include <cdr/render/shadows/light_view.h>
 #include <cdr/shaders/shadows_shared.h>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace cdr::render {
 
-/// Which light a map is of, and how surfaces are compared with it.
+/// How surfaces are compared with a map.
 struct ReceiverOptions {
-    std::size_t channel = 0;        ///< of the mask: the light's place in scene::shadowLights()
     bool isPlain = false;           ///< ShadowMethod::plain: places are taken from the camera
     std::uint32_t subPixelBits = 0; ///< to which vertices snap
     vk::Offset2D corner{};          ///< the map's first texel in its image

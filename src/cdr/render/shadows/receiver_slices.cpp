@@ -108,6 +108,35 @@ void addSection(std::vector<SeenSphere>& seen, const scene::Camera& camera, cons
     }
 }
 
+/// Today's practice, for comparison.
+std::vector<ReceiverSlice> practicalSlices(const scene::Camera& camera, const scene::Frustum& frustum,
+                                           std::span<const SeenSphere> seen) {
+    double nearView = camera.farView;
+    double farView = camera.nearView;
+    for (const SeenSphere& sphere : seen) {
+        nearView = std::min(nearView, std::max(sphere.distanceView - sphere.radius, camera.nearView));
+        farView = std::max(farView, std::min(sphere.distanceView + sphere.radius, camera.farView));
+    }
+    if (!(nearView < farView)) {
+        return {};
+    }
+    constexpr int kPracticalSlices = 4;
+    constexpr double kShareOfLogarithm = 0.5;
+    std::vector<double> ends;
+    for (int i = 0; i <= kPracticalSlices; ++i) {
+        const double share = static_cast<double>(i) / kPracticalSlices;
+        ends.push_back(glm::mix(glm::mix(nearView, farView, share),
+                                nearView * std::pow(farView / nearView, share), kShareOfLogarithm));
+    }
+    ends.back() = std::nextafter(static_cast<float>(farView), std::numeric_limits<float>::infinity());
+    std::vector<ReceiverSlice> slices = cutAt(ends, camera, frustum, seen);
+    for (ReceiverSlice& slice : slices) {
+        slice.boxes = slice.view;
+        placeReceivers(camera, slice);
+    }
+    return slices;
+}
+
 } // namespace
 
 void addOccupied(std::vector<SeenSphere>& seen, const scene::Camera& camera, const scene::Frustum& frustum,
@@ -158,31 +187,10 @@ std::vector<ReceiverSlice> receiverSlices(const scene::Camera& camera, const sce
     return cutAt(ends, camera, frustum, seen);
 }
 
-std::vector<ReceiverSlice> practicalSlices(const scene::Camera& camera, const scene::Frustum& frustum,
-                                           std::span<const SeenSphere> seen) {
-    double nearView = camera.farView;
-    double farView = camera.nearView;
-    for (const SeenSphere& sphere : seen) {
-        nearView = std::min(nearView, std::max(sphere.distanceView - sphere.radius, camera.nearView));
-        farView = std::max(farView, std::min(sphere.distanceView + sphere.radius, camera.farView));
-    }
-    if (!(nearView < farView)) {
-        return {};
-    }
-    constexpr double kShareOfLogarithm = 0.5;
-    std::vector<double> ends;
-    for (int i = 0; i <= kPracticalSlices; ++i) {
-        const double share = static_cast<double>(i) / kPracticalSlices;
-        ends.push_back(glm::mix(glm::mix(nearView, farView, share),
-                                nearView * std::pow(farView / nearView, share), kShareOfLogarithm));
-    }
-    ends.back() = std::nextafter(static_cast<float>(farView), std::numeric_limits<float>::infinity());
-    std::vector<ReceiverSlice> slices = cutAt(ends, camera, frustum, seen);
-    for (ReceiverSlice& slice : slices) {
-        slice.boxes = slice.view;
-        placeReceivers(camera, slice);
-    }
-    return slices;
+std::vector<ReceiverSlice> slicesOf(ShadowMethod method, const scene::Camera& camera,
+                                    const scene::Frustum& frustum, std::span<const SeenSphere> seen) {
+    return method == ShadowMethod::plain ? practicalSlices(camera, frustum, seen)
+                                         : receiverSlices(camera, frustum, seen);
 }
 
 } // namespace cdr::render

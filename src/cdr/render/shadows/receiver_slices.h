@@ -2,6 +2,7 @@
 
 #include <cdr/depth/cascade.h>
 #include <cdr/depth/occupancy.h>
+#include <cdr/render/shadows/shadows.h>
 #include <cdr/scene/frustum.h>
 #include <cdr/visibility/cull_cells.h>
 
@@ -54,9 +55,9 @@ void addOccupied(std::vector<SeenSphere>& seen, const scene::Camera& camera, con
 std::vector<ReceiverSlice> receiverSlices(const scene::Camera& camera, const scene::Frustum& frustum,
                                           std::span<const SeenSphere> seen);
 
-/// Four slices of the whole frustum, from the nearest surface that is seen to the farthest. Ends are halfway between those of
-/// an even split and of one even in ratio (Zhang and others 2006). This is today's practice, for comparison.
-std::vector<ReceiverSlice> practicalSlices(const scene::Camera& camera, const scene::Frustum& frustum,
-                                           std::span<const SeenSphere> seen);
-inline constexpr int kPracticalSlices = 4;
+/// Those, or for ShadowMethod::plain four slices of the whole frustum, from the nearest surface that is seen to the farthest.
+/// Ends are halfway between those of an even split and of one even in ratio (Zhang and others 2006).
+std::vector<ReceiverSlice> slicesOf(ShadowMethod method, const scene::Camera& camera,
+                                    const scene::Frustum& frustum, std::span<const SeenSphere> seen);
+
 } // namespace cdr::render

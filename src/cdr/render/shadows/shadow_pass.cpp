@@ -96,11 +96,9 @@ ShadowPass::Slot ShadowPass::makeSlot(const ShadingInputs& shading) const {
 
 void ShadowPass::prepare(Slot& slot, const FrameView& view, const Seen& seen, std::uint32_t subPixelBits,
                          platform::WorkerPool& workers) const {
-    const bool isPlain = m_options.method == ShadowMethod::plain;
     std::vector<SeenSphere> spheres = seenSpheres(view.camera, seen.visible);
     addOccupied(spheres, view.camera, view.frustum, seen.occupied);
-    const std::vector<ReceiverSlice> slices = isPlain ? practicalSlices(view.camera, view.frustum, spheres)
-                                                      : receiverSlices(view.camera, view.frustum, spheres);
+    const std::vector<ReceiverSlice> slices = slicesOf(m_options.method, view.camera, view.frustum, spheres);
     slot.slices = slicePush(slices, m_options.method);
     slot.cascades = view.cascades.size();
     slot.views.clear();
@@ -116,16 +114,15 @@ void ShadowPass::prepare(Slot& slot, const FrameView& view, const Seen& seen, st
             for (const LightView& made : viewsOf(m_scene.scene.lights[lights[channel]], slices[i], view)) {
                 slot.views.push_back(made);
                 slot.views.back().slice = i;
-                slot.receivers.push_back({.channel = channel});
+                slot.views.back().channel = channel;
             }
         }
     }
     slot.casters.prepare(view, slices, slot.views, workers); // finds where views begin
-    for (std::size_t i = 0; i < slot.views.size(); ++i) {
-        Receivers& receivers = slot.receivers[i];
-        receivers.push =
-            receiverPush(slot.views[i], view,
-                         {.channel = receivers.channel, .isPlain = isPlain, .subPixelBits = subPixelBits});
+    const bool isPlain = m_options.method == ShadowMethod::plain;
+    for (const LightView& made : slot.views) {
+        slot.receivers.push_back(
+            receiverPush(made, view, {.isPlain = isPlain, .subPixelBits = subPixelBits}));
     }
 }
 
@@ -177,7 +174,7 @@ void ShadowPass::recordView(vk::CommandBuffer primary, const Slot& slot, std::si
     m_map.record(primary, {&whole, 1}, slot.casters);
     const SlicePixels& pixels = slot.pixels[view.slice];
     const FullscreenPass::Draw draw{.set = *slot.inputs,
-                                    .push = std::as_bytes(std::span(&slot.receivers[index].push, 1)),
+                                    .push = std::as_bytes(std::span(&slot.receivers[index], 1)),
                                     .depth = pixels.depth,
                                     .area = pixels.area};
     gpu::pipelineBarrier(primary, {chainBarrier(m_mask)});

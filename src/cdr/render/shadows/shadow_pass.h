@@ -28,11 +28,6 @@ class ShadowPass {
     /// @param gbuffer or the visibility buffer.
     ShadowPass(const gpu::Device& device, const DrawnScene& scene, const gpu::Image& gbuffer,
                const Shadows& options, depth::Mapping mapping);
-    /// The pixels that read one map.
-    struct Receivers {
-        std::size_t channel = 0;      ///< ReceiverOptions::channel
-        shaders::ReceiverPush push{}; ///< known once casters are
-    };
     /// One frame slot's.
     struct Slot {
         PassInputs inputs;
@@ -42,7 +37,7 @@ class ShadowPass {
         std::optional<SeenSlices::Slot> seen{}; ///< where the device has conditional rendering
         std::vector<SlicePixels> pixels{};      ///< of each slice
         std::vector<LightView> views{};
-        std::vector<Receivers> receivers{}; ///< of each view
+        std::vector<shaders::ReceiverPush> receivers{}; ///< of each view
     };
     Slot makeSlot(const ShadingInputs& shading) const;
 

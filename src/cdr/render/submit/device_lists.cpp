@@ -42,12 +42,10 @@ shaders::BinningView viewOf(const FrameView& view, double wideSpan) {
     block.levelSlope = view.levels.slope;
     block.detailMode = static_cast<std::uint32_t>(view.levels.mode);
     block.cascades = static_cast<std::uint32_t>(view.cascades.size());
-    double farthest = 0.0;
     for (std::size_t c = 0; c < view.cascades.size(); ++c) {
         const CascadeView& cascade = view.cascades[c];
-        farthest = std::max(farthest, cascade.clipRange.farView);
         block.nearViews[c] = cascade.clipRange.nearView;
-        block.farViews[c] = farthest;
+        block.farViews[c] = cascade.clipRange.farView;
         block.anchors[c] = cascade.terms.anchorView;
     }
     return block;

@@ -16,11 +16,7 @@
 
 namespace cdr::render {
 
-/// What surfaces keep for shading beside the G-buffer's colour, normal, distance and id.
-struct KeptSurfaces {
-    bool metallicRoughness = false; ///< GeometryOptions::metallicRoughness
-    bool emission = false;          ///< GeometryOptions::emission
-};
+struct KeptSurfaces;
 
 /// Makes the draw paths of a renderer's frame slots, all by one submission, and owns what they share.
 class DrawPathFactory {

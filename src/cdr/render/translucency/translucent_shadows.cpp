@@ -62,14 +62,11 @@ std::uint32_t TranslucentShadows::maxTexels(std::span<const ReceiverSlice> slice
 
 void TranslucentShadows::prepare(const FrameView& view, const visibility::VisibleList& seen,
                                  std::uint32_t subPixelBits, platform::WorkerPool& workers) {
-    const bool isPlain = m_options.method == ShadowMethod::plain;
-    const std::vector<SeenSphere> spheres = spheresOf(m_scene.scene, view.camera, seen);
-    const std::vector<ReceiverSlice> slices = isPlain ? practicalSlices(view.camera, view.frustum, spheres)
-                                                      : receiverSlices(view.camera, view.frustum, spheres);
+    const std::vector<ReceiverSlice> slices =
+        slicesOf(m_options.method, view.camera, view.frustum, spheresOf(m_scene.scene, view.camera, seen));
     const std::vector<std::uint32_t> lights = scene::shadowLights(m_scene.scene.lights);
     const std::uint32_t most = maxTexels(slices, view);
     m_views.clear();
-    m_channels.clear();
     // What lies between two slices, or before the first, is drawn with the farther one, and is in none of its maps.
     m_slices.assign(1, {.nearView = 0.0f, .farView = 0.0f, .firstMap = 0, .mapCount = 0});
     for (std::size_t i = 0; i < slices.size(); ++i) {
@@ -87,8 +84,8 @@ void TranslucentShadows::prepare(const FrameView& view, const visibility::Visibl
                             view.frustum.footprintSlope, most)) {
                 m_views.push_back(seenByLight);
                 m_views.back().slice = i;
+                m_views.back().channel = channel;
             }
-            m_channels.resize(m_views.size(), channel);
         }
         drawn.mapCount = static_cast<std::uint32_t>(m_views.size()) - drawn.firstMap;
     }
@@ -97,13 +94,11 @@ void TranslucentShadows::prepare(const FrameView& view, const visibility::Visibl
     placeMaps();
     gpu::growRecords(m_device, m_receivers, m_views.size(), sizeof(shaders::ReceiverPush),
                      "translucent receivers", vk::BufferUsageFlagBits::eStorageBuffer);
+    const bool isPlain = m_options.method == ShadowMethod::plain;
     const auto receivers = m_receivers.as<shaders::ReceiverPush>(m_views.size());
     for (std::size_t i = 0; i < m_views.size(); ++i) {
-        receivers[i] = receiverPush(m_views[i], view,
-                                    {.channel = m_channels[i],
-                                     .isPlain = isPlain,
-                                     .subPixelBits = subPixelBits,
-                                     .corner = m_corners[i]});
+        receivers[i] = receiverPush(
+            m_views[i], view, {.isPlain = isPlain, .subPixelBits = subPixelBits, .corner = m_corners[i]});
     }
     m_receivers.flush();
 }

@@ -51,7 +51,6 @@ class TranslucentShadows {
     ShadowMap m_map; ///< of one slice
     gpu::Buffer m_receivers;
     std::vector<LightView> m_views;      ///< slice by slice
-    std::vector<std::size_t> m_channels; ///< of each view: ReceiverOptions::channel
     std::vector<vk::Offset2D> m_corners; ///< of each view's map
     std::vector<shaders::TranslucentSlice> m_slices;
 };
