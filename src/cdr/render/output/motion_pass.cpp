@@ -52,9 +52,7 @@ MotionPass::MotionPass(const gpu::Device& device, const gpu::Image& gbuffer, std
 
 MotionPass::Inputs MotionPass::makeInputs(const ShadingInputs& shading) const {
     Inputs inputs;
-    inputs.m_inputs = m_pass.makeInputs();
-    inputs.m_inputs.setImage(0, m_gbuffer);
-    inputs.m_inputs.setBuffer(1, shading.lights());
+    inputs.m_inputs = m_pass.makeInputs(m_gbuffer, shading.lights());
     makeRoom(inputs, 1, 1); // no buffer is empty
     return inputs;
 }

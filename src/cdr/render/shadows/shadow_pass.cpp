@@ -82,10 +82,9 @@ ShadowPass::ShadowPass(const gpu::Device& device, const DrawnScene& scene, const
 }
 
 ShadowPass::Slot ShadowPass::makeSlot(const ShadingInputs& shading) const {
-    Slot slot{.inputs = m_receivers.few.makeInputs(), .casters = CasterDraws(m_device, m_scene)};
+    Slot slot{.inputs = m_receivers.few.makeInputs(m_gbuffer, shading.lights()),
+              .casters = CasterDraws(m_device, m_scene)};
     const std::uint32_t map = isVisibilityBuffer(m_gbuffer) ? 3 : 2;
-    slot.inputs.setImage(0, m_gbuffer);
-    slot.inputs.setBuffer(1, shading.lights());
     slot.inputs.setImage(map, m_map.depth());
     slot.inputs.setImage(map + 1, m_map.slope());
     if (m_seen) {

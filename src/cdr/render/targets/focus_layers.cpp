@@ -182,9 +182,7 @@ vk::DescriptorSet FocusLayers::setOf(const Layer& layer, const ShadingInputs& sh
     if (found != inputs.m_ofLayer.end()) {
         return *found->second;
     }
-    PassInputs made = m_light.makeInputs(); // whole before it is kept, since this may throw
-    made.setImage(0, layer.gbuffer);
-    made.setBuffer(1, shading.lights());
+    PassInputs made = m_light.makeInputs(layer.gbuffer, shading.lights()); // first, since this may throw
     return *inputs.m_ofLayer.try_emplace(&layer.gbuffer, std::move(made)).first->second;
 }
 
