@@ -9,88 +9,25 @@
 
 namespace cdr::render {
 
-namespace {
+/// Defines nameOf() and the parser of an option. The list of its values, what messages call one, and their names follow.
+#define CDR_OPTION_NAMES(Option, list, what, ...)                                                            \
+    static constexpr base::EnumNames<Option, (list).size()> k##Option##Names{what, {__VA_ARGS__}};           \
+    std::string_view nameOf(Option option) {                                                                 \
+        return k##Option##Names.nameOf(option);                                                              \
+    }                                                                                                        \
+    Option parse##Option(std::string_view name) {                                                            \
+        return k##Option##Names.parse(name);                                                                 \
+    }
 
-using base::EnumNames;
+CDR_OPTION_NAMES(Antialias, kAntialiases, "antialiasing", "none", "edges")
+CDR_OPTION_NAMES(Batching, kBatchings, "batching", "per-object", "push-constants", "instanced")
+CDR_OPTION_NAMES(ShadowMethod, kShadowMethods, "shadows", "none", "anchored", "plain")
+CDR_OPTION_NAMES(Snapping, kSnappings, "snapping", "by-device", "in-plane")
+CDR_OPTION_NAMES(Submission, kSubmissions, "submission", "secondaries", "primaries", "gpu-driven")
+CDR_OPTION_NAMES(SurfacePath, kSurfacePaths, "surface", "gbuffer", "visibility", "lit")
+CDR_OPTION_NAMES(ToneMap, kToneMaps, "tone mapping", "scene", "none", "neutral")
+CDR_OPTION_NAMES(Translucency, kTranslucencies, "translucency", "weighted", "sorted")
 
-constexpr EnumNames<Antialias, kAntialiases.size()> kAntialiasNames{"antialiasing", {"none", "edges"}};
-constexpr EnumNames<Batching, kBatchings.size()> kBatchingNames{
-    "batching", {"per-object", "push-constants", "instanced"}};
-constexpr EnumNames<ShadowMethod, kShadowMethods.size()> kShadowNames{"shadows",
-                                                                      {"none", "anchored", "plain"}};
-constexpr EnumNames<Snapping, kSnappings.size()> kSnappingNames{"snapping", {"by-device", "in-plane"}};
-constexpr EnumNames<Submission, kSubmissions.size()> kSubmissionNames{
-    "submission", {"secondaries", "primaries", "gpu-driven"}};
-constexpr EnumNames<SurfacePath, kSurfacePaths.size()> kSurfaceNames{"surface",
-                                                                     {"gbuffer", "visibility", "lit"}};
-constexpr EnumNames<ToneMap, kToneMaps.size()> kToneMapNames{"tone mapping", {"scene", "none", "neutral"}};
-constexpr EnumNames<Translucency, kTranslucencies.size()> kTranslucencyNames{"translucency",
-                                                                             {"weighted", "sorted"}};
-
-} // namespace
-
-std::string_view nameOf(Antialias antialias) {
-    return kAntialiasNames.nameOf(antialias);
-}
-
-Antialias parseAntialias(std::string_view name) {
-    return kAntialiasNames.parse(name);
-}
-
-std::string_view nameOf(Batching batching) {
-    return kBatchingNames.nameOf(batching);
-}
-
-Batching parseBatching(std::string_view name) {
-    return kBatchingNames.parse(name);
-}
-
-std::string_view nameOf(ShadowMethod method) {
-    return kShadowNames.nameOf(method);
-}
-
-ShadowMethod parseShadowMethod(std::string_view name) {
-    return kShadowNames.parse(name);
-}
-
-std::string_view nameOf(Snapping snapping) {
-    return kSnappingNames.nameOf(snapping);
-}
-
-Snapping parseSnapping(std::string_view name) {
-    return kSnappingNames.parse(name);
-}
-
-std::string_view nameOf(Submission submission) {
-    return kSubmissionNames.nameOf(submission);
-}
-
-Submission parseSubmission(std::string_view name) {
-    return kSubmissionNames.parse(name);
-}
-
-std::string_view nameOf(SurfacePath path) {
-    return kSurfaceNames.nameOf(path);
-}
-
-SurfacePath parseSurfacePath(std::string_view name) {
-    return kSurfaceNames.parse(name);
-}
-
-std::string_view nameOf(ToneMap toneMap) {
-    return kToneMapNames.nameOf(toneMap);
-}
-
-ToneMap parseToneMap(std::string_view name) {
-    return kToneMapNames.parse(name);
-}
-
-std::string_view nameOf(Translucency translucency) {
-    return kTranslucencyNames.nameOf(translucency);
-}
-
-Translucency parseTranslucency(std::string_view name) {
-    return kTranslucencyNames.parse(name);
-}
+#undef CDR_OPTION_NAMES
 
 } // namespace cdr::render

@@ -151,7 +151,7 @@ std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions
     const bool hasFacets = options.surface != SurfacePath::gbuffer;
     return predictLayerBytes(device, extent, options.technique.format,
                              hasFacets ? kVisibilityFormat : kGBufferFormat) +
-           (hasFacets ? gpu::predictBytes(device, gbufferOptions(extent)) : 0) +
+           (hasFacets ? gpu::predictBytes(device, colorOptions(extent, kGBufferFormat)) : 0) +
            predictLitBytes(device, extent, options) + FrameReadback::predictBytes(device, extent, options) +
            Picture::predictBytes(device, pictureOptions(extent, options, scene)) +
            ShadingPass::predictBytes(extent, options.effects) +

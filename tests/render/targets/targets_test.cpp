@@ -124,7 +124,8 @@ TEST_F(TargetsTest, APoolThatDoesNotFitIsRefusedWithBothFigures) {
     const std::uint64_t free = gpu::freeDeviceBytes(device());
     const std::string message = test::runErrorOf(
         [&] { render::makeTargets(device(), TargetsChoice::pool(render::kMaxPoolLayers), options); });
-    const std::uint64_t accumulated = gpu::predictBytes(device(), render::gbufferOptions(options.extent));
+    const std::uint64_t accumulated =
+        gpu::predictBytes(device(), render::colorOptions(options.extent, render::kGBufferFormat));
     const std::uint64_t layer = render::predictLayerBytes(device(), options.extent, options.depthFormat);
     EXPECT_GE(layer, std::uint64_t{side} * side * 20);
     const double needed = static_cast<double>(accumulated + 16 * layer) / 0x1p20;

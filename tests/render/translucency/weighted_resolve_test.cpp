@@ -43,7 +43,7 @@ class WeightedResolveTest : public RenderTest {
         const render::PassInputs inputs = pass.makeInputs();
         inputs.setImage(0, sum);
         inputs.setImage(1, weight);
-        const gpu::Image lit(device(), render::litOptions(kThreePixels), "lit");
+        const gpu::Image lit(device(), render::colorOptions(kThreePixels, render::kLitFormat), "lit");
         std::array<glm::vec4, 3> colors{};
         const gpu::Buffer copy(device(), colors.size() * sizeof(std::uint64_t),
                                vk::BufferUsageFlagBits::eTransferDst, gpu::MemoryUse::hostReads, "copy");

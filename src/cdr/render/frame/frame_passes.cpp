@@ -1,6 +1,7 @@
 #include <cdr/base/error.h>
 #include <cdr/render/frame/frame_passes.h>
 #include <cdr/render/renderer_setup.h>
+#include <cdr/shaders/shading.h>
 
 #include <algorithm>
 #include <iterator>
@@ -42,6 +43,22 @@ std::unique_ptr<Targets> makeLitTargets(const gpu::Device& device, vk::Extent2D 
                : nullptr;
 }
 
+/// Null unless surfaces are drawn by facets.
+std::unique_ptr<ResolvePass> makeResolve(const gpu::Device& device, vk::Extent2D extent,
+                                         const RenderOptions& options) {
+    using Type = vk::DescriptorType;
+    if (!hasFacets(options)) {
+        return nullptr;
+    }
+    return std::make_unique<ResolvePass>(ResolvePass{
+        .gbuffer = makeGBuffer(device, extent, "resolved G-buffer"),
+        .pass = {device,
+                 {.name = "resolve",
+                  .fragmentSpirv = kResolveFrag,
+                  .bindings = {Type::eCombinedImageSampler, Type::eStorageBuffer, Type::eUniformTexelBuffer},
+                  .format = kGBufferFormat}}});
+}
+
 /// Of the materials that a renderer is prepared for.
 std::vector<std::uint32_t> blendedVariants(const PrepareFor& prepared) {
     std::vector<scene::Material> blended;
@@ -80,7 +97,7 @@ FramePasses::FramePasses(const gpu::Device& device, const DrawnScene& drawn, con
                .lightForm = lightFormOf(drawn.scene),
                .preparedLights = options.prepareFor.lights,
                .preparedShapes = options.prepareFor.shapedLights}),
-      resolve(hasFacets(options) ? std::make_unique<ResolvePass>(device, targets.gbuffer()) : nullptr),
+      resolve(makeResolve(device, targets.gbuffer().options().extent, options)),
       translucent(needs.blended ? std::make_unique<TranslucentPass>(
                                       device, drawn, targets.gbuffer(), picture.lit(), options.translucency,
                                       options.shadows, blendedVariants(options.prepareFor))
@@ -100,7 +117,7 @@ std::unique_ptr<SlotInputs> FramePasses::makeInputs(std::size_t lightRoom) const
     auto made = std::make_unique<SlotInputs>();
     made->shading = shading.makeInputs(lightRoom);
     if (resolve != nullptr) {
-        made->resolve = resolve->makeInputs(made->shading);
+        made->resolve = resolve->pass.makeInputs(targets.gbuffer(), made->shading.lights());
     }
     if (shadows != nullptr) {
         made->shadows.emplace(shadows->makeSlot(made->shading));

@@ -16,6 +16,12 @@
 
 namespace cdr::render {
 
+/// Makes the G-buffer that a visibility buffer stands for, for those who read it back.
+struct ResolvePass {
+    gpu::Image gbuffer;
+    FullscreenPass pass;
+};
+
 /// The images and passes of a picture of one size, and for what its scene needs.
 struct FramePasses {
     /// Focus layers where the lens has a focus.
@@ -26,7 +32,7 @@ struct FramePasses {
                 const SceneNeeds& needs, const DrawPathFactory& paths, platform::WorkerPool& workers);
 
     /// The G-buffer; of a visibility buffer the one that frames for the host resolve.
-    const gpu::Image& gbuffer() const { return resolve != nullptr ? resolve->gbuffer() : targets.gbuffer(); }
+    const gpu::Image& gbuffer() const { return resolve != nullptr ? resolve->gbuffer : targets.gbuffer(); }
     /// What a frame draws into.
     Targets& drawnTargets() const { return litTargets != nullptr ? *litTargets : targets; }
     /// Those of one slot. @param lightRoom lights that they have room for.

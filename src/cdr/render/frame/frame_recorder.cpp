@@ -97,7 +97,9 @@ void FrameRecorder::recordShading(FrameSlot& slot) const {
 void FrameRecorder::recordSurfaces(FrameSlot& slot, const Delivery& delivery) const {
     if (m_passes.resolve != nullptr && isRead(slot, delivery)) {
         const DrawPath& drawn = slot.readPath != nullptr ? *slot.readPath : *slot.path;
-        m_passes.resolve->record(slot.path->primary(), slot.inputs->resolve, drawn.facets());
+        slot.inputs->resolve.setTexels(ShadingInputs::kFacetsBinding, drawn.facets());
+        m_passes.resolve->pass.recordInto(slot.path->primary(), "resolve the G-buffer", slot.inputs->resolve,
+                                          m_passes.resolve->gbuffer);
     }
     if (slot.inputs->motion) {
         m_passes.motion->record(slot.path->primary(), *slot.inputs->motion);

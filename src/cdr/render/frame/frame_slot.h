@@ -7,7 +7,6 @@
 #include <cdr/render/frame_view.h>
 #include <cdr/render/output/depth_output.h>
 #include <cdr/render/output/motion_pass.h>
-#include <cdr/render/shading/resolve_pass.h>
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/render/shadows/shadow_pass.h>
 #include <cdr/render/submit/draw_path.h>

@@ -29,10 +29,7 @@ DepthOutput::DepthOutput(const gpu::Device& device)
               .writtenDepth = kHostDepthFormat}) {}
 
 PassInputs DepthOutput::makeInputs(const gpu::Image& gbuffer, const ShadingInputs& shading) const {
-    PassInputs inputs = m_pass.makeInputs();
-    inputs.setImage(0, gbuffer);
-    inputs.setBuffer(1, shading.lights());
-    return inputs;
+    return m_pass.makeInputs(gbuffer, shading.lights());
 }
 
 void DepthOutput::record(vk::CommandBuffer primary, const PassInputs& inputs, const HostDepth& into) const {

@@ -41,7 +41,7 @@ gpu::Buffer makeInput(const gpu::Device& device, std::uint64_t bytes, const char
 MotionPass::MotionPass(const gpu::Device& device, const gpu::Image& gbuffer, std::uint32_t subPixelBits)
     : m_device(device),
       m_gbuffer(gbuffer),
-      m_image(device, gbufferOptions(gbuffer.options().extent, kMotionFormat), "motion"),
+      m_image(device, colorOptions(gbuffer.options().extent, kMotionFormat), "motion"),
       m_pass(device,
              {.name = "motion",
               .fragmentSpirv = kOutputMotionFrag,
@@ -52,9 +52,7 @@ MotionPass::MotionPass(const gpu::Device& device, const gpu::Image& gbuffer, std
 
 MotionPass::Inputs MotionPass::makeInputs(const ShadingInputs& shading) const {
     Inputs inputs;
-    inputs.m_inputs = m_pass.makeInputs();
-    inputs.m_inputs.setImage(0, m_gbuffer);
-    inputs.m_inputs.setBuffer(1, shading.lights());
+    inputs.m_inputs = m_pass.makeInputs(m_gbuffer, shading.lights());
     makeRoom(inputs, 1, 1); // no buffer is empty
     return inputs;
 }
@@ -111,7 +109,7 @@ void MotionPass::record(vk::CommandBuffer primary, const Inputs& inputs) const {
 }
 
 std::uint64_t MotionPass::predictBytes(const gpu::Device& device, vk::Extent2D extent) {
-    return gpu::predictBytes(device, gbufferOptions(extent, kMotionFormat));
+    return gpu::predictBytes(device, colorOptions(extent, kMotionFormat));
 }
 
 } // namespace cdr::render

@@ -1,3 +1,4 @@
+#include <cdr/gpu/commands.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
@@ -70,6 +71,13 @@ FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOp
            .depthCompare = writesDepth(options) ? vk::CompareOp::eAlways : vk::CompareOp::eEqual,
            .blend = options.blend})) {}
 
+PassInputs FullscreenPass::makeInputs(const gpu::Image& image, const gpu::Buffer& buffer) const {
+    PassInputs inputs = makeInputs();
+    inputs.setImage(0, image);
+    inputs.setBuffer(1, buffer);
+    return inputs;
+}
+
 void FullscreenPass::record(vk::CommandBuffer primary, std::span<const Draw> draws,
                             const Scope& scope) const {
     const std::array colors{colorAttachment(scope.into.view(), scope.load, scope.clear),
@@ -110,6 +118,15 @@ void FullscreenPass::record(vk::CommandBuffer primary, const PassInputs& inputs,
                             const gpu::Image& into) const {
     const Draw draw{.set = *inputs};
     record(primary, {&draw, 1}, {.into = into});
+}
+
+void FullscreenPass::recordInto(vk::CommandBuffer primary, const char* label, const PassInputs& inputs,
+                                const gpu::Image& into) const {
+    m_device.beginLabel(primary, label);
+    gpu::pipelineBarrier(primary, {attachBarrier(into)});
+    record(primary, inputs, into);
+    gpu::pipelineBarrier(primary, {readBarrier(into)});
+    m_device.endLabel(primary);
 }
 
 void FullscreenPass::recordDepth(vk::CommandBuffer primary, const Draw& draw, vk::ImageView into,

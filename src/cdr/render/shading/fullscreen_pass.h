@@ -58,6 +58,8 @@ class FullscreenPass {
 
     /// Inputs with nothing set; they must not outlive the pass.
     PassInputs makeInputs() const { return {m_device, m_setLayout, *m_sampler}; }
+    /// With what most passes read first: an image at binding 0, a buffer at 1.
+    PassInputs makeInputs(const gpu::Image& image, const gpu::Buffer& buffer) const;
 
     const gpu::SetLayout& setLayout() const { return m_setLayout; }
 
@@ -81,6 +83,9 @@ class FullscreenPass {
     void record(vk::CommandBuffer primary, std::span<const Draw> draws, const Scope& scope) const;
     /// The same with one draw that overwrites every pixel.
     void record(vk::CommandBuffer primary, const PassInputs& inputs, const gpu::Image& into) const;
+    /// The same under a label. Takes the image over from whoever used it before and leaves it in shader read layout.
+    void recordInto(vk::CommandBuffer primary, const char* label, const PassInputs& inputs,
+                    const gpu::Image& into) const;
     /// One draw that overwrites the depth of every pixel. @param into a depth attachment
     void recordDepth(vk::CommandBuffer primary, const Draw& draw, vk::ImageView into,
                      vk::Extent2D extent) const;

@@ -1,6 +1,4 @@
-#include <cdr/gpu/commands.h>
 #include <cdr/render/shading/occlusion_pass.h>
-#include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/shading.h>
 
 namespace cdr::render {
@@ -21,8 +19,7 @@ FullscreenPassOptions occlusionPassOptions(AnchorForm anchors) {
 } // namespace
 
 OcclusionPass::OcclusionPass(const gpu::Device& device, const gpu::Image& gbuffer, depth::Mapping mapping)
-    : m_device(device),
-      m_gbuffer(gbuffer),
+    : m_gbuffer(gbuffer),
       m_image(device,
               {.extent = gbuffer.options().extent,
                .format = kFormat,
@@ -33,18 +30,11 @@ OcclusionPass::OcclusionPass(const gpu::Device& device, const gpu::Image& gbuffe
       })) {}
 
 PassInputs OcclusionPass::makeInputs(const gpu::Buffer& lights) const {
-    PassInputs inputs = m_passes.few.makeInputs();
-    inputs.setImage(0, m_gbuffer);
-    inputs.setBuffer(1, lights);
-    return inputs;
+    return m_passes.few.makeInputs(m_gbuffer, lights);
 }
 
 void OcclusionPass::record(vk::CommandBuffer primary, const PassInputs& inputs, std::size_t cascades) const {
-    m_device.beginLabel(primary, "ambient occlusion");
-    gpu::pipelineBarrier(primary, {attachBarrier(m_image)});
-    m_passes.of(cascades).record(primary, inputs, m_image);
-    gpu::pipelineBarrier(primary, {readBarrier(m_image)});
-    m_device.endLabel(primary);
+    m_passes.of(cascades).recordInto(primary, "ambient occlusion", inputs, m_image);
 }
 
 std::uint64_t OcclusionPass::predictBytes(vk::Extent2D extent) {

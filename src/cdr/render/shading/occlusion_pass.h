@@ -28,7 +28,6 @@ class OcclusionPass {
     static std::uint64_t predictBytes(vk::Extent2D extent);
 
   private:
-    const gpu::Device& m_device;
     const gpu::Image& m_gbuffer;
     gpu::Image m_image;
     ByCascades<FullscreenPass> m_passes;

@@ -10,24 +10,6 @@
 
 namespace cdr::render {
 
-namespace {
-
-using Usage = vk::ImageUsageFlagBits;
-
-gpu::ImageOptions encodedOptions(vk::Extent2D extent) {
-    return {.extent = extent,
-            .format = kPictureFormat,
-            .usage = Usage::eColorAttachment | Usage::eTransferSrc | Usage::eSampled};
-}
-
-} // namespace
-
-gpu::ImageOptions litOptions(vk::Extent2D extent) {
-    return {.extent = extent,
-            .format = kLitFormat,
-            .usage = Usage::eColorAttachment | Usage::eSampled | Usage::eTransferSrc};
-}
-
 bool needsLit(const PictureOptions& options) {
     return options.hasSteps || options.antialias != Antialias::none || options.keepsLinear;
 }
@@ -36,7 +18,8 @@ Picture::Picture(const gpu::Device& device, const PictureOptions& options, const
     : m_device(device),
       m_drawn(drawn),
       m_own(drawn == nullptr
-                ? std::optional<gpu::Image>(std::in_place, device, encodedOptions(options.extent), "picture")
+                ? std::optional<gpu::Image>(std::in_place, device,
+                                            colorOptions(options.extent, kPictureFormat), "picture")
                 : std::nullopt),
       m_lit(needsLit(options) ? makeLit(device, options) : nullptr),
       m_keepsLinear(options.keepsLinear) {}
@@ -45,7 +28,7 @@ std::unique_ptr<Picture::Lit> Picture::makeLit(const gpu::Device& device, const 
     const std::array constants = finishConstants(options.finish, options.daylight);
     const bool smooth = options.antialias == Antialias::edges;
     auto lit = std::make_unique<Lit>(
-        Lit{.image = {device, litOptions(options.extent), "lit"},
+        Lit{.image = {device, colorOptions(options.extent, kLitFormat), "lit"},
             .pass = {device,
                      {.name = "encode",
                       .fragmentSpirv = smooth ? gpu::Spirv(kEncodeAntialiasedFrag) : gpu::Spirv(kEncodeFrag),
@@ -71,8 +54,8 @@ void Picture::finish(vk::CommandBuffer primary) const {
 }
 
 std::uint64_t Picture::predictBytes(const gpu::Device& device, const PictureOptions& options) {
-    return gpu::predictBytes(device, encodedOptions(options.extent)) +
-           (needsLit(options) ? gpu::predictBytes(device, litOptions(options.extent)) : 0);
+    return gpu::predictBytes(device, colorOptions(options.extent, kPictureFormat)) +
+           (needsLit(options) ? gpu::predictBytes(device, colorOptions(options.extent, kLitFormat)) : 0);
 }
 
 } // namespace cdr::render

@@ -14,9 +14,6 @@ namespace cdr::render {
 /// What shading writes where steps follow that blend or filter: linear light, not yet encoded.
 inline constexpr vk::Format kLitFormat = vk::Format::eR16G16B16A16Sfloat;
 
-/// Of an image of linear light.
-gpu::ImageOptions litOptions(vk::Extent2D extent);
-
 struct PictureOptions {
     vk::Extent2D extent;
     /// Whether anything comes between shading and the picture; else shading writes the picture itself, and

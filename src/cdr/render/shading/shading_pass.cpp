@@ -156,9 +156,7 @@ ShadingInputs ShadingPass::makeInputs(std::size_t lights) const {
     inputs.m_lights =
         gpu::Buffer(m_device, sizeof(shaders::ShadingHeader) + lights * sizeof(shaders::LightRecord),
                     vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryUse::hostWrites, "lights");
-    inputs.m_inputs = m_passes.begin()->second.makeInputs();
-    inputs.m_inputs.setImage(0, m_gbuffer);
-    inputs.m_inputs.setBuffer(1, inputs.m_lights);
+    inputs.m_inputs = m_passes.begin()->second.makeInputs(m_gbuffer, inputs.m_lights);
     std::uint32_t binding = 2;
     for (const ImageUse use : imagesOf(m_options)) {
         const gpu::Image* image = use == ImageUse::facets      ? nullptr // setFacets(), frame by frame

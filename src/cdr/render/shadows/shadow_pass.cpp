@@ -25,13 +25,6 @@ constexpr auto kImage = vk::DescriptorType::eCombinedImageSampler;
 constexpr auto kBuffer = vk::DescriptorType::eStorageBuffer;
 constexpr auto kTexels = vk::DescriptorType::eUniformTexelBuffer;
 
-gpu::ImageOptions maskOptions(vk::Extent2D extent) {
-    return {.extent = extent,
-            .format = kMaskFormat,
-            .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled |
-                     vk::ImageUsageFlagBits::eTransferSrc};
-}
-
 std::vector<vk::DescriptorType> receiverBindings(const gpu::Image& gbuffer) {
     return isVisibilityBuffer(gbuffer) ? std::vector{kImage, kBuffer, kTexels, kImage, kImage}
                                        : std::vector{kImage, kBuffer, kImage, kImage};
@@ -71,7 +64,7 @@ ShadowPass::ShadowPass(const gpu::Device& device, const DrawnScene& scene, const
       m_gbuffer(gbuffer),
       m_options(options),
       m_map(device, scene.uploaded.textureLayout(), options.maxTexels),
-      m_mask(device, maskOptions(gbuffer.options().extent), "shadow mask"),
+      m_mask(device, colorOptions(gbuffer.options().extent, kMaskFormat), "shadow mask"),
       m_receivers(ByCascades<FullscreenPass>::make(
           depth::isAnchored(mapping),
           [&](AnchorForm anchors) { return FullscreenPass(device, receiverOptions(gbuffer, anchors)); })),
@@ -82,10 +75,9 @@ ShadowPass::ShadowPass(const gpu::Device& device, const DrawnScene& scene, const
 }
 
 ShadowPass::Slot ShadowPass::makeSlot(const ShadingInputs& shading) const {
-    Slot slot{.inputs = m_receivers.few.makeInputs(), .casters = CasterDraws(m_device, m_scene)};
+    Slot slot{.inputs = m_receivers.few.makeInputs(m_gbuffer, shading.lights()),
+              .casters = CasterDraws(m_device, m_scene)};
     const std::uint32_t map = isVisibilityBuffer(m_gbuffer) ? 3 : 2;
-    slot.inputs.setImage(0, m_gbuffer);
-    slot.inputs.setBuffer(1, shading.lights());
     slot.inputs.setImage(map, m_map.depth());
     slot.inputs.setImage(map + 1, m_map.slope());
     if (m_seen) {
@@ -186,7 +178,8 @@ void ShadowPass::recordView(vk::CommandBuffer primary, const Slot& slot, std::si
 std::uint64_t ShadowPass::predictBytes(const gpu::Device& device, vk::Extent2D extent,
                                        const Shadows& options) {
     return ShadowMap::predictBytes(device, options.maxTexels) +
-           gpu::predictBytes(device, maskOptions(extent)) + SliceDepth::predictBytes(device, extent);
+           gpu::predictBytes(device, colorOptions(extent, kMaskFormat)) +
+           SliceDepth::predictBytes(device, extent);
 }
 
 } // namespace cdr::render

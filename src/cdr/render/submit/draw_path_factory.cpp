@@ -71,7 +71,8 @@ DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& sc
 DrawPathFactory::HostPasses DrawPathFactory::makePasses(std::optional<FacetMeshes> facets,
                                                         const GeometryOptions& options) const {
     if (facets) {
-        return std::make_unique<FacetPass>(m_device, m_scene.uploaded, std::move(*facets), options);
+        return std::make_unique<FacetPass>(
+            FacetPass{m_scene.uploaded, std::move(*facets), {m_device, options}});
     }
     return std::make_unique<GeometryPass>(m_device, m_scene.uploaded, options);
 }
@@ -87,14 +88,14 @@ void DrawPathFactory::followKinds() {
 void DrawPathFactory::setFacets(const FacetMeshes& facets) {
     for (const HostPasses* passes : {&m_surfaces, &m_occluders, &m_lit}) {
         if (auto* pass = findIn<FacetPass>(*passes)) {
-            pass->setMeshes(facets);
+            pass->meshes = facets;
         }
     }
 }
 
 const FacetMeshes* DrawPathFactory::facets() const {
     const auto* pass = findIn<FacetPass>(m_surfaces);
-    return pass != nullptr ? &pass->meshes() : nullptr;
+    return pass != nullptr ? &pass->meshes : nullptr;
 }
 
 std::unique_ptr<HostDraws> DrawPathFactory::makeOccluders(platform::WorkerPool& workers) const {

@@ -26,7 +26,7 @@ std::size_t FacetDraws::mostDraws(std::size_t draws) const {
     if (m_pass.lights()) {
         return std::numeric_limits<std::size_t>::max();
     }
-    const FacetCounts& most = m_pass.meshes().most();
+    const FacetCounts& most = m_pass.meshes.most();
     const std::uint64_t maxTexels =
         vk::PhysicalDevice(device().physical()).getProperties().limits.maxTexelBufferElements;
     const std::uint64_t texels = draws * most.facets * kTexelsPerFacet;
@@ -48,7 +48,7 @@ void FacetDraws::makeRecords(std::size_t facets) {
 }
 
 void FacetDraws::makeRoom(std::size_t draws) {
-    const FacetCounts& most = m_pass.meshes().most();
+    const FacetCounts& most = m_pass.meshes.most();
     const std::size_t litStride = m_pass.lights() ? FacetLight::strideOf(scene()) : 0;
     if (m_room > 0 && draws <= m_room && most == m_most && litStride == m_litStride) {
         return;
@@ -76,13 +76,13 @@ void FacetDraws::makeRoom(std::size_t draws) {
 }
 
 void FacetDraws::record(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const {
-    const FacetCounts& most = m_pass.meshes().most();
+    const FacetCounts& most = m_pass.meshes.most();
     const std::size_t first = job.draws.begin;
     FacetStreams streams{.vertices =
                              static_cast<shaders::FacetVertex*>(m_vertices.mapped()) + first * most.vertices,
                          .indices = static_cast<std::uint32_t*>(m_indices.mapped()) + first * most.indices,
                          .firstFacet = static_cast<std::uint32_t>(first * most.facets),
-                         .metallicRoughness = m_pass.pipelines().options().metallicRoughness};
+                         .metallicRoughness = m_pass.pipelines.options().metallicRoughness};
     std::optional<FacetLight> light;
     if (m_pass.lights()) {
         light.emplace(scene(), view.camera);
@@ -98,7 +98,7 @@ void FacetDraws::record(vk::CommandBuffer commands, const DrawJob& job, const Fr
     commands.bindIndexBuffer(m_indices.handle(), 0, vk::IndexType::eUint32);
     commands.setCullMode(vk::CullModeFlagBits::eBack);
     commands.setFrontFace(vk::FrontFace::eCounterClockwise);
-    const GpuScene& uploaded = m_pass.uploaded();
+    const GpuScene& uploaded = m_pass.uploaded;
     const std::size_t wideBegin = std::clamp(lists().wideBegin(job.cascade), first, job.draws.end);
     std::size_t draw = first;
     for (const auto& [end, span] :
@@ -107,7 +107,7 @@ void FacetDraws::record(vk::CommandBuffer commands, const DrawJob& job, const Fr
         for (; draw < end; ++draw) {
             const DrawSource& source = uploaded.sources()[lists().instance[draw]];
             const std::uint32_t level = lists().level.empty() ? 0 : lists().level[draw];
-            writer.add(m_pass.meshes().solid(source.kind, level), source,
+            writer.add(m_pass.meshes.solid(source.kind, level), source,
                        uploaded.materials()[source.material]);
         }
         if (const std::uint32_t count = writer.counts().indices - firstIndex; count > 0) {
@@ -120,7 +120,7 @@ void FacetDraws::record(vk::CommandBuffer commands, const DrawJob& job, const Fr
 
 void FacetDraws::bind(vk::CommandBuffer commands, Span span, std::size_t cascade,
                       const FrameView& view) const {
-    const FacetPipelines& pipelines = m_pass.pipelines();
+    const FacetPipelines& pipelines = m_pass.pipelines;
     bindForCascade(commands, pipelines.pipeline(span, FacetLight::litBy(scene())), pipelines.layout(),
                    makeCascadePush(view, cascade));
     if (m_pass.lights()) {

@@ -14,11 +14,11 @@ class FacetDraws final : public HostDraws {
     /// wide. Takes no lock and allocates nothing.
     void record(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const override;
     void flush() const override;
-    ScopeFormats formats() const override { return m_pass.pipelines().formats(); }
+    ScopeFormats formats() const override { return m_pass.pipelines.formats(); }
     vk::BufferView facets() const override { return *m_facetTexels; }
 
   protected:
-    depth::Mapping mapping() const override { return m_pass.pipelines().options().technique.mapping; }
+    depth::Mapping mapping() const override { return m_pass.pipelines.options().technique.mapping; }
     void makeRoom(std::size_t draws) override;
 
   private:

@@ -16,7 +16,7 @@ namespace {
 const TargetsOptions& checked(const gpu::Device& device, const TargetsOptions& options, std::size_t layers) {
     gpu::requireDeviceBytes(
         device,
-        gpu::predictBytes(device, gbufferOptions(options.extent, options.format)) +
+        gpu::predictBytes(device, colorOptions(options.extent, options.format)) +
             layers * predictLayerBytes(device, options.extent, options.depthFormat, options.format),
         fmt::format("an accumulated G-buffer of {}x{} with {} layers", options.extent.width,
                     options.extent.height, layers));

@@ -57,7 +57,7 @@ std::vector<std::uint32_t> lightConstants(const FocusLayersOptions& focus) {
 /// The options, once the memory for the merged G-buffer is known to be there.
 const TargetsOptions& checked(const gpu::Device& device, const TargetsOptions& options) {
     gpu::requireDeviceBytes(
-        device, gpu::predictBytes(device, gbufferOptions(options.extent)),
+        device, gpu::predictBytes(device, colorOptions(options.extent, kGBufferFormat)),
         fmt::format("a merged G-buffer of {}x{}", options.extent.width, options.extent.height));
     return options;
 }
@@ -94,7 +94,7 @@ FocusLayers::FocusLayers(const gpu::Device& device, const TargetsOptions& option
 FocusLayers::Layer FocusLayers::makeLayer(vk::Extent2D extent, const std::string& name) const {
     Layer layer{.gbuffer = makeGBuffer(m_device, extent, name),
                 .depth = makeDepthBuffer(m_device, extent, m_options.depthFormat, name + " depth"),
-                .lit = {m_device, litOptions(extent), name + " lit"},
+                .lit = {m_device, colorOptions(extent, kLitFormat), name + " lit"},
                 .merged = m_merge.makeInputs(),
                 .laid = m_compose.makeInputs()};
     layer.merged.setImage(0, layer.gbuffer);
@@ -115,7 +115,7 @@ void FocusLayers::provideLayers(const FrameView& view) {
             missing.push_back(i);
             const vk::Extent2D extent = view.cascades[i].extent;
             bytes += predictLayerBytes(m_device, extent, m_options.depthFormat) +
-                     gpu::predictBytes(m_device, litOptions(extent));
+                     gpu::predictBytes(m_device, colorOptions(extent, kLitFormat));
         }
     }
     if (missing.empty()) {
@@ -182,9 +182,7 @@ vk::DescriptorSet FocusLayers::setOf(const Layer& layer, const ShadingInputs& sh
     if (found != inputs.m_ofLayer.end()) {
         return *found->second;
     }
-    PassInputs made = m_light.makeInputs(); // whole before it is kept, since this may throw
-    made.setImage(0, layer.gbuffer);
-    made.setBuffer(1, shading.lights());
+    PassInputs made = m_light.makeInputs(layer.gbuffer, shading.lights()); // first, since this may throw
     return *inputs.m_ofLayer.try_emplace(&layer.gbuffer, std::move(made)).first->second;
 }
 

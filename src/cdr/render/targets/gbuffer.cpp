@@ -15,7 +15,7 @@ glm::vec3 GBufferPixel::normalView() const {
     return glm::normalize(decodeOctahedral(glm::unpackSnorm2x16(normal)));
 }
 
-gpu::ImageOptions gbufferOptions(vk::Extent2D extent, vk::Format format) {
+gpu::ImageOptions colorOptions(vk::Extent2D extent, vk::Format format) {
     return {.extent = extent,
             .format = format,
             .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled |
@@ -24,7 +24,7 @@ gpu::ImageOptions gbufferOptions(vk::Extent2D extent, vk::Format format) {
 
 gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name,
                        vk::Format format) {
-    return {device, gbufferOptions(extent, format), name};
+    return {device, colorOptions(extent, format), name};
 }
 
 bool isVisibilityBuffer(const gpu::Image& surfaces) {
@@ -69,7 +69,7 @@ gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, depth
 
 std::uint64_t predictLayerBytes(const gpu::Device& device, vk::Extent2D extent,
                                 depth::DepthFormat depthFormat, vk::Format format) {
-    return gpu::predictBytes(device, gbufferOptions(extent, format)) +
+    return gpu::predictBytes(device, colorOptions(extent, format)) +
            gpu::predictBytes(device, depthBufferOptions(device, extent, depthFormat, format));
 }
 

@@ -29,8 +29,9 @@ inline constexpr vk::Format kEmissionFormat = vk::Format::eR32Uint;
 static_assert(GBufferPixel::kIdBits == shaders::kIdBits &&
               GBufferPixel::kCascadeMask == shaders::kCascadeMask);
 
+/// Of an image that rendering scopes write, shaders read and copies take.
+gpu::ImageOptions colorOptions(vk::Extent2D extent, vk::Format format);
 /// @param format kGBufferFormat, kVisibilityFormat, kPictureFormat or kEmissionFormat.
-gpu::ImageOptions gbufferOptions(vk::Extent2D extent, vk::Format format = kGBufferFormat);
 gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name,
                        vk::Format format = kGBufferFormat);
 

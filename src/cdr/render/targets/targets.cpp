@@ -1,6 +1,5 @@
 #include "cascade_layers.h"
-#include "one_pass.h"
-#include "single.h"
+#include "one_gbuffer.h"
 
 #include <cdr/base/enum_names.h>
 #include <cdr/base/format_error.h>
@@ -105,7 +104,8 @@ std::unique_ptr<Targets> makeTargets(const gpu::Device& device, const TargetsCho
                                      const TargetsOptions& options) {
     switch (choice.kind) {
     case TargetsKind::single:
-        return std::make_unique<SingleTargets>(device, options);
+    case TargetsKind::onePass:
+        return std::make_unique<OneGBufferTargets>(device, choice.kind, options);
     case TargetsKind::accumulate:
         return std::make_unique<CascadeLayers>(device, options, LayerCount{});
     case TargetsKind::pool:
@@ -113,8 +113,6 @@ std::unique_ptr<Targets> makeTargets(const gpu::Device& device, const TargetsCho
             device, options, LayerCount{.first = TargetsChoice::pool(choice.layers).layers});
     case TargetsKind::layers:
         return std::make_unique<CascadeLayers>(device, options, LayerCount{.perCascade = true});
-    case TargetsKind::onePass:
-        return std::make_unique<OnePassTargets>(device, options);
     }
     throw base::RunError("targets kind out of range");
 }
