@@ -43,7 +43,7 @@ check_all() {
     tools/windows.sh || windows=$?
     ((windows == 0 || windows == 3)) || return 1 # 3: it said what is missing
     CDR_ALL_CASES=1 build/release/bin/test_cli --gtest_brief=1 \
-        --gtest_filter='*FaultSweep*:*FileFaults*:*NumericOptions*:Signals*:*Killed*:RanksCommand.*:*RankState*:*EveryCommand.*/Report'
+        --gtest_filter='*FaultSweep*:*FileFaults*:*NumericOptions*:Signals*:*Killed*:RanksCommand.*:*RankState*:WholeReport.*'
     local filter='World*Test.*:SharedPipelinesTest.*:OcclusionCullingTest.*:ViewsTest.*:*ShadowsTest.*:DetailRenderTest.*'
     filter+=':AnchoredTargetsTest.*:LargeMeshesTest.*:MotionTest.RoomStays*'
     CDR_ALL_CASES=1 build/release/bin/test_render --gtest_brief=1 --gtest_filter="$filter"

@@ -163,6 +163,30 @@ Columns<Row> columnsOf(Part Row::*part, const Columns<Part>& columns) {
     return result;
 }
 
+/// The same of a part that a row may lack. Then its values are absent.
+/// @param part gives a row's std::optional, or a pointer.
+template <typename Row, typename Get, typename Part>
+Columns<Row> columnsOf(Get part, const Columns<Part>& columns) {
+    const auto ofPart = [part](auto get, auto otherwise) {
+        return [part, get, otherwise](const Row& row) {
+            const auto& held = std::invoke(part, row);
+            return held ? get(*held) : otherwise;
+        };
+    };
+    Columns<Row> result;
+    for (const Column<Part>& column : columns) {
+        result.push_back({.key = column.key,
+                          .value = ofPart(column.value, absent()),
+                          .heading = column.heading,
+                          .format = column.format,
+                          .before = column.before});
+        if (column.text) {
+            result.back().text = ofPart(column.text, std::string());
+        }
+    }
+    return result;
+}
+
 /// Lists of columns, one after the other.
 template <typename Row>
 Columns<Row> joined(const std::vector<Columns<Row>>& lists) {

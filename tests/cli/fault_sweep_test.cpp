@@ -11,6 +11,7 @@
 #include <memory>
 #include <numeric>
 #include <ostream>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -28,16 +29,23 @@ constexpr std::array<long, 3> kErrors{VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_
 /// Mesa's layer that sorts devices is not tried: in 22.3.6 it reads a list of extensions that it did not get, and may crash.
 const std::string kOthersOff = "NODEVICE_SELECT=1";
 
+/// What of Vulkan a command makes.
+enum class Makes { nothing, instance, device };
+
 /// A command at its smallest.
 struct Swept {
-    const char* command;
+    const char* arguments;
     const char* name;
+    Makes makes = Makes::device;
 
-    friend std::ostream& operator<<(std::ostream& out, const Swept& swept) { return out << swept.command; }
+    std::string command() const { return std::string(arguments).substr(0, std::string(arguments).find(' ')); }
+    friend std::ostream& operator<<(std::ostream& out, const Swept& swept) { return out << swept.arguments; }
 };
 
 class FaultSweep : public testing::TestWithParam<Swept> {
   protected:
+    const std::string m_arguments = std::string(GetParam().arguments) + " --json j.json";
+
     struct Run {
         ProgramResult result;
         long calls = 0;     ///< that could have failed so
@@ -51,7 +59,7 @@ class FaultSweep : public testing::TestWithParam<Swept> {
 
     Run runUnder(const Fault& fault, const TemporaryFolder& folder) const {
         const std::filesystem::path log = folder.path().string() + ".fault";
-        Run run{.result = runProgram(std::string(GetParam().command) + " --validate", folder.path(),
+        Run run{.result = runProgram(m_arguments + " --validate", folder.path(),
                                      "CDR_FAULT_LOG='" + log.string() + "' " + fault.environment() + " " +
                                          kOthersOff + " timeout 1000"),
                 .failed = {}};
@@ -59,6 +67,7 @@ class FaultSweep : public testing::TestWithParam<Swept> {
         std::filesystem::remove(log);
         return run;
     }
+    static void expectAnswered(const Failing& sound);
     static void expectEnded(const Failing& failing, const Failing& sound);
 };
 
@@ -91,6 +100,18 @@ std::map<std::string, std::string> picturesIn(const TemporaryFolder& folder) {
     return pictures;
 }
 
+/// Status 0 and JSON of what was asked, which names the device that was used.
+void FaultSweep::expectAnswered(const Failing& sound) {
+    const ProgramResult& result = sound.run.result;
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    EXPECT_FALSE(result.out.empty());
+    const auto document = nlohmann::json::parse(readText(sound.folder->path() / "j.json"));
+    EXPECT_EQ(document.at("command"), GetParam().command());
+    EXPECT_FALSE(document.at("results").empty());
+    EXPECT_EQ(document.at("device").at("name") != "", GetParam().makes == Makes::device);
+}
+
 /// One line and status 1, or all as without the failure.
 void FaultSweep::expectEnded(const Failing& failing, const Failing& sound) {
     const ProgramResult& result = failing.run.result;
@@ -106,14 +127,14 @@ void FaultSweep::expectEnded(const Failing& failing, const Failing& sound) {
     EXPECT_EQ(result.err.find("validation"), std::string::npos) << result.err;
 }
 
-/// Any one call fails once. Then the program prints one line and ends with status 1, or all is as without the failure. Files
-/// are whole. There is no validation message, no hang and no crash.
+/// Each command ends with status 0 and JSON, or says in one line what the device or the checkout lacks. Where any one call
+/// fails once, the program prints one line and ends with status 1, or all is as without the failure. Files are whole. There is no validation message, no hang and no crash.
 TEST_P(FaultSweep, EveryCallMayFail) {
-    if (std::string(GetParam().command).find("gpu-driven") != std::string::npos && !canDrawGpuDriven()) {
+    if (m_arguments.find("gpu-driven") != std::string::npos && !canDrawGpuDriven()) {
         GTEST_SKIP() << "the device cannot draw gpu-driven";
     }
     std::size_t cases = 0;
-    const std::size_t salt = std::string(GetParam().command).size();
+    const std::size_t salt = m_arguments.size();
     for (std::size_t kind = 0; kind < kErrors.size(); ++kind) {
         if (!takesAllCases() && kind != (salt + 1) % kErrors.size()) {
             continue;
@@ -123,12 +144,12 @@ TEST_P(FaultSweep, EveryCallMayFail) {
         whole.run = runUnder({.call = "each", .after = test::kForever, .result = error}, *whole.folder);
         const Run& sound = whole.run;
         if (sound.result.status != 0 && isLack(sound.result.err)) {
+            expectOneLine(sound.result, sound.result.status);
             GTEST_SKIP() << sound.result.err;
         }
-        ASSERT_EQ(sound.result.status, 0) << sound.result.err;
+        ASSERT_NO_FATAL_FAILURE(expectAnswered(whole));
         if (sound.calls == 0) {
-            EXPECT_EQ(error, VK_ERROR_DEVICE_LOST);
-            EXPECT_EQ(std::string(GetParam().name), "Devices") << "which makes no device";
+            EXPECT_LT(GetParam().makes, error == VK_ERROR_DEVICE_LOST ? Makes::device : Makes::instance);
             continue;
         }
         const std::vector<long> chosen = chosenOf(sound.calls, salt);
@@ -140,69 +161,83 @@ TEST_P(FaultSweep, EveryCallMayFail) {
             });
             for (std::size_t i = 0; i < failing.size(); ++i) {
                 SCOPED_TRACE(testing::Message()
-                             << GetParam().command << ": call " << chosen[first + i] << " of " << sound.calls
-                             << ", " << failing[i].run.failed << ", " << error);
+                             << m_arguments << ": call " << chosen[first + i] << " of " << sound.calls << ", "
+                             << failing[i].run.failed << ", " << error);
                 expectEnded(failing[i], whole);
             }
             cases += failing.size();
         }
     }
-    EXPECT_GT(cases, 0u);
+    EXPECT_EQ(cases > 0, GetParam().makes != Makes::nothing);
     RecordProperty("cases", static_cast<int>(cases));
     std::printf("%zu cases\n", cases);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Commands, FaultSweep,
-    testing::Values(
-        Swept{"render cubes --size 16x16 -o a.png --json a.json", "Render"},
-        Swept{
-            "render cubes --size 16x16 --frames 2 --threads 2 --technique anchored --targets pool:2 -o a%d.png",
-            "Pool"},
-        Swept{"render cubes --size 16x16 --technique logcdr --targets one-pass -o a.png", "OnePass"},
-        Swept{"render cubes --size 16x16 --submission gpu-driven -o a.png", "GpuDriven"},
-        Swept{"render alley --size 32x32 --frames 2 --occlusion-culling -o a%d.png", "OcclusionCulling"},
-        Swept{"render alley --size 32x32 --frames 2 --occlusion-culling --submission gpu-driven -o a%d.png",
-              "DeviceOcclusion"},
-        Swept{"render cubes --size 16x16 --submission primaries -o a.png", "Primaries"},
-        Swept{"render cubes --size 16x16 --surface visibility -o a.png", "Visibility"},
-        Swept{"render sheets --size 16x16 --translucency sorted -o a.png", "Sorted"},
-        Swept{"render cubes --size 16x16 --targets layers --split count:3 --focus 12000:1 -o a.png", "Focus"},
-        Swept{"render cubes --size 16x16 --shadows anchored -o a.png", "Shadows"},
-        Swept{"render cubes --size 16x16 --antialias edges --occlusion 1 --fog 1e5 -o a.exr", "Effects"},
-        Swept{"pictures --scenes cubes --techniques log --size 16x16 --frames 1 --out p --json p.json",
-              "Pictures"},
-        Swept{"flicker --frames 2 --size 16x16 --techniques cdr --state s --json f.json", "Flicker"},
-        Swept{"timing --frames 1 --size 16x16 --modes log --in-flight 2 --csv t.csv", "Timing"},
-        Swept{"probe --size 16x16 --techniques standard --formats d32f --distances 10 --json p.json",
-              "Probe"},
-        Swept{"translucency --size 16x16 --repeats 1 --cascades 2 --out t", "Translucency"},
-        Swept{"render cubes --size 16x16 --stereo parallel --eye-distance 1 -o a.png", "Stereo"},
-        Swept{"render cubes --size 16x16 --technique anchored --certify c.json -o a.png", "Certify"},
-        Swept{"devices --json dev.json", "Devices"},
-        Swept{"orbit --frames 1 --size 16x16 --techniques anchored --json o.json", "Orbit"},
-        Swept{
-            "scaling --draws 1 --threads 1 --cascades 1 --repeats 1 --size 16x16 --targets single --csv s.csv",
-            "Scaling"},
-        Swept{"detail cubes --frames 1 --size 16x16 --json d.json", "Detail"},
-        Swept{
-            "coplanar --frames 1 --search-views 1 --slopes 0 --constants 0,1 --size 16x16 --techniques reversed "
-            "--json c.json",
-            "Coplanar"},
-        Swept{"shadows cubes --size 16x16 --json s.json", "ShadowsOfMaps"},
-        Swept{"effects cubes --frames 1 --size 16x16 --techniques reversed --json e.json",
-              "EffectsOfPresets"},
-        Swept{"focus --frames 1 --cameras 2 --size 16x16 --json f.json", "FocusOfCameras"},
-        Swept{"inspect cubes --frames 1 --size 16x16 --techniques standard --json i.json", "Inspect"},
-        Swept{"models " CDR_SOURCE_DIR "/tests/assets/well.gltf --size 16x16 --json m.json", "Models"},
-        Swept{"rivals cubes --frames 1 --distances 1 --size 16x16 --techniques anchored "
-              "--rivals atomic-log --json r.json",
-              "Rivals"},
-        Swept{"advise --separation 1 --far 1000 --format d32f --techniques reversed --measured --size 16x16 "
-              "--frames 1 --json a.json",
-              "AdviseMeasured"},
-        Swept{"report --smallest --sections precision -o r", "Report"}),
-    [](const auto& row) { return std::string(row.param.name); });
+const Swept kSweptCommands[] = {
+    {"render cubes --size 16x16 -o a.png", "Render"},
+    {"render cubes --size 16x16 --frames 2 --threads 2 --technique anchored --targets pool:2 -o a%d.png",
+     "Pool"},
+    {"render cubes --size 16x16 --technique logcdr --targets one-pass -o a.png", "OnePass"},
+    {"render cubes --size 16x16 --submission gpu-driven -o a.png", "GpuDriven"},
+    {"render alley --size 32x32 --frames 2 --occlusion-culling -o a%d.png", "OcclusionCulling"},
+    {"render alley --size 32x32 --frames 2 --occlusion-culling --submission gpu-driven -o a%d.png",
+     "DeviceOcclusion"},
+    {"render cubes --size 16x16 --submission primaries -o a.png", "Primaries"},
+    {"render cubes --size 16x16 --surface visibility -o a.png", "Visibility"},
+    {"render sheets --size 16x16 --translucency sorted -o a.png", "Sorted"},
+    {"render cubes --size 16x16 --targets layers --split count:3 --focus 12000:1 -o a.png", "Focus"},
+    {"render cubes --size 16x16 --shadows anchored -o a.png", "Shadows"},
+    {"render cubes --size 16x16 --antialias edges --occlusion 1 --fog 1e5 -o a.exr", "Effects"},
+    {"pictures --scenes cubes --techniques log --size 16x16 --frames 1 --out p", "Pictures"},
+    {"flicker --frames 2 --size 16x16 --techniques cdr --state s", "Flicker"},
+    {"timing --frames 1 --size 16x16 --modes log --in-flight 2 --csv t.csv", "Timing"},
+    {"probe --size 16x16 --techniques standard --formats d32f --distances 10", "Probe"},
+    {"translucency --size 16x16 --repeats 1 --cascades 2 --out t", "Translucency"},
+    {"render cubes --size 16x16 --stereo parallel --eye-distance 1 -o a.png", "Stereo"},
+    {"render cubes --size 16x16 --technique anchored --certify c.json -o a.png", "Certify"},
+    {"devices", "Devices", Makes::instance},
+    {"precision", "Precision", Makes::nothing},
+    {"advise --separation 1", "Advise", Makes::nothing},
+    {"orbit --frames 1 --size 16x16 --techniques anchored", "Orbit"},
+    {"scaling --draws 1 --threads 1 --cascades 1 --repeats 1 --size 16x16 --targets single --csv s.csv",
+     "Scaling"},
+    {"detail cubes --frames 1 --size 16x16", "Detail"},
+    {"coplanar --frames 1 --search-views 1 --slopes 0 --constants 0,1 --size 16x16 --techniques reversed",
+     "Coplanar"},
+    {"shadows cubes --size 16x16", "ShadowsOfMaps"},
+    {"effects cubes --frames 1 --size 16x16 --techniques reversed", "EffectsOfPresets"},
+    {"focus --frames 1 --cameras 2 --size 16x16", "FocusOfCameras"},
+    {"inspect cubes --frames 1 --size 16x16 --techniques standard", "Inspect"},
+    {"models " CDR_SOURCE_DIR "/tests/assets/well.gltf --size 16x16", "Models"},
+    {"rivals cubes --frames 1 --distances 1 --size 16x16 --techniques anchored --rivals atomic-log",
+     "Rivals"},
+    {"advise --separation 1 --far 1000 --format d32f --techniques reversed --measured --size 16x16 --frames 1",
+     "AdviseMeasured"},
+    {"report --smallest --sections precision -o r", "Report"}};
+
+INSTANTIATE_TEST_SUITE_P(Commands, FaultSweep, testing::ValuesIn(kSweptCommands),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST(FaultSweepList, HoldsEveryCommand) {
+    std::set<std::string> swept{"view", "completions", "manual"}; // see ShellCommands
+    for (const Swept& command : kSweptCommands) {
+        swept.insert(command.command());
+    }
+    const std::vector<std::string> names = commandNames();
+    EXPECT_EQ(swept, std::set<std::string>(names.begin(), names.end()));
+}
+
+using WholeReport = FolderTest;
+
+TEST_F(WholeReport, IsMadeOnTheDevice) {
+    if (!takesAllCases()) {
+        GTEST_SKIP() << "a minute, with CDR_ALL_CASES; the tests of ranks run a report too";
+    }
+    const nlohmann::json document = documentOf("report --smallest -o r");
+    EXPECT_EQ(document.at("command"), "report");
+    EXPECT_FALSE(document.at("results").empty());
+    EXPECT_NE(document.at("device").at("name"), "");
+}
 
 } // namespace
 

@@ -63,6 +63,20 @@ TEST(Columns, OfAPartStandAmongTheRowsOwn) {
     EXPECT_EQ(tableOf(all, kRows).rows.front(), (std::vector<std::string>{"a", "0", ""}));
 }
 
+TEST(Columns, OfAPartThatARowLacksAreAbsent) {
+    const Columns<double> ofBound{{.key = "bound",
+                                   .value = [](double bound) { return bound; },
+                                   .heading = "bound",
+                                   .text = [](double) { return "told"; },
+                                   .before = "name"}};
+    const Columns<Row> all = joined<Row>(
+        {{{.key = "name", .value = &Row::name, .heading = "name"}}, columnsOf<Row>(&Row::bound, ofBound)});
+    const std::vector<Row> rows{{.name = "a", .bound = 3.0, .wrong = {}},
+                                {.name = "b", .bound = {}, .wrong = {}}};
+    EXPECT_EQ(jsonOf(all, rows).dump(), R"([{"name":"a","bound":3.0},{"name":"b"}])");
+    EXPECT_EQ(tableOf(all, rows).rows, (std::vector<std::vector<std::string>>{{"told", "a"}, {"", "b"}}));
+}
+
 TEST(Columns, CsvReadsTheJson) {
     const Json rows = Json::parse(R"([{"a":1,"b":[0.5,null],"c":true,"d":"x"}])");
     EXPECT_EQ(csvOf({"a", "low=/b/0", "high=/b/1", "c", "d"}, rows), "a,low,high,c,d\n1,0.5,,true,x\n");

@@ -7,35 +7,14 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
+# shellcheck source=tests/results/on_driver.sh
+source tests/results/on_driver.sh
 programs=(gpu render rivals output runs experiments report cli)
 file=tests/results/drivers.csv
-
-# Runs a command on a driver of tools/drivers.sh, or on the card.
-on() { # DRIVER COMMAND...
-    local driver=$1
-    if [[ $driver == card ]]; then driver=system; fi
-    tools/drivers.sh "$driver" "${@:2}"
-}
 
 # The last number that GoogleTest prints behind a word, 0 where it prints none.
 count() { # WORD LOG
     sed -nE "s/^\[ *$1 *\] ([0-9]+) tests?[ .,].*/\1/p" "$2" | tail -1 | grep . || echo 0
-}
-
-# Version, depth formats, sub-pixel bits, and whether the device draws gpu-driven. The version is that of the package where
-# tools/drivers.sh took the driver from one.
-device() { # DRIVER
-    local version=
-    on "$1" build/release/bin/cdr devices --json "$scratch/devices.json" >/dev/null
-    if [[ -e .cache/drivers/$1/packages ]]; then version=$(head -1 ".cache/drivers/$1/packages"); fi
-    # shellcheck disable=SC2016 # JavaScript expands it
-    node -e '
-        const [file, driver, version] = process.argv.slice(1);
-        const [device] = JSON.parse(require("fs").readFileSync(file)).results;
-        const gpuDriven = device.gpu_driven_missing.length === 0 ? "yes" : "no";
-        const name = driver === "card" ? `${device.name}: ${device.driver}` : version || device.driver;
-        console.log([name, device.depth_formats.join(" "), device.sub_pixel_bits, gpuDriven].join(","));
-    ' "$scratch/devices.json" "$1" "$version"
 }
 
 run() { # DRIVER PROGRAM
@@ -81,8 +60,6 @@ write_table() {
 
 main() { # whole before it runs, so that it may be edited meanwhile
     local pairs=("$@") pair program
-    scratch=$(mktemp -d)
-    trap 'rm -r "$scratch"' EXIT
     failed=0
     if ((${#pairs[@]} == 0)); then pairs=(system mesa swiftshader); fi
     if [[ ! -e $file ]]; then

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <output/document.h>
 
+#include <cmath>
+#include <functional>
 #include <utility>
 
 namespace cdr::cli {
@@ -29,10 +31,43 @@ nlohmann::ordered_json jsonOf(const measure::FrameBound& bound) {
             {"depth_step", bound.stepView}};
 }
 
+/// Rounded down: only where all pixels are certified does it say 100 %.
+std::string certifiedText(const measure::Certificate& certificate) {
+    const double percent = 100.0 * certificate.certifiedFraction();
+    return percent < 100.0 ? fmt::format("{:.2f} %", std::floor(100.0 * percent) / 100.0) : "100 %";
+}
+
 } // namespace
 
-nlohmann::ordered_json castCount(const measure::Certificate& certificate, std::uint64_t count) {
-    return certificate.isRefused() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(count);
+output::Columns<measure::Certificate> certificateColumns(bool isShown) {
+    using Certificate = measure::Certificate;
+    const auto ofRays = [](auto count) {
+        return [count](const Certificate& certificate) {
+            return certificate.isRefused() ? output::Json(nullptr)
+                                           : output::Json(std::invoke(count, certificate));
+        };
+    };
+    return {{.key = "certified", .value = &Certificate::certified},
+            {.key = "proven", .value = &Certificate::proven},
+            {.key = "certified_fraction",
+             .value = &Certificate::certifiedFraction,
+             .heading = isShown ? "certified" : "",
+             .text = certifiedText},
+            {.key = "cast",
+             .value = ofRays(&Certificate::cast),
+             .heading = isShown ? "cast" : "",
+             .format = {.missing = "-"}},
+            {.key = "cast_masked", .value = ofRays(&Certificate::castMasked)},
+            {.key = "wrong_before",
+             .value = ofRays(&Certificate::wrong),
+             .heading = isShown ? "wrong before" : "",
+             .format = {.missing = "-"}},
+            {.key = "repaired",
+             .value = ofRays([](const Certificate& certificate) { return certificate.repairs.size(); }),
+             .heading = isShown ? "repaired" : "",
+             .format = {.missing = "-"}},
+            {.key = "blended_pixels", .value = &Certificate::blended},
+            {.key = "refused", .value = &Certificate::refused}};
 }
 
 nlohmann::ordered_json certificateOf(std::uint32_t number, const scene::Camera& camera,
@@ -42,16 +77,8 @@ nlohmann::ordered_json certificateOf(std::uint32_t number, const scene::Camera& 
                                 {"camera", jsonOf(camera)},
                                 {"snap_pixels", certified.snapPixels},
                                 {"bound", jsonOf(certificate.bound)},
-                                {"pixels", certificate.pixels},
-                                {"certified", certificate.certified},
-                                {"proven", certificate.proven},
-                                {"certified_fraction", certificate.certifiedFraction()},
-                                {"cast", castCount(certificate, certificate.cast)},
-                                {"cast_masked", castCount(certificate, certificate.castMasked)},
-                                {"wrong_before", castCount(certificate, certificate.wrong)},
-                                {"repaired", castCount(certificate, certificate.repairs.size())},
-                                {"blended_pixels", certificate.blended},
-                                {"refused", certificate.refused}};
+                                {"pixels", certificate.pixels}};
+    json.update(output::jsonOf(certificateColumns(false), certificate));
     if (certificate.firstRefused) {
         json["first_refused"] = {certificate.firstRefused->x, certificate.firstRefused->y};
     } else {

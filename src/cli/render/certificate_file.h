@@ -6,6 +6,7 @@
 #include <cdr/scene/camera.h>
 
 #include <nlohmann/json.hpp>
+#include <output/columns.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -20,8 +21,9 @@ struct CertifiedOutput {
     double milliseconds = 0.0;
 };
 
-/// A count of what rays found. Null where the frame was refused: none was cast.
-nlohmann::ordered_json castCount(const measure::Certificate& certificate, std::uint64_t count);
+/// What a certificate counts. Null stands for what rays found of a frame that was refused: none was cast.
+/// @param isShown whether tables have some of it.
+output::Columns<measure::Certificate> certificateColumns(bool isShown);
 
 /// A frame's part of a certificate file.
 /// @param hash of the picture's values, as `render --hash` prints it.

@@ -5,67 +5,9 @@
 #include <fmt/format.h>
 #include <output/wrong_pixels_columns.h>
 
-#include <cmath>
-#include <functional>
 #include <utility>
 
 namespace cdr::cli {
-
-namespace {
-
-/// Rounded down: only where all pixels are certified does it say 100 %.
-std::string certifiedText(const RenderRow& row) {
-    const auto& certified = row.made.certified();
-    if (!certified) {
-        return {};
-    }
-    const double percent = 100.0 * certified->certificate.certifiedFraction();
-    return percent < 100.0 ? fmt::format("{:.2f} %", std::floor(100.0 * percent) / 100.0) : "100 %";
-}
-
-/// Of a certificate, absent where none was asked for.
-output::Columns<RenderRow> certificateColumns(bool isShown) {
-    const auto of = [](auto valueOf) {
-        return [valueOf](const RenderRow& row) {
-            const auto& certified = row.made.certified();
-            return certified ? output::Json(valueOf(*certified)) : output::absent();
-        };
-    };
-    const auto ofRays = [of](auto countOf) {
-        return of([countOf](const CertifiedOutput& made) {
-            return castCount(made.certificate, std::invoke(countOf, made.certificate));
-        });
-    };
-    return {
-        {.key = "certified",
-         .value = of([](const CertifiedOutput& made) { return made.certificate.certified; })},
-        {.key = "proven", .value = of([](const CertifiedOutput& made) { return made.certificate.proven; })},
-        {.key = "certified_fraction",
-         .value = of([](const CertifiedOutput& made) { return made.certificate.certifiedFraction(); }),
-         .heading = isShown ? "certified" : "",
-         .text = certifiedText},
-        {.key = "cast",
-         .value = ofRays(&measure::Certificate::cast),
-         .heading = isShown ? "cast" : "",
-         .format = {.missing = "-"}},
-        {.key = "cast_masked", .value = ofRays(&measure::Certificate::castMasked)},
-        {.key = "wrong_before",
-         .value = ofRays(&measure::Certificate::wrong),
-         .heading = isShown ? "wrong before" : "",
-         .format = {.missing = "-"}},
-        {.key = "repaired",
-         .value = ofRays([](const measure::Certificate& made) { return made.repairs.size(); }),
-         .heading = isShown ? "repaired" : "",
-         .format = {.missing = "-"}},
-        {.key = "blended_pixels",
-         .value = of([](const CertifiedOutput& made) { return made.certificate.blended; })},
-        {.key = "refused", .value = of([](const CertifiedOutput& made) { return made.certificate.refused; })},
-        {.key = "certify_ms",
-         .value = of([](const CertifiedOutput& made) { return made.milliseconds; }),
-         .heading = isShown ? "certify ms" : ""}};
-}
-
-} // namespace
 
 FrameOutput::FrameOutput(std::uint32_t number, render::Frame frame, std::optional<measure::TruthImage> truth,
                          std::optional<CertifiedOutput> certified)
@@ -148,17 +90,22 @@ output::Columns<RenderRow> renderColumns(const RenderHeadings& shown) {
          .value = [](const RenderRow& row) { return row.made.frame().stats.translucency.bytes; }},
         {.key = "record_ms", .value = ofTimes(&render::FrameTimes::recordMs), .heading = "record ms"},
         {.key = "execute_ms", .value = ofTimes(&render::FrameTimes::executeMs), .heading = "execute ms"}};
-    for (const auto& wrong : output::wrongPixelsColumns({.share = "wrong"})) {
-        columns.push_back({.key = wrong.key,
-                           .value =
-                               [value = wrong.value](const RenderRow& row) {
-                                   return row.made.wrong() ? value(*row.made.wrong()) : output::absent();
-                               },
-                           .heading = wrong.heading,
-                           .format = wrong.format});
-    }
-    const auto certificate = certificateColumns(shown.certificate);
-    columns.insert(columns.end(), certificate.begin(), certificate.end());
+    const auto wrong = output::columnsOf<RenderRow>([](const RenderRow& row) { return row.made.wrong(); },
+                                                    output::wrongPixelsColumns({.share = "wrong"}));
+    const auto certificate = output::columnsOf<RenderRow>(
+        [](const RenderRow& row) {
+            const auto& certified = row.made.certified();
+            return certified ? &certified->certificate : nullptr;
+        },
+        certificateColumns(shown.certificate));
+    columns = output::joined<RenderRow>({columns, wrong, certificate});
+    columns.push_back({.key = "certify_ms",
+                       .value =
+                           [](const RenderRow& row) {
+                               const auto& certified = row.made.certified();
+                               return certified ? output::Json(certified->milliseconds) : output::absent();
+                           },
+                       .heading = shown.certificate ? "certify ms" : ""});
     if (shown.hash) {
         columns.push_back({.heading = "sha-256", .text = &RenderRow::hash});
     }

@@ -81,35 +81,21 @@ output::Json intervalJson(const std::optional<depth::RatioInterval>& interval) {
 
 using Row = depth::AdviceRow;
 
-/// A text of what was measured; none where nothing was.
-template <typename Text>
-auto textOf(Text text) {
-    return [text](const Row& row) { return row.measured ? text(*row.measured) : std::string(); };
-}
-
-/// What was measured as JSON; absent where nothing was.
-template <typename Value>
-auto measuredValue(Value value) {
-    return [value](const Row& row) -> output::Json {
-        return row.measured ? output::Json(std::invoke(value, *row.measured)) : output::absent();
-    };
-}
-
-output::Columns<Row> measuredColumns(base::LengthUnit unit) {
+output::Columns<depth::Measurement> measuredColumns(base::LengthUnit unit) {
     using Measured = depth::Measurement;
-    return {{.key = "resolved",
-             .value = measuredValue(&Measured::resolvedView),
-             .heading = "measured",
-             .text = textOf([unit](const Measured& m) { return measuredText(m, unit); }),
-             .before = "enough"},
-            {.key = "largest", .value = measuredValue(&Measured::largestView)},
-            {.key = "time_ratio",
-             .value = measuredValue(&Measured::timeRatio),
-             .heading = "time over standard",
-             .text = textOf(timeText),
-             .before = "enough"},
-            {.key = "time_ratio_ci95",
-             .value = measuredValue([](const Measured& m) { return intervalJson(m.timeRatio95); })}};
+    return {
+        {.key = "resolved",
+         .value = &Measured::resolvedView,
+         .heading = "measured",
+         .text = [unit](const Measured& m) { return measuredText(m, unit); },
+         .before = "enough"},
+        {.key = "largest", .value = &Measured::largestView},
+        {.key = "time_ratio",
+         .value = &Measured::timeRatio,
+         .heading = "time over standard",
+         .text = timeText,
+         .before = "enough"},
+        {.key = "time_ratio_ci95", .value = [](const Measured& m) { return intervalJson(m.timeRatio95); }}};
 }
 
 /// @param measured whether the table shows measurements, else costs in words.
@@ -154,7 +140,9 @@ output::Columns<Row> adviceColumns(bool measured, base::LengthUnit unit) {
          .value = [](const Row& row) { return costOf(row); },
          .heading = measured ? "" : "cost over standard",
          .before = "enough"}};
-    return measured ? output::joined<Row>({predicted, measuredColumns(unit)}) : predicted;
+    return measured ? output::joined<Row>(
+                          {predicted, output::columnsOf<Row>(&Row::measured, measuredColumns(unit))})
+                    : predicted;
 }
 
 /// The answer, and what it was measured on.

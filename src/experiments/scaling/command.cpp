@@ -155,15 +155,10 @@ experiments::RankSweepOptions rankOptionsOf(const ScalingArguments& arguments) {
 void run(Command& command, ScalingArguments& arguments) {
     command.measuresTime();
     if (arguments.ranks.nodes > 0) {
-        const experiments::RankSweepOptions swept = rankOptionsOf(arguments);
-        requireUsable(swept);
-        runProjection(command,
-                      {.width = arguments.options.width,
-                       .height = arguments.options.height,
-                       .cubes = swept.cubes,
-                       .repeats = swept.repeats,
-                       .seed = swept.seed},
-                      arguments.ranks);
+        experiments::RankSweepOptions options = rankOptionsOf(arguments);
+        options.sizes = {{.width = arguments.options.width, .height = arguments.options.height}};
+        requireUsable(options);
+        runProjection(command, options, arguments.ranks);
         return;
     }
     if (arguments.ranks.isAsked) {

@@ -25,14 +25,13 @@ constexpr int kMessages = 7;
 /// As `render` makes and takes a frame.
 class CostedFrame {
   public:
-    CostedFrame(const gpu::Device& device, const FrameCostOptions& options)
-        : m_setup(scenes::makeCrowd(options.seed, options.cubes,
-                                    static_cast<double>(options.width) / options.height)),
+    CostedFrame(const gpu::Device& device, const RankSweepOptions& options, const image::PictureSize& size)
+        : m_setup(
+              scenes::makeCrowd(options.seed, options.cubes, static_cast<double>(size.width) / size.height)),
           m_onDevice(device, m_setup.scene),
-          m_renderer(device, m_setup.scene, m_onDevice,
-                     {.width = options.width,
-                      .height = options.height,
-                      .technique = depth::parseTechnique("anchored")}) {}
+          m_renderer(
+              device, m_setup.scene, m_onDevice,
+              {.width = size.width, .height = size.height, .technique = depth::parseTechnique("anchored")}) {}
 
     output::Json make() {
         const render::Frame frame = m_renderer.render(m_setup.path.at(0));
@@ -72,9 +71,9 @@ double byteMs(ranks::Ranks& ranks) {
 
 } // namespace
 
-MeasuredCosts measureFrameCosts(const gpu::Device& device, const FrameCostOptions& options,
+MeasuredCosts measureFrameCosts(const gpu::Device& device, const RankSweepOptions& options,
                                 ranks::Ranks& ranks) {
-    CostedFrame frame(device, options);
+    CostedFrame frame(device, options, options.sizes.front());
     const platform::PendingFile file(platform::scratchPath(".png")); // never committed
     frame.make();                                                    // warms up
     MeasuredCosts measured;

@@ -1,24 +1,15 @@
 #pragma once
 
 #include "projection.h"
+#include "rank_sweep.h"
 
 #include <cdr/gpu/device.h>
 
 #include <ranks/ranks.h>
 
 #include <cstddef>
-#include <cstdint>
 
 namespace cdr::experiments {
-
-/// Of which frames costs are measured: unit cubes all in view, encoded as PNG.
-struct FrameCostOptions {
-    std::uint32_t width = 1280;
-    std::uint32_t height = 720;
-    std::uint32_t cubes = 10'000;
-    std::uint32_t repeats = 7; ///< frames that each rank makes
-    std::uint64_t seed = 2013;
-};
 
 /// What a run of frames took, to compare a projection with.
 struct MeasuredRun {
@@ -32,7 +23,8 @@ struct MeasuredCosts {
 };
 
 /// All ranks call it and work at once, so what they take from each other is in their costs. Results are the first rank's.
-MeasuredCosts measureFrameCosts(const gpu::Device& device, const FrameCostOptions& options,
+/// @param options of which the first size counts. Frames are encoded as PNG, and each rank makes `repeats`.
+MeasuredCosts measureFrameCosts(const gpu::Device& device, const RankSweepOptions& options,
                                 ranks::Ranks& ranks);
 
 } // namespace cdr::experiments

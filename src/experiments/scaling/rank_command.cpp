@@ -93,7 +93,7 @@ void runRankSweep(Command& command, experiments::RankSweepOptions options,
     requireSameImages(points);
 }
 
-void runProjection(Command& command, const experiments::FrameCostOptions& options,
+void runProjection(Command& command, const experiments::RankSweepOptions& options,
                    const RankSweepArguments& arguments) {
     const auto [costs, run] = experiments::measureFrameCosts(command.device(), options, command.ranks());
     command.endProgress();
@@ -118,8 +118,8 @@ void runProjection(Command& command, const experiments::FrameCostOptions& option
     auto document = command.makeDocument({{"ranks", ranks},
                                           {"ranks_on_node", command.ranks().place().countOnNode},
                                           {"cpu_choice", ranks::nameOf(command.ranks().place().cpus.choice)},
-                                          {"width", options.width},
-                                          {"height", options.height},
+                                          {"width", options.sizes.front().width},
+                                          {"height", options.sizes.front().height},
                                           {"cubes", options.cubes},
                                           {"repeats", options.repeats},
                                           {"seed", options.seed},

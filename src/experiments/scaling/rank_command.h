@@ -27,7 +27,7 @@ void runRankSweep(Command& command, experiments::RankSweepOptions options,
                   const RankSweepArguments& arguments);
 
 /// Runs on all ranks, measures a frame, and projects a run of many frames to many nodes.
-void runProjection(Command& command, const experiments::FrameCostOptions& options,
+void runProjection(Command& command, const experiments::RankSweepOptions& options,
                    const RankSweepArguments& arguments);
 
 } // namespace cdr::cli

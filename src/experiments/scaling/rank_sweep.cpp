@@ -104,7 +104,7 @@ class RankPart {
     std::uint64_t m_deviceBytes = 0;
 };
 
-render::RenderOptions sweptOptions(const SweptSize& size, unsigned cascades) {
+render::RenderOptions sweptOptions(const image::PictureSize& size, unsigned cascades) {
     depth::Technique technique = depth::parseTechnique("cdr");
     technique.split = depth::SplitCount{cascades};
     return {.width = size.width,
@@ -196,7 +196,7 @@ std::vector<RankPoint> runRankSweep(const gpu::Device& device, const RankSweepOp
     requireUsable(options);
     std::vector<RankPoint> points;
     std::size_t done = 0;
-    for (const SweptSize& size : options.sizes) {
+    for (const image::PictureSize& size : options.sizes) {
         const scene::SceneSetup setup =
             scenes::makeCrowd(options.seed, options.cubes, static_cast<double>(size.width) / size.height);
         for (const unsigned cascades : options.cascades) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/device.h>
+#include <cdr/image/picture_size.h>
 #include <cdr/measure/statistics/statistics.h>
 #include <experiments/progress.h>
 
@@ -14,15 +15,9 @@
 
 namespace cdr::experiments {
 
-/// A picture's size in pixels.
-struct SweptSize {
-    std::uint32_t width = 1280;
-    std::uint32_t height = 720;
-};
-
 /// How a frame's cascades scale with the ranks that draw them: unit cubes all in view, in targets `layers`.
 struct RankSweepOptions {
-    std::vector<SweptSize> sizes{{640, 360}, {1280, 720}};
+    std::vector<image::PictureSize> sizes{{640, 360}, {1280, 720}};
     std::vector<unsigned> cascades{1, 4, 8};
     std::uint32_t cubes = 10'000;
     std::uint32_t repeats = 7; ///< timed frames of each point, after one that warms up
@@ -42,7 +37,7 @@ struct RankShare {
 
 /// One (size, cascades, ranks). Ratios are over one rank, repeat by repeat.
 struct RankPoint {
-    SweptSize size;
+    image::PictureSize size;
     unsigned cascades = 1;
     std::size_t ranks = 1;
     double frameMs = 0.0; ///< median, from the start until the first rank has the frame

@@ -30,20 +30,10 @@ struct ShadowArguments {
     std::filesystem::path folder;
 };
 
-/// Of what changed since the frame before; absent in the first.
-output::Columns<experiments::ShadowResult> shadowFlipColumns() {
-    const auto of = [](auto member) {
-        return [member](const experiments::ShadowResult& row) {
-            return row.flips ? output::Json((*row.flips).*member) : output::absent();
-        };
-    };
-    return {{.key = "flips", .value = of(&measure::FlipCount::flips), .heading = "flips"},
-            {.key = "flips_compared", .value = of(&measure::FlipCount::compared)}};
-}
-
 output::Columns<experiments::ShadowResult> shadowColumns() {
     using Result = experiments::ShadowResult;
     using Wrong = measure::WrongShadows;
+    using Flips = measure::FlipCount;
     const output::Columns<Wrong> wrong{
         {.key = "pixels", .value = &Wrong::pixels, .heading = "pixels"},
         {.key = "shadowed", .value = &Wrong::shadowed, .heading = "shadowed"},
@@ -53,13 +43,15 @@ output::Columns<experiments::ShadowResult> shadowColumns() {
          .heading = "wrong",
          .format = {.pattern = "{} %", .scale = 100.0}},
         {.key = "edge_wrong", .value = &Wrong::edgeWrong, .heading = "wrong at edges"}};
+    const output::Columns<Flips> flips{{.key = "flips", .value = &Flips::flips, .heading = "flips"},
+                                       {.key = "flips_compared", .value = &Flips::compared}};
     return output::joined<Result>(
         {{{.key = "technique", .value = &Result::technique, .heading = "technique"},
           {.key = "method", .value = &Result::method, .heading = "method"},
           {.key = "frame", .value = &Result::frame, .heading = "frame"},
           {.key = "light", .value = &Result::light, .heading = "light"}},
          output::columnsOf(&Result::wrong, wrong),
-         shadowFlipColumns(),
+         output::columnsOf<Result>(&Result::flips, flips), // since the frame before
          {{.key = "maps", .value = &Result::maps, .heading = "maps"},
           {.key = "casters", .value = &Result::casters, .heading = "casters"},
           {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms"}}});

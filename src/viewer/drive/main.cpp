@@ -79,7 +79,7 @@ void run(const DriveArguments& arguments) {
     if (arguments.soakSeconds) {
         program::keepFreeMemoryLow();
         program::writeAllBlocks();
-        SoakOptions input{.seed = arguments.viewer.seed};
+        SoakOptions input{.seed = arguments.viewer.settings.seed};
         if (arguments.largest) {
             input.largest = *arguments.largest;
         }

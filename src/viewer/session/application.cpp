@@ -49,7 +49,7 @@ Application::Application(const Arguments& arguments, Player* player)
     : m_arguments(arguments),
       m_model(initialModel(arguments)),
       m_player(player),
-      m_system(fmt::format("cdr render {} -o picture.png", arguments.scene)),
+      m_system(fmt::format("cdr render {} -o picture.png", arguments.settings.scene)),
       m_renderInstance({.validate = arguments.validate, .extensions = {}}),
       m_renderDevice(m_renderInstance, arguments.device),
       m_window(m_system, arguments.size.width, arguments.size.height, "cdr-viewer"),

@@ -7,6 +7,7 @@
 #include <viewer/window/window.h>
 
 #include <fmt/format.h>
+#include <options/deform_choice.h>
 #include <options/drawing_options.h>
 #include <options/effect_options.h>
 #include <options/help_format.h>
@@ -22,8 +23,8 @@ namespace cdr::viewer {
 namespace {
 
 void addViewOptions(CLI::App& program, Arguments& arguments) {
-    options::addValue(program, "scene", arguments.scene, options::sceneHelp());
-    options::addSeed(program, arguments.seed);
+    options::addValue(program, "scene", arguments.settings.scene, options::sceneHelp());
+    options::addSeed(program, arguments.settings.seed);
     options::addColours(program, arguments.colours);
     options::addLayers(program, arguments.layers);
     CLI::Option* technique =
@@ -34,9 +35,9 @@ void addViewOptions(CLI::App& program, Arguments& arguments) {
         ->type_name("LEFT,RIGHT")
         ->default_str(kCompared)
         ->excludes(technique);
-    options::addTargets(program, arguments.drawing.targets);
+    options::addTargets(program, arguments.settings.drawing.targets);
     options::addDepthFormat(program, arguments.format);
-    options::addThreads(program, arguments.drawing.threads);
+    options::addThreads(program, arguments.settings.drawing.threads);
     program.add_flag("--play", arguments.plays, "Play the scene's camera path when the window opens");
 }
 
@@ -44,12 +45,12 @@ void addViewOptions(CLI::App& program, Arguments& arguments) {
 void addRenderLine(CLI::App& program, Arguments& arguments) {
     program.option_defaults()->group("As in cdr render");
     options::addTechniqueParts(program, arguments.parts);
-    options::addSubmission(program, arguments.drawing);
-    options::addSnapping(program, arguments.drawing.snapping);
-    options::addDetail(program, arguments.drawing.detail);
-    options::addEffectOptions(program, arguments.drawing, arguments.choice);
-    options::addStereoOptions(program, arguments.views);
-    options::addParsed(program, "--aov", arguments.view, viewOfAov,
+    options::addSubmission(program, arguments.settings.drawing);
+    options::addSnapping(program, arguments.settings.drawing.snapping);
+    options::addDetail(program, arguments.settings.drawing.detail);
+    options::addEffectOptions(program, arguments.settings.drawing, arguments.settings.choice);
+    options::addStereoOptions(program, arguments.settings.views);
+    options::addParsed(program, "--aov", arguments.settings.view, viewOfAov,
                        "What the picture shows: color, cascade, distance, id or wrong")
         ->default_str("color");
     options::addFile(
@@ -66,11 +67,11 @@ void addPlace(CLI::App& program, Arguments& arguments) {
                     "First frame of the scene's camera path, or of a moving scene")
         ->check(options::wholeNumber());
     options::addCameraOptions(program, arguments.camera);
-    options::addSceneChoice(program, arguments.choice);
-    options::addAnimationChoice(program, arguments.choice);
-    options::addDeform(program, arguments.deform);
-    options::addTextureMemory(program, arguments.choice.textureMiB);
-    options::addPointRadius(program, arguments.choice.pointRadius);
+    options::addSceneChoice(program, arguments.settings.choice);
+    options::addAnimationChoice(program, arguments.settings.choice);
+    options::addDeform(program, arguments.settings.deform);
+    options::addTextureMemory(program, arguments.settings.choice.textureMiB);
+    options::addPointRadius(program, arguments.settings.choice.pointRadius);
     program.option_defaults()->group("Options");
 }
 

@@ -1,15 +1,12 @@
 #pragma once
 
 #include <cdr/base/quantity_text.h>
-#include <scenes/open_scene.h>
 #include <viewer/state/view_settings.h>
 
 #include <options/camera_options.h>
 #include <options/cli_app.h>
-#include <options/deform_choice.h>
 #include <options/drawing_options.h>
 #include <options/scene_options.h>
-#include <options/views/views_plan.h>
 
 #include <array>
 #include <cstdint>
@@ -26,26 +23,20 @@ std::array<depth::Technique, 2> parsePair(std::string_view text);
 /// Reads "WIDTHxHEIGHT" of a window. base::InputError unless each side is 1 to kMaxWindowSide.
 PictureExtent parseWindowSize(std::string_view text);
 
-/// The command line of cdr-viewer.
 /// What is compared unless told otherwise, as of --compare.
 inline constexpr const char* kCompared = "standard,anchored";
 
+/// The command line of cdr-viewer.
 struct Arguments {
-    std::string scene = "afc";
-    bool isFirstUse = false; ///< nothing was asked for: the interface says what can be done
-    scene::GltfChoice choice;
+    ViewSettings settings{.scene = "afc"}; ///< but for what the members below say
+    bool isFirstUse = false;               ///< nothing was asked for: the interface says what can be done
     options::CameraOptions camera;
-    std::uint64_t seed = scenes::kDefaultSeed;
     options::LayerArguments layers;
-    std::optional<scenes::Deform> deform;      ///< who bends meshes, as told
     std::optional<scenes::Colours> colours;    ///< else bright, except for a line that renders a picture
     std::optional<depth::Technique> technique; ///< of one picture
     std::optional<std::array<depth::Technique, 2>> compare; ///< left and right; by default kCompared
     options::TechniqueParts parts;                          ///< instead of a technique
     std::optional<depth::DepthFormat> format;
-    render::RenderOptions drawing; ///< what both pictures are drawn with
-    options::ViewsArguments views; ///< one eye, or two
-    ViewKind view = ViewKind::shaded;
     std::string output; ///< of a line that renders a picture, which is shown instead; empty without
     PictureExtent size{.width = 1280, .height = 720}; ///< of the window
     std::string device;

@@ -36,8 +36,8 @@ void chooseTechniques(const Arguments& arguments, ViewSettings& settings) {
 
 /// What would end the viewer later ends it before its window opens.
 void requireUsable(const Arguments& arguments) {
-    requireCompatible(arguments.drawing); // panels may leave unused what a command line may not
-    scene::requireUsable(arguments.choice);
+    requireCompatible(arguments.settings.drawing); // panels may leave unused what a command line may not
+    scene::requireUsable(arguments.settings.choice);
     if (!arguments.screenshot.empty()) {
         image::requireEncodable(arguments.screenshot);
         platform::requireWritable(arguments.screenshot);
@@ -45,18 +45,11 @@ void requireUsable(const Arguments& arguments) {
 }
 
 ViewSettings settingsOf(const Arguments& arguments) {
-    ViewSettings settings;
-    settings.scene = arguments.scene;
-    settings.seed = arguments.seed;
+    ViewSettings settings = arguments.settings;
     settings.colours = arguments.colours.value_or(arguments.output.empty() ? scenes::Colours::bright
                                                                            : scenes::Colours::thesis);
     settings.layers = arguments.layers.choices;
-    settings.deform = arguments.deform;
-    settings.drawing = arguments.drawing;
-    settings.choice = arguments.choice;
-    settings.view = arguments.view;
-    settings.views = arguments.views;
-    settings.givenEyes = arguments.views;
+    settings.givenEyes = settings.views;
     options::ViewsPlan(settings.views, 1, 1); // refuses what contradicts itself
     chooseTechniques(arguments, settings);
     return settings;
