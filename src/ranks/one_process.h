@@ -13,9 +13,7 @@ class OneProcess final : public Ranks {
     void learnMachine() override {}
     void sayWhenKilled(const std::string&) override {}
     void forEachUnit(std::size_t count, const Make& make, const Take& take) override {
-        for (std::size_t unit = 0; unit < count; ++unit) {
-            take(unit, make(unit));
-        }
+        forEachUnitTogether(count, make, take);
     }
     platform::Bytes share(platform::Bytes ofFirst) override { return ofFirst; }
     void merge(const std::function<platform::Bytes()>&,

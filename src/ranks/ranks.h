@@ -85,6 +85,16 @@ class Ranks {
         }
     }
 
+    /// The same, but all ranks make each unit together. What make() gives on the first rank is the result.
+    virtual void forEachUnitTogether(std::size_t count, const Make& make, const Take& take) {
+        for (std::size_t unit = 0; unit < count; ++unit) {
+            const platform::Bytes made = make(unit);
+            if (isFirst()) {
+                take(unit, made);
+            }
+        }
+    }
+
     /// The bytes of the first rank, on every rank.
     virtual platform::Bytes share(platform::Bytes ofFirst) = 0;
 
