@@ -120,7 +120,7 @@ void Command::readsAll(const std::string& what, const std::vector<scene::GltfRef
         m_files.reads(file.path);
     }
     m_read.insert(m_read.end(), files.begin(), files.end());
-    runs::requireSameFiles(ranks(), what, files);
+    runs::requireSameFiles(*m_global.ranks, what, files);
 }
 
 std::string Command::digestOfRun(const std::string& more) {

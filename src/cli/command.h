@@ -45,7 +45,7 @@ class Command {
     const OutputOptions& output() const { return m_output; }
     const Console& console() const { return m_console; }
     CommandFiles& files() { return m_files; }
-    ranks::Ranks& ranks() { return m_kept ? *m_kept : *m_global.ranks; }
+    ranks::Ranks& ranks() { return m_kept ? static_cast<ranks::Ranks&>(*m_kept) : *m_global.ranks; }
     const ranks::Ranks& ranks() const { return *m_global.ranks; }
     /// Where several ranks work on the command, says how many and how they share the machine.
     void sayRanks() const;

@@ -37,7 +37,7 @@ struct GlobalOptions {
     std::optional<std::uint64_t> textureMiB; ///< as scene::GltfChoice has it
     std::optional<double> pointRadius;       ///< as scene::GltfChoice has it
     std::optional<base::LengthUnit> unit;    ///< of lengths in tables and sentences; none by default
-    ranks::Ranks* ranks = nullptr;           ///< of the run; main() fills it in
+    ranks::Run* ranks = nullptr;             ///< of the process; main() fills it in
     std::string section; ///< of a report that the command runs for: only its progress shows, under this name
 };
 

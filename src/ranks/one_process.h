@@ -5,9 +5,9 @@
 namespace cdr::ranks {
 
 /// A process that was started alone.
-class OneProcess final : public Ranks {
+class OneProcess final : public Run {
   public:
-    OneProcess() : Ranks({}) {}
+    OneProcess() : Run({}) {}
 
     void requireSame(const std::string&, const std::string&) override {}
     void learnMachine() override {}

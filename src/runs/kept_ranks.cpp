@@ -83,15 +83,6 @@ void KeptRanks::keepOnly(const std::function<bool(std::size_t unit, const platfo
         m_kept, [&](const auto& kept) { return !reading([&] { return stands(kept.first, kept.second); }); });
 }
 
-void KeptRanks::requireSame(const std::string& text, const std::string& otherwise) {
-    m_ranks.requireSame(text, otherwise);
-}
-
-void KeptRanks::learnMachine() {
-    m_ranks.learnMachine();
-    setCpus(m_ranks.place().cpus);
-}
-
 void KeptRanks::forEachUnit(std::size_t count, const Make& make, const Take& take) {
     handOver(&Ranks::forEachUnit, sharedOf(m_ranks, missingOf(count)), count, make, take);
 }

@@ -32,16 +32,12 @@ class KeptRanks final : public ranks::Ranks {
         m_form = std::move(form);
     }
 
-    void requireSame(const std::string& text, const std::string& otherwise) override;
-    void learnMachine() override;
-    void sayWhenKilled(const std::string& text) override { m_ranks.sayWhenKilled(text); }
     void forEachUnit(std::size_t count, const Make& make, const Take& take) override;
     void forEachUnitOnFirst(std::size_t count, const Make& make, const Take& take) override;
     void forEachUnitTogether(std::size_t count, const Make& make, const Take& take) override;
     platform::Bytes share(platform::Bytes ofFirst) override { return m_ranks.share(std::move(ofFirst)); }
     void merge(const std::function<platform::Bytes()>& pack,
                const std::function<void(const platform::Bytes& later)>& take) override;
-    ranks::Ending end(const ranks::Ending& mine) override { return m_ranks.end(mine); }
 
   private:
     using Units = std::vector<std::size_t>;
