@@ -98,15 +98,12 @@ void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height);
 void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help,
                std::uint32_t most = kMaxFrames);
 
-/// The names in a list that was divided at commas, some of which are part of a name: "standard/at:1,2", "anchored/fitted:1,max=2".
-std::vector<std::string> techniqueNames(const std::vector<std::string>& parts);
-
 /// base::InputError where a name is there twice: it would be measured twice, and both would write the same pictures.
 void requireDistinct(const std::vector<std::string>& names);
 void requireDistinct(const std::vector<depth::NamedTechnique>& techniques);
 
-/// `--techniques A,B,...` instead of those that are there. Without the option, commands take all presets.
-void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techniques);
+/// `--techniques A,B,...` instead of those that are there. Without the option, most commands take all presets.
+CLI::Option* addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techniques);
 
 /// `--rivals A,B,...`. base::InputError where one is there twice, as requireDistinct().
 /// @param otherwise which there are where none are listed, for the help.
