@@ -187,13 +187,12 @@ fuzz_rooms() { # ROOM...
             platform) parsers+=(gltf) ;;
             scene) parsers+=(gltf camera_path) ;;
             image) parsers+=(image) ;;
-            runs) parsers+=(unit_state kept_frame) ;;
+            runs) parsers+=(unit_state) ;;
             experiments) parsers+=(timing) ;;
-            cli) parsers+=(kept_frame) ;;
             depth | options | scenes | visibility) parsers+=(words) ;;
             report) parsers+=(manifest) ;;
             viewer) parsers+=(script) ;;
-            fuzz) parsers=(gltf camera_path words image unit_state timing kept_frame manifest script) && break ;;
+            fuzz) parsers=(gltf camera_path words image unit_state timing manifest script) && break ;;
         esac
     done
     if ((${#parsers[@]})); then

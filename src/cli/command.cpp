@@ -120,11 +120,7 @@ void Command::readsAll(const std::string& what, const std::vector<scene::GltfRef
         m_files.reads(file.path);
     }
     m_read.insert(m_read.end(), files.begin(), files.end());
-    runs::requireSameFiles(ranks(), what, files);
-}
-
-void Command::sayKept(const std::filesystem::path& state) const {
-    m_global.ranks->sayWhenKilled(fmt::format("; what was finished stays in {}", state.string()));
+    runs::requireSameFiles(*m_global.ranks, what, files);
 }
 
 std::string Command::digestOfRun(const std::string& more) {
@@ -142,14 +138,18 @@ std::string Command::digestOfRun(const std::string& more) {
     return program::sha256Of(platform::textOf(parts, -1));
 }
 
-void Command::keepUnits(const std::filesystem::path& state, const std::string& more) {
+void Command::openState(const std::filesystem::path& state, const std::string& more) {
     if (state.empty()) {
         return;
     }
     m_files.writes("--state", state);
-    sayKept(state);
+    m_global.ranks->sayWhenKilled(fmt::format("; what was finished stays in {}", state.string()));
     m_kept.emplace(*m_global.ranks, state, ranks().isFirst() ? digestOfRun(more) : "");
-    if (m_kept->keptCount() > 0) {
+}
+
+void Command::keepUnits(const std::filesystem::path& state, const std::string& more) {
+    openState(state, more);
+    if (m_kept && m_kept->keptCount() > 0) {
         m_console.line(fmt::format("results kept in {}: {}", state.string(), m_kept->keptCount()));
     }
 }

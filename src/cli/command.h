@@ -45,7 +45,7 @@ class Command {
     const OutputOptions& output() const { return m_output; }
     const Console& console() const { return m_console; }
     CommandFiles& files() { return m_files; }
-    ranks::Ranks& ranks() { return m_kept ? *m_kept : *m_global.ranks; }
+    ranks::Ranks& ranks() { return m_kept ? static_cast<ranks::Ranks&>(*m_kept) : *m_global.ranks; }
     const ranks::Ranks& ranks() const { return *m_global.ranks; }
     /// Where several ranks work on the command, says how many and how they share the machine.
     void sayRanks() const;
@@ -57,17 +57,12 @@ class Command {
     /// The same of the Earth's pictures, which may be missing, and of the model if there is one.
     void readsEarth(const scenes::OrbitFiles& files);
 
-    /// A SHA-256 of everything that results depend on: version, device, options, and the files that the command has read so far.
-    /// @param more that they depend on.
-    std::string digestOfRun(const std::string& more = "");
-
-    /// Notes the file in which results stay if the run is interrupted, for the message that says so.
-    void sayKept(const std::filesystem::path& state) const;
-
     /// Where a file is named, ranks() keep there what they make from now on, and take from there what an earlier run made. For
     /// every rank, once all files are read. base::InputError as runs::KeptRanks.
-    /// @param more as digestOfRun() takes it.
+    /// @param more that results depend on, beside version, device, options, and the files that the command has read so far.
     void keepUnits(const std::filesystem::path& state, const std::string& more = "");
+    /// The same, without a line that says how many results are there.
+    void openState(const std::filesystem::path& state, const std::string& more = "");
     /// The ranks() that keep units; null where no file is named.
     runs::KeptRanks* keptRanks() { return m_kept ? &*m_kept : nullptr; }
 
@@ -103,6 +98,8 @@ class Command {
   private:
     /// @param what has these files, for messages.
     void readsAll(const std::string& what, const std::vector<scene::GltfReference>& files);
+    /// A SHA-256 of everything that results depend on.
+    std::string digestOfRun(const std::string& more);
 
     const CLI::App& m_app;
     std::string m_name;

@@ -93,7 +93,7 @@ void printOnce(const cdr::ranks::Ranks& ranks, const std::string& text) {
 }
 
 /// Ranks of another version, or on other arguments, would wait for each other forever.
-void requireSameProgram(cdr::ranks::Ranks& ranks, int argc, char** argv) {
+void requireSameProgram(cdr::ranks::Run& ranks, int argc, char** argv) {
     const cdr::program::BuildInfo build = cdr::program::buildInfo();
     std::string text = fmt::format("cdr {} ({})", build.version, build.commit);
     for (int i = 1; i < argc; ++i) {
@@ -102,7 +102,7 @@ void requireSameProgram(cdr::ranks::Ranks& ranks, int argc, char** argv) {
     ranks.requireSame(text, "was started in another way than the first rank: " + text);
 }
 
-int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
+int run(int argc, char** argv, cdr::ranks::Run& ranks) {
     requireSameProgram(ranks, argc, argv);
     ranks.learnMachine();
     CLI::App program("Cascaded deferred rendering: see far without z-fighting.", "cdr");
@@ -193,7 +193,7 @@ int main(int argc, char** argv) {
     cdr::program::keepFreedMemory();
     cdr::program::useLargePages();
     cdr::platform::removeUnfinishedFilesOnSignals();
-    std::unique_ptr<cdr::ranks::Ranks> ranks;
+    std::unique_ptr<cdr::ranks::Run> ranks;
     const cdr::ranks::Ending joining = outcomeOf([&] {
         ranks = cdr::ranks::join(endingOf, printLine);
         return 0;

@@ -149,7 +149,7 @@ void SectionRunner::add(std::size_t section, Json outcome) {
 
 void takeUpSections(runs::KeptRanks& kept, const fs::path& root) {
     std::set<std::string> own;
-    kept.keepOnly([&](const platform::Bytes& made) {
+    kept.keepOnly([&](std::size_t, const platform::Bytes& made) {
         const Json outcome = Json::from_cbor(made);
         const auto& files = outcome.at("files").get_ref<const Json::object_t&>();
         const bool stands =

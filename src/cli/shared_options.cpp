@@ -41,6 +41,21 @@ void requireNoScene(const std::string& file) {
     }
 }
 
+/// The names in a list that was divided at commas, some of which are part of a name: "standard/at:1,2", "anchored/fitted:1,max=2".
+std::vector<std::string> techniqueNames(const std::vector<std::string>& parts) {
+    std::vector<std::string> names;
+    for (const std::string& part : parts) {
+        // No technique's name begins with a digit or has "=" before a colon.
+        const bool isNumber = part.find_first_of("0123456789.") == 0;
+        if (!names.empty() && (isNumber || part.find('=') < part.find(':'))) {
+            names.back() += "," + part;
+        } else {
+            names.push_back(part);
+        }
+    }
+    return names;
+}
+
 } // namespace
 
 void addJson(CLI::App& command, OutputOptions& output) {
@@ -127,20 +142,6 @@ void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help
     addValue(command, "--frames", frames, help)->check(CLI::Range(1u, most));
 }
 
-std::vector<std::string> techniqueNames(const std::vector<std::string>& parts) {
-    std::vector<std::string> names;
-    for (const std::string& part : parts) {
-        // No technique's name begins with a digit or has "=" before a colon.
-        const bool isNumber = part.find_first_of("0123456789.") == 0;
-        if (!names.empty() && (isNumber || part.find('=') < part.find(':'))) {
-            names.back() += "," + part;
-        } else {
-            names.push_back(part);
-        }
-    }
-    return names;
-}
-
 void requireDistinct(const std::vector<std::string>& names) {
     std::set<std::string> seen;
     for (const std::string& name : names) {
@@ -158,8 +159,8 @@ void requireDistinct(const std::vector<depth::NamedTechnique>& techniques) {
     requireDistinct(names);
 }
 
-void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techniques) {
-    command
+CLI::Option* addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techniques) {
+    return command
         .add_option_function<std::vector<std::string>>(
             "--techniques",
             [&techniques](const std::vector<std::string>& parts) {

@@ -37,7 +37,7 @@ struct GlobalOptions {
     std::optional<std::uint64_t> textureMiB; ///< as scene::GltfChoice has it
     std::optional<double> pointRadius;       ///< as scene::GltfChoice has it
     std::optional<base::LengthUnit> unit;    ///< of lengths in tables and sentences; none by default
-    ranks::Ranks* ranks = nullptr;           ///< of the run; main() fills it in
+    ranks::Run* ranks = nullptr;             ///< of the process; main() fills it in
     std::string section; ///< of a report that the command runs for: only its progress shows, under this name
 };
 
@@ -98,15 +98,12 @@ void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height);
 void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help,
                std::uint32_t most = kMaxFrames);
 
-/// The names in a list that was divided at commas, some of which are part of a name: "standard/at:1,2", "anchored/fitted:1,max=2".
-std::vector<std::string> techniqueNames(const std::vector<std::string>& parts);
-
 /// base::InputError where a name is there twice: it would be measured twice, and both would write the same pictures.
 void requireDistinct(const std::vector<std::string>& names);
 void requireDistinct(const std::vector<depth::NamedTechnique>& techniques);
 
-/// `--techniques A,B,...` instead of those that are there. Without the option, commands take all presets.
-void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techniques);
+/// `--techniques A,B,...` instead of those that are there. Without the option, most commands take all presets.
+CLI::Option* addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techniques);
 
 /// `--rivals A,B,...`. base::InputError where one is there twice, as requireDistinct().
 /// @param otherwise which there are where none are listed, for the help.

@@ -23,13 +23,13 @@ bool isLaunched() {
 
 #ifdef CDR_HAS_MPI
 
-std::unique_ptr<Ranks> join(Explain explain, Say say) {
+std::unique_ptr<Run> join(Explain explain, Say say) {
     return isLaunched() ? makeMpiRanks(std::move(explain), std::move(say)) : std::make_unique<OneProcess>();
 }
 
 #else
 
-std::unique_ptr<Ranks> join(Explain, Say) {
+std::unique_ptr<Run> join(Explain, Say) {
     std::string count = "1";
     for (const char* name :
          {"SLURM_STEP_NUM_TASKS", "PMI_SIZE", "OMPI_COMM_WORLD_SIZE"}) { // the last one holds

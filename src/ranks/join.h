@@ -12,7 +12,7 @@ namespace cdr::ranks {
 /// @param explain what the error of a rank's unit is to the first rank.
 /// @param say how the process is told that a rank was killed, or that a signal ends the run.
 /// base::InputError where it was started as one of several and the program was built without MPI.
-std::unique_ptr<Ranks> join(Explain explain, Say say);
+std::unique_ptr<Run> join(Explain explain, Say say);
 
 /// The MPI library that the program was built with, such as "Open MPI v4.1.4"; empty for none.
 std::string mpiLibrary();

@@ -69,11 +69,11 @@ class MpiLifetime {
     MpiLifetime& operator=(const MpiLifetime&) = delete;
 };
 
-class MpiRanks final : public Ranks {
+class MpiRanks final : public Run {
   public:
     MpiRanks(std::unique_ptr<HeldSignals> signals, std::unique_ptr<MpiLifetime> lifetime, Explain explain,
              Say say)
-        : Ranks(placeAmongAll()),
+        : Run(placeAmongAll()),
           m_signals(std::move(signals)),
           m_lifetime(std::move(lifetime)),
           m_explain(std::move(explain)),
@@ -424,7 +424,7 @@ class MpiRanks final : public Ranks {
 
 } // namespace
 
-std::unique_ptr<Ranks> makeMpiRanks(Explain explain, Say say) {
+std::unique_ptr<Run> makeMpiRanks(Explain explain, Say say) {
     auto signals = std::make_unique<HeldSignals>(); // before MPI, which may start threads
     auto lifetime = std::make_unique<MpiLifetime>();
     return std::make_unique<MpiRanks>(std::move(signals), std::move(lifetime), std::move(explain),

@@ -5,17 +5,15 @@
 namespace cdr::ranks {
 
 /// A process that was started alone.
-class OneProcess final : public Ranks {
+class OneProcess final : public Run {
   public:
-    OneProcess() : Ranks({}) {}
+    OneProcess() : Run({}) {}
 
     void requireSame(const std::string&, const std::string&) override {}
     void learnMachine() override {}
     void sayWhenKilled(const std::string&) override {}
     void forEachUnit(std::size_t count, const Make& make, const Take& take) override {
-        for (std::size_t unit = 0; unit < count; ++unit) {
-            take(unit, make(unit));
-        }
+        forEachUnitTogether(count, make, take);
     }
     platform::Bytes share(platform::Bytes ofFirst) override { return ofFirst; }
     void merge(const std::function<platform::Bytes()>&,

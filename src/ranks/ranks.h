@@ -62,18 +62,6 @@ class Ranks {
     bool isFirst() const { return m_place.index == 0; }
     bool isAlone() const { return m_place.count == 1; }
 
-    /// base::InputError on the first rank unless all give the same text.
-    /// @param otherwise what is said of a rank that gives another one than the first.
-    virtual void requireSame(const std::string& text, const std::string& otherwise) = 0;
-
-    /// Fills place().cpus. From here on a rank that is killed is named by another one of its machine. After requireSame():
-    /// ranks of other versions may have another way to learn it.
-    virtual void learnMachine() = 0;
-
-    /// What the line ends with that names a killed rank, such as what of the run is kept; on every rank, after
-    /// learnMachine().
-    virtual void sayWhenKilled(const std::string& text) = 0;
-
     /// Makes each of `count` independent units on some rank; a rank is given units in ascending order. The first rank
     /// makes units too, and takes all results, in the order of the units.
     virtual void forEachUnit(std::size_t count, const Make& make, const Take& take) = 0;
@@ -82,6 +70,16 @@ class Ranks {
     virtual void forEachUnitOnFirst(std::size_t count, const Make& make, const Take& take) {
         for (std::size_t unit = 0; isFirst() && unit < count; ++unit) {
             take(unit, make(unit));
+        }
+    }
+
+    /// The same, but all ranks make each unit together. What make() gives on the first rank is the result.
+    virtual void forEachUnitTogether(std::size_t count, const Make& make, const Take& take) {
+        for (std::size_t unit = 0; unit < count; ++unit) {
+            const platform::Bytes made = make(unit);
+            if (isFirst()) {
+                take(unit, made);
+            }
         }
     }
 
@@ -94,15 +92,33 @@ class Ranks {
     virtual void merge(const std::function<platform::Bytes()>& pack,
                        const std::function<void(const platform::Bytes& later)>& take) = 0;
 
-    /// The last call of a run: waits for all ranks. If one of them failed, all end as it does.
-    /// @param mine how this rank ends, or would end alone.
-    virtual Ending end(const Ending& mine) = 0;
-
   protected:
     void setCpus(CpuDivision cpus) { m_place.cpus = std::move(cpus); }
 
   private:
     Place m_place;
+};
+
+/// The same, with what belongs to the process and not to the work that it shares.
+class Run : public Ranks {
+  public:
+    using Ranks::Ranks;
+
+    /// base::InputError on the first rank unless all give the same text.
+    /// @param otherwise what is said of a rank that gives another one than the first.
+    virtual void requireSame(const std::string& text, const std::string& otherwise) = 0;
+
+    /// Fills place().cpus. From here on a rank that is killed is named by another one of its machine. After requireSame():
+    /// ranks of other versions may have another way to learn it.
+    virtual void learnMachine() = 0;
+
+    /// What the line ends with that names a killed rank, such as what of the run is kept; on every rank, after
+    /// learnMachine().
+    virtual void sayWhenKilled(const std::string& text) = 0;
+
+    /// The last call of a run: waits for all ranks. If one of them failed, all end as it does.
+    /// @param mine how this rank ends, or would end alone.
+    virtual Ending end(const Ending& mine) = 0;
 };
 
 } // namespace cdr::ranks

@@ -15,6 +15,39 @@ namespace {
 /// Only the commands know how many units a run has.
 constexpr std::size_t kAnyCount = std::numeric_limits<std::size_t>::max();
 
+/// Stops where values are nested deeper than those of any result: who reads CBOR goes down them by calls.
+class Nesting final : public nlohmann::json_sax<output::Json> {
+  public:
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, const string_t&) override { return true; }
+    bool string(string_t&) override { return true; }
+    bool binary(binary_t&) override { return true; }
+    bool key(string_t&) override { return true; }
+    bool start_object(std::size_t) override { return ++m_depth < kDeepest; }
+    bool end_object() override { return m_depth-- > 0; }
+    bool start_array(std::size_t) override { return ++m_depth < kDeepest; }
+    bool end_array() override { return m_depth-- > 0; }
+    bool parse_error(std::size_t, const std::string&, const output::Json::exception&) override {
+        return false;
+    }
+
+  private:
+    static constexpr int kDeepest = 100;
+    int m_depth = 0;
+};
+
+/// The bytes, if they are CBOR that can be read; else std::out_of_range.
+platform::Bytes shallow(platform::Bytes cbor) {
+    Nesting nesting;
+    if (!output::Json::sax_parse(cbor, &nesting, output::Json::input_format_t::cbor)) {
+        throw std::out_of_range("no CBOR, or nested too deeply");
+    }
+    return cbor;
+}
+
 } // namespace
 
 /// What is read has the right sums, and may be of another shape all the same.
@@ -39,43 +72,31 @@ KeptRanks::KeptRanks(ranks::Ranks& ranks, const std::filesystem::path& path, std
     m_file.emplace(path, UnitRun{.digest = std::move(digest), .units = kAnyCount});
     for (auto& [unit, made] : std::exchange(m_file->made(), {})) {
         m_kept[unit] = reading([&made = made] {
-            return platform::fromBase64(made.get_ref<const std::string&>()).value_or(platform::Bytes());
+            return shallow(
+                platform::fromBase64(made.get_ref<const std::string&>()).value_or(platform::Bytes()));
         });
     }
 }
 
-void KeptRanks::keepOnly(const std::function<bool(const platform::Bytes& made)>& stands) {
-    std::erase_if(m_kept, [&](const auto& kept) { return !reading([&] { return stands(kept.second); }); });
-}
-
-void KeptRanks::requireSame(const std::string& text, const std::string& otherwise) {
-    m_ranks.requireSame(text, otherwise);
-}
-
-void KeptRanks::learnMachine() {
-    m_ranks.learnMachine();
-    setCpus(m_ranks.place().cpus);
+void KeptRanks::keepOnly(const std::function<bool(std::size_t unit, const platform::Bytes& made)>& stands) {
+    std::erase_if(
+        m_kept, [&](const auto& kept) { return !reading([&] { return stands(kept.first, kept.second); }); });
 }
 
 void KeptRanks::forEachUnit(std::size_t count, const Make& make, const Take& take) {
-    handOver(count, take, [&](const Units& ofFirst, const Take& taken) {
-        const Units missing = sharedOf(m_ranks, ofFirst);
-        m_ranks.forEachUnit(
-            missing.size(), [&](std::size_t i) { return make(missing[i]); },
-            [&](std::size_t i, const platform::Bytes& made) { taken(missing[i], made); });
-    });
+    handOver(&Ranks::forEachUnit, sharedOf(m_ranks, missingOf(count)), count, make, take);
 }
 
 void KeptRanks::forEachUnitOnFirst(std::size_t count, const Make& make, const Take& take) {
-    handOver(count, take, [&](const Units& missing, const Take& taken) {
-        m_ranks.forEachUnitOnFirst(
-            missing.size(), [&](std::size_t i) { return make(missing[i]); },
-            [&](std::size_t i, const platform::Bytes& made) { taken(missing[i], made); });
-    });
+    handOver(&Ranks::forEachUnitOnFirst, missingOf(count), count, make, take);
 }
 
-void KeptRanks::handOver(std::size_t count, const Take& take,
-                         const std::function<void(const Units& missing, const Take& taken)>& makeMissing) {
+void KeptRanks::forEachUnitTogether(std::size_t count, const Make& make, const Take& take) {
+    handOver(&Ranks::forEachUnitTogether, sharedOf(m_ranks, missingOf(count)), count, make, take);
+}
+
+void KeptRanks::handOver(ForEach forEach, const Units& missing, std::size_t count, const Make& make,
+                         const Take& take) {
     const std::size_t begin = std::exchange(m_begin, m_begin + count);
     std::size_t next = 0;
     const auto takeKeptBefore = [&](std::size_t unit) {
@@ -83,21 +104,23 @@ void KeptRanks::handOver(std::size_t count, const Take& take,
             takeKept(next, begin, take);
         }
     };
-    makeMissing(missingOf(begin, count), [&](std::size_t unit, const platform::Bytes& made) {
-        takeKeptBefore(unit);
-        take(unit, made);
-        m_file->keep(begin + unit, platform::toBase64(made));
-        ++next;
-    });
+    (m_ranks.*forEach)(
+        missing.size(), [&](std::size_t i) { return make(missing[i]); },
+        [&](std::size_t i, const platform::Bytes& made) {
+            takeKeptBefore(missing[i]);
+            take(missing[i], made);
+            m_file->keep(begin + missing[i], platform::toBase64(m_form ? m_form(made) : made));
+            ++next;
+        });
     if (isFirst()) {
         takeKeptBefore(count);
     }
 }
 
-KeptRanks::Units KeptRanks::missingOf(std::size_t begin, std::size_t count) const {
+KeptRanks::Units KeptRanks::missingOf(std::size_t count) const {
     Units missing;
     for (std::size_t unit = 0; unit < count; ++unit) {
-        if (!m_kept.contains(begin + unit)) {
+        if (!m_kept.contains(m_begin + unit)) {
             missing.push_back(unit);
         }
     }

@@ -49,7 +49,7 @@ std::string differing(const std::map<std::string, std::string>& mine,
 
 } // namespace
 
-void requireSameFiles(ranks::Ranks& ranks, const std::string& what,
+void requireSameFiles(ranks::Run& ranks, const std::string& what,
                       const std::vector<scene::GltfReference>& files) {
     if (ranks.isAlone()) {
         return;

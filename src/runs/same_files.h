@@ -13,7 +13,7 @@ namespace cdr::runs {
 /// scene would make wrong pictures, or wait for a frame that no rank draws. A process that is alone reads nothing.
 /// @param what has these files, for the message.
 /// @param files by URI; they may be missing, if on all ranks.
-void requireSameFiles(ranks::Ranks& ranks, const std::string& what,
+void requireSameFiles(ranks::Run& ranks, const std::string& what,
                       const std::vector<scene::GltfReference>& files);
 
 /// A SHA-256 of those bytes. A file that cannot be read counts as such.

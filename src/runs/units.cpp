@@ -29,6 +29,12 @@ void forEachUnitOnFirst(ranks::Ranks& ranks, std::size_t count,
     ranks.forEachUnitOnFirst(count, makeBytes(make), takeBytes(take));
 }
 
+void forEachUnitTogether(ranks::Ranks& ranks, std::size_t count,
+                         const std::function<output::Json(std::size_t unit)>& make,
+                         const std::function<void(std::size_t unit, output::Json made)>& take) {
+    ranks.forEachUnitTogether(count, makeBytes(make), takeBytes(take));
+}
+
 output::Json packedPicture(const image::ImageRgba8& picture) {
     return {{"width", picture.width}, {"height", picture.height}, {"pixels", packed(picture.pixels)}};
 }

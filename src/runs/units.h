@@ -24,6 +24,11 @@ void forEachUnitOnFirst(ranks::Ranks& ranks, std::size_t count,
                         const std::function<output::Json(std::size_t unit)>& make,
                         const std::function<void(std::size_t unit, output::Json made)>& take);
 
+/// The same of ranks::Ranks::forEachUnitTogether().
+void forEachUnitTogether(ranks::Ranks& ranks, std::size_t count,
+                         const std::function<output::Json(std::size_t unit)>& make,
+                         const std::function<void(std::size_t unit, output::Json made)>& take);
+
 /// Values without pointers as one binary value, which another rank of the same program unpacks.
 template <typename Value>
 output::Json packed(const std::vector<Value>& values) {

@@ -3,6 +3,7 @@
 #include "../support/launched.h"
 
 #include <cdr/image/codec.h>
+#include <cdr/platform/base64.h>
 #include <cdr/platform/file.h>
 
 #include <gtest/gtest.h>
@@ -159,6 +160,15 @@ nlohmann::ordered_json recordIn(const std::string& line) {
 std::string stateLineOf(std::size_t unit, const nlohmann::ordered_json& made) {
     const std::string json = nlohmann::ordered_json{{"unit", unit}, {"made", made}}.dump();
     return program::sha256Of(json) + " " + json;
+}
+
+nlohmann::ordered_json madeIn(const std::string& line) {
+    const auto text = recordIn(line).at("made").get<std::string>();
+    return nlohmann::ordered_json::from_cbor(platform::fromBase64(text).value());
+}
+
+std::string madeLineOf(std::size_t unit, const nlohmann::ordered_json& made) {
+    return stateLineOf(unit, platform::toBase64(nlohmann::ordered_json::to_cbor(made)));
 }
 
 image::ImageRgba8 readPicture(const std::filesystem::path& path) {

@@ -108,6 +108,9 @@ void expectWholeFiles(const TemporaryFolder& folder, bool mayHide = false);
 nlohmann::ordered_json recordIn(const std::string& line);
 /// The line that a state keeps of a unit.
 std::string stateLineOf(std::size_t unit, const nlohmann::ordered_json& made);
+/// What was made, as runs::KeptRanks keeps it.
+nlohmann::ordered_json madeIn(const std::string& line);
+std::string madeLineOf(std::size_t unit, const nlohmann::ordered_json& made);
 
 image::ImageRgba8 readPicture(const std::filesystem::path& path);
 

@@ -2,7 +2,6 @@
 #include "program.h"
 
 #include <cdr/platform/file.h>
-#include <cli/render/kept_frame.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -58,19 +57,6 @@ class RenderState : public FolderTest {
 };
 
 constexpr const char* kElsewhere = "; remove it or name another file";
-
-/// Whether `render` takes it where it made a frame such as `good`. The program asks the same of each frame of a state.
-bool isTakenAs(const nlohmann::ordered_json& good, const nlohmann::ordered_json& made) {
-    cli::FrameShape shape{.number = good.at("row").at("frame"),
-                          .label = good.at("cells").at(0),
-                          .cells = good.at("cells").size(),
-                          .fields = {},
-                          .isCertified = !good.at("certificate").is_null()};
-    for (const auto& item : good.at("row").items()) {
-        shape.fields.insert(item.key());
-    }
-    return cli::isKeptFrame(nlohmann::ordered_json::parse(made.dump()), shape); // numbers as a file has them
-}
 
 TEST_F(RenderState, MakesOnlyWhatIsMissing) {
     const std::string render = std::string(kRender) + "--hash --json a.json";
@@ -144,62 +130,6 @@ TEST_F(RenderState, IsOfTheFilesThatWereRead) {
             kElsewhere);
 }
 
-using Strange = std::pair<const char*, nlohmann::ordered_json>;
-
-/// Where no frame of the run has such a value.
-std::vector<Strange> strangeValues() {
-    return {{"/notes/0", 7},
-            {"/notes/0", "two\nlines"},
-            {"/notes", std::vector<std::string>(1000, "note")},
-            {"/row/frame", 3}, // the run's second has number 4
-            {"/row/frame", -4},
-            {"/row/draws", {1, 2}},
-            {"/row/technique", "\x1b[31mred"},
-            {"/row/technique", std::string(100'000, 'a')},
-            {"/row/nobody", 7},
-            {"/cells/0", "cubes frame 4"},
-            {"/cells/1", "two\nlines"},
-            {"/picture", "0123"},
-            {"/picture", std::string(64, 'x')}};
-}
-
-/// The same of a certificate.
-std::vector<Strange> strangeCertificates() {
-    return {{"/frame", 7},
-            {"/frame", std::uint64_t{1} << 32u},
-            {"/pixels", -1},
-            {"/pixels", "9"},
-            {"/snap_pixels", "0"},
-            {"/camera", 7},
-            {"/camera/eye", {1, 2}},
-            {"/camera/up/0", "1"},
-            {"/camera/fov_y", true},
-            {"/hash", 7},
-            {"/hash", "\n"},
-            {"/refused", nullptr},
-            {"/first_refused", {1, std::uint64_t{1} << 32u}},
-            {"/first_refused", 1}};
-}
-
-TEST_F(RenderState, RefusesWhatIsNoCertificate) {
-    const std::string render =
-        "render cubes --technique anchored --size 16x9 -o f.png --certify c.json --state s";
-    succeed(render);
-    const std::vector<std::string> lines = linesIn(at("s"));
-    ASSERT_EQ(lines.size(), 2u);
-    const auto good = recordIn(lines[1]).at("made");
-    EXPECT_TRUE(isTakenAs(good, good));
-    for (const auto& [place, value] : strangeCertificates()) {
-        auto made = good;
-        made["certificate"][nlohmann::ordered_json::json_pointer(place)] = value;
-        EXPECT_FALSE(isTakenAs(good, made)) << place << value;
-    }
-    auto made = good;
-    made["certificate"]["frame"] = 7;
-    writeLines(at("s"), {lines[0], stateLineOf(0, made)});
-    expectRefused(render, std::string("s: holds no results of render") + kElsewhere);
-}
-
 /// What a state cannot hold as it is: bytes that are no UTF-8.
 TEST_F(RenderState, TakesSceneNamesOfAnyBytes) {
     fs::copy_file(CDR_SOURCE_DIR "/tests/fuzz/seeds/gltf/triangle.gltf", at("odd\xff\tname.gltf"));
@@ -208,44 +138,59 @@ TEST_F(RenderState, TakesSceneNamesOfAnyBytes) {
     EXPECT_EQ(run(render).out.substr(0, 11), "1 of 1 fram");
 }
 
-TEST_F(RenderState, RefusesWhatIsNoStateOfItsOwn) {
-    succeed(kRender);
+TEST_F(RenderState, RefusesAFrameThatItCannotTake) {
+    const std::string render =
+        "render cubes --size 16x9 -o f.png --certify c.json --technique anchored --state s";
+    succeed(render);
     const std::vector<std::string> lines = linesIn(at("s"));
-    const auto withRecord = [&](const nlohmann::ordered_json& made) {
-        auto changed = lines;
-        changed.push_back(stateLineOf(1, made));
-        writeLines(at("s"), changed);
+    ASSERT_EQ(lines.size(), 2u);
+    const auto good = madeIn(lines[1]);
+    EXPECT_FALSE(good.contains("file"));
+    using Pointer = nlohmann::ordered_json::json_pointer;
+    const auto refuses = [&](const nlohmann::ordered_json& made, std::size_t unit = 0) {
+        writeLines(at("s"), {lines[0], madeLineOf(unit, made)});
+        expectRefused(render, std::string("s: holds results that do not fit this run") + kElsewhere);
     };
-    const nlohmann::ordered_json good = recordIn(lines[2]).at("made");
-    withRecord(good);
-    succeed(kRender);
-    EXPECT_TRUE(isTakenAs(good, good));
     for (const char* field : {"notes", "row", "cells", "certificate", "picture"}) {
         auto made = good;
         made[field] = 7;
-        EXPECT_FALSE(isTakenAs(good, made)) << field;
+        refuses(made);
         made.erase(field);
-        EXPECT_FALSE(isTakenAs(good, made)) << field;
+        refuses(made);
     }
-    for (const auto& [place, value] : strangeValues()) {
+    for (const auto& [place, value] : std::vector<std::pair<const char*, nlohmann::ordered_json>>{
+             {"/notes/0", 7},
+             {"/notes/0", "two\nlines"},
+             {"/row/technique", "\x1b[31mred"},
+             {"/cells/1", "two\nlines"},
+             {"/cells/1", 7},
+             {"/cells/-", "more"},
+             {"/certificate/hash", "\x7f"},
+             {"/certificate/first_refused", nlohmann::ordered_json::array({1})},
+             {"/certificate/first_refused", {1, -1}},
+             {"/certificate/first_refused", 1}}) {
         auto made = good;
-        made[nlohmann::ordered_json::json_pointer(place)] = value;
-        EXPECT_FALSE(isTakenAs(good, made)) << place << value;
+        made[Pointer(place)] = value;
+        refuses(made);
     }
-    // What depends on the run: its frames, columns, rows and whether it certifies.
-    for (const auto& [place, value] : std::vector<Strange>{{"/row/frame", 3},
-                                                           {"/row/nobody", 7},
-                                                           {"/cells/0", "cubes frame 4"},
-                                                           {"/cells/-", "more"},
-                                                           {"/certificate", 7}}) {
-        auto made = good;
-        made[nlohmann::ordered_json::json_pointer(place)] = value;
-        EXPECT_FALSE(isTakenAs(good, made)) << place;
-        withRecord(made);
-        expectRefused(kRender, std::string("s: holds no results of render") + kElsewhere);
+    auto refused = good;
+    refused["certificate"]["first_refused"] = {1, 1};
+    for (const char* place : {"/certificate/frame", "/certificate/refused"}) {
+        auto made = refused;
+        made[Pointer(place)] = 1e300;
+        refuses(made);
     }
+    refuses(good, 1); // of one frame
+    // What it holds of a picture is not written in the place of one.
+    auto made = good;
+    made["file"] = nlohmann::ordered_json::binary({1, 2, 3});
+    writeLines(at("s"), {lines[0], madeLineOf(0, made)});
+    EXPECT_TRUE(writtenBy([&] { succeed(render); }).empty());
+}
 
-    auto damaged = lines;
+TEST_F(RenderState, RefusesWhatIsNoState) {
+    succeed(kRender);
+    auto damaged = linesIn(at("s"));
     damaged[3].back() = ' ';
     writeLines(at("s"), damaged);
     expectRefused(kRender, std::string("s: is damaged") + kElsewhere);

@@ -55,10 +55,9 @@ TEST_F(TranslucencyCommand, RefusesAStateWithAPictureOrAMethodOfNoSuchRun) {
     const auto expectRefused = [&](const auto& change) {
         std::vector<std::string> changed = lines;
         const auto record = recordIn(changed.at(1));
-        json made =
-            json::from_cbor(platform::fromBase64(record.at("made").get_ref<const std::string&>()).value());
+        json made = madeIn(changed.at(1));
         change(made);
-        changed[1] = stateLineOf(record.at("unit"), platform::toBase64(json::to_cbor(made)));
+        changed[1] = madeLineOf(record.at("unit"), made);
         writeLines(at("s"), changed);
         const ProgramResult result = run(command);
         EXPECT_EQ(result.status, 2);

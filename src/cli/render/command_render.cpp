@@ -59,7 +59,6 @@ void checkFiles(const RenderArguments& arguments, const RenderPlan& plan, Comman
         throw base::inputError("--certify: {} does not end in .json", arguments.certify.string());
     }
     files.mayWrite("--certify", arguments.certify);
-    files.mayWrite("--state", arguments.state);
 }
 
 /// base::InputError for several views with options that take one view.
@@ -172,7 +171,7 @@ std::string whatWasWritten(const RenderArguments& arguments, const RenderPlan& p
                                      plan.name.at(plan.cameras.first + frames - 1).string());
 }
 
-/// Draws all frames of the plan that no earlier run has made, into the results.
+/// Draws all frames of the plan that no earlier run has made, and brings all into the results.
 void drawFrames(Command& command, const RenderArguments& arguments, const RenderPlan& plan,
                 const scene::CameraPath& path, FrameMaker& maker, RenderResults& results) {
     const std::uint32_t first = plan.cameras.first;
@@ -192,21 +191,19 @@ void drawFrames(Command& command, const RenderArguments& arguments, const Render
     const auto describe = [&](std::size_t frame, render::Frame drawn) {
         return results.describe(frame, maker.finish(numberOf(frame), std::move(drawn)));
     };
-    const std::vector<std::size_t> missing = results.missing();
+    const auto drawMerged = [&](std::size_t frame) {
+        render::Frame drawn = draw(frame);
+        std::size_t bytesSent = 0;
+        runs::mergeParts(command.ranks(), drawn, bytesSent);
+        return command.ranks().isFirst() ? describe(frame, std::move(drawn)) : output::Json();
+    };
+    const auto take = [&](std::size_t frame, const output::Json& made) { results.take(frame, made); };
     if (arguments.ranks == FrameDivision::frames) {
         runs::forEachUnit(
-            command.ranks(), missing.size(),
-            [&](std::size_t unit) { return describe(missing[unit], draw(missing[unit])); },
-            [&](std::size_t unit, output::Json made) { results.take(missing[unit], std::move(made)); });
+            command.ranks(), plan.cameras.frames,
+            [&](std::size_t frame) { return describe(frame, draw(frame)); }, take);
     } else {
-        for (const std::size_t frame : missing) {
-            render::Frame drawn = draw(frame);
-            std::size_t bytesSent = 0;
-            runs::mergeParts(command.ranks(), drawn, bytesSent);
-            if (command.ranks().isFirst()) {
-                results.take(frame, describe(frame, std::move(drawn)));
-            }
-        }
+        runs::forEachUnitTogether(command.ranks(), plan.cameras.frames, drawMerged, take);
     }
     command.endProgress();
 }
@@ -235,6 +232,7 @@ void runRender(Command& command, RenderArguments& arguments) {
                                 .certificate = !arguments.certify.empty() && finishes};
     platform::WorkerPool workers(arguments.drawing.threads);
     scene::SceneSetup setup = openDrawn(command, arguments, plan, wanted, workers);
+    command.openState(arguments.state);
     arguments.deform = deformOf(command, arguments, setup.motion, wanted);
     std::optional<scenes::MovingScene> moving;
     if (setup.motion) {

@@ -1,15 +1,17 @@
 #include "render_results.h"
 
-#include <cdr/base/format_error.h>
+#include <cdr/base/error.h>
 #include <cdr/platform/file.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <output/frame_notes.h>
 #include <program/sha256.h>
-#include <runs/units.h>
+#include <runs/kept_ranks.h>
 
+#include <algorithm>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -35,6 +37,32 @@ std::vector<std::string> notesOn(Command& command, std::size_t index, const Fram
         notes.push_back(fmt::format("not drawn as requested: {}", output::noteOnLostMetallicRoughness()));
     }
     return notes;
+}
+
+/// A frame as a state keeps it, since its picture is in a file of its own.
+platform::Bytes withoutPicture(const platform::Bytes& bytes) {
+    auto made = output::Json::from_cbor(bytes);
+    const output::Json file = std::move(made.at("file"));
+    made.erase("file");
+    made["picture"] = file.is_null() ? output::Json() : output::Json(program::sha256(file.get_binary()));
+    return output::Json::to_cbor(made);
+}
+
+/// Whether no text that a state holds controls a terminal, since many are printed.
+/// @param label has bytes of the scene's name.
+bool isPrintable(const output::Json& json, const std::string& label) {
+    if (json.is_structured()) {
+        return std::all_of(json.begin(), json.end(),
+                           [&](const output::Json& value) { return isPrintable(value, label); });
+    }
+    return !json.is_string() || json == label || platform::oneLine(json.get<std::string>()) == json;
+}
+
+/// Whether CertificateFile can say of this certificate that the frame was refused.
+bool isRefusal(const output::Json& certificate) {
+    const output::Json& first = certificate.at("first_refused");
+    return certificate.at("frame").is_number_unsigned() && certificate.at("refused").is_number_unsigned() &&
+           first.at(0).is_number_unsigned() && first.at(1).is_number_unsigned();
 }
 
 /// Whether the picture of a frame is there as it was written, if it has one.
@@ -68,45 +96,36 @@ RenderResults::RenderResults(Command& command, const RenderArguments& arguments,
     if (!arguments.certify.empty()) {
         m_certificates.emplace(arguments.certify, command, optionsJson(arguments, options.technique));
     }
-    if (arguments.state.empty()) {
-        return;
-    }
-    command.sayKept(arguments.state);
-    if (command.ranks().isFirst()) {
-        takeUpKept();
+    if (runs::KeptRanks* kept = command.keptRanks(); kept != nullptr) {
+        takeUp(*kept);
     }
 }
 
-void RenderResults::takeUpKept() {
-    const std::string state = m_arguments.state.string();
-    auto& kept = m_kept
-                     .emplace(m_arguments.state,
-                              runs::UnitRun{.digest = m_command.digestOfRun(), .units = m_cameras.frames})
-                     .made();
-    for (const auto& [frame, made] : kept) {
-        if (!isKeptFrame(made, shapeOf(frame))) {
-            throw base::inputError("{}: holds no results of render; remove it or name another file", state);
-        }
-    }
-    std::erase_if(
-        kept, [&](const auto& frame) { return !hasPicture(frame.second, m_name.at(numberOf(frame.first))); });
-    if (!kept.empty()) {
-        m_command.console().line(
-            fmt::format("{} of {} frames are kept in {}", kept.size(), m_cameras.frames, state));
+void RenderResults::takeUp(runs::KeptRanks& kept) const {
+    kept.keepAs(withoutPicture);
+    kept.keepOnly([&](std::size_t frame, const platform::Bytes& bytes) {
+        const auto made = output::Json::from_cbor(bytes);
+        requireTakable(frame, made);
+        return hasPicture(made, m_name.at(numberOf(frame)));
+    });
+    if (kept.keptCount() > 0) {
+        m_command.console().line(fmt::format("{} of {} frames are kept in {}", kept.keptCount(),
+                                             m_cameras.frames, m_arguments.state.string()));
     }
 }
 
-std::vector<std::size_t> RenderResults::missing() {
-    std::vector<std::uint32_t> frames;
-    for (std::uint32_t frame = 0; frame < m_cameras.frames; ++frame) {
-        if (!m_kept || !m_kept->made().contains(frame)) {
-            frames.push_back(frame);
-        }
+void RenderResults::requireTakable(std::size_t frame, const output::Json& made) const {
+    using Texts = std::vector<std::string>;
+    made.at("notes").get<Texts>();
+    const output::Json& certificate = made.at("certificate");
+    const bool isTakable = frame < m_cameras.frames && made.at("row").is_object() &&
+                           made.at("cells").get<Texts>().size() == m_table.header.size() &&
+                           certificate.is_object() == m_certificates.has_value() &&
+                           isPrintable(made, labelOf(m_arguments.scene, numberOf(frame))) &&
+                           (!certificate.contains("first_refused") || isRefusal(certificate));
+    if (!isTakable) {
+        throw std::out_of_range("no frame of this run");
     }
-    if (!m_arguments.state.empty()) { // which the first rank alone has read
-        frames = runs::sharedOf(m_command.ranks(), frames);
-    }
-    return {frames.begin(), frames.end()};
 }
 
 output::Json RenderResults::describe(std::size_t frame, const FrameOutput& made) {
@@ -133,48 +152,10 @@ output::Json RenderResults::describe(std::size_t frame, const FrameOutput& made)
                            : output::Json()}};
 }
 
-void RenderResults::take(std::size_t frame, output::Json made) {
-    addKept(frame);
-    const output::Json& file = made.at("file");
-    if (!file.is_null()) {
-        platform::writeFile(m_name.at(numberOf(frame)), file.get_binary());
+void RenderResults::take(std::size_t frame, const output::Json& made) {
+    if (!made.contains("picture") && !made.at("file").is_null()) {
+        platform::writeFile(m_name.at(numberOf(frame)), made.at("file").get_binary());
     }
-    if (m_kept) {
-        output::Json kept = made;
-        kept["picture"] = file.is_null() ? output::Json() : output::Json(program::sha256(file.get_binary()));
-        kept.erase("file");
-        m_kept->keep(frame, kept);
-    }
-    add(made);
-}
-
-std::uint32_t RenderResults::numberOf(std::size_t frame) const {
-    return m_cameras.first + static_cast<std::uint32_t>(frame);
-}
-
-FrameShape RenderResults::shapeOf(std::size_t frame) const {
-    FrameShape shape{.number = numberOf(frame),
-                     .label = labelOf(m_arguments.scene, numberOf(frame)),
-                     .cells = m_table.header.size(),
-                     .fields = {},
-                     .isCertified = m_certificates.has_value()};
-    for (const auto& column : m_columns) {
-        if (!column.key.empty()) {
-            shape.fields.insert(column.key);
-        }
-    }
-    return shape;
-}
-
-void RenderResults::addKept(std::size_t before) {
-    for (; m_kept && m_added < before; ++m_added) {
-        if (const auto kept = m_kept->made().find(m_added); kept != m_kept->made().end()) {
-            add(kept->second);
-        }
-    }
-}
-
-void RenderResults::add(const output::Json& made) {
     for (const output::Json& note : made.at("notes")) {
         m_command.console().line(note.get<std::string>());
     }
@@ -185,8 +166,11 @@ void RenderResults::add(const output::Json& made) {
     m_table.rows.push_back(made.at("cells").get<std::vector<std::string>>());
 }
 
+std::uint32_t RenderResults::numberOf(std::size_t frame) const {
+    return m_cameras.first + static_cast<std::uint32_t>(frame);
+}
+
 void RenderResults::finish(const std::string& written) {
-    addKept(m_cameras.frames);
     const Console& console = m_command.console();
     console.table(m_table);
     console.line(m_command.opened().text());

@@ -3,14 +3,12 @@
 #include "../command.h"
 #include "certificate_file.h"
 #include "frame_output.h"
-#include "kept_frame.h"
 #include "render_arguments.h"
 #include "sequence_name.h"
 
 #include <options/camera_options.h>
 #include <options/views/views_plan.h>
 #include <output/columns.h>
-#include <runs/unit_state.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +19,7 @@
 namespace cdr::cli {
 
 /// What `render` gives out: pictures, rows of the table and of JSON, a certificate. Any rank describes a frame; the first
-/// takes what was described, in order, and what earlier runs have kept of the frames between.
+/// takes what was described, in order.
 class RenderResults {
   public:
     /// @param options as the frames are drawn. What is given by reference must outlive the results.
@@ -29,27 +27,22 @@ class RenderResults {
                   const options::ViewsPlan& views, const SequenceName& name,
                   const options::FrameCameras& cameras);
 
-    /// The frames of the run, counted from its first, that are still to make; the same on all ranks, which all ask.
-    std::vector<std::size_t> missing();
-
     /// All of a frame that take() needs.
     /// @param frame counted from the run's first, which says what is not drawn as requested.
     output::Json describe(std::size_t frame, const FrameOutput& made);
-    /// Writes the picture and keeps the rows.
+    /// Writes the picture, unless an earlier run did, and keeps the rows.
     /// @param frame counted from the run's first.
-    void take(std::size_t frame, output::Json made);
+    void take(std::size_t frame, const output::Json& made);
     /// Prints the table and writes JSON and the certificate. ExitStatus::kFound where a frame was refused.
     /// @param written what became of the pictures, in words.
     void finish(const std::string& written);
 
   private:
     std::uint32_t numberOf(std::size_t frame) const;
-    FrameShape shapeOf(std::size_t frame) const; ///< as a state must hold it
     /// Takes up the frames of --state whose pictures are there.
-    void takeUpKept();
-    /// Those before a frame that no take() has brought yet.
-    void addKept(std::size_t before);
-    void add(const output::Json& made);
+    void takeUp(runs::KeptRanks& kept) const;
+    /// std::out_of_range or Json::exception where take() would not take what a state holds.
+    void requireTakable(std::size_t frame, const output::Json& made) const;
 
     Command& m_command;
     const RenderArguments& m_arguments;
@@ -62,9 +55,6 @@ class RenderResults {
     output::Columns<RenderRow> m_columns;
     output::Table m_table;
     nlohmann::ordered_json m_document;
-    /// On the first rank: what describe() gave of frames that earlier runs have made. The picture is in its own file.
-    std::optional<runs::UnitStateFile> m_kept;
-    std::size_t m_added = 0; ///< frames
 };
 
 } // namespace cdr::cli

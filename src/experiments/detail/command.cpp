@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <options/help_texts.h>
+#include <options/parsed_option.h>
 #include <output/columns.h>
 #include <output/readable.h>
 #include <program/build_info.h>
@@ -18,8 +19,6 @@ namespace {
 struct DetailArguments {
     experiments::DetailOptions options;
     scene::GltfChoice choice;
-    std::string depth = "standard";
-    std::string split = "count:5";
     std::filesystem::path folder;
     std::filesystem::path state;
 };
@@ -69,8 +68,6 @@ std::vector<std::string> detailFiles() {
 void run(Command& command, DetailArguments& arguments) {
     command.measuresTime();
     experiments::DetailOptions& options = arguments.options;
-    options.drawing.technique = {depth::parseMapping(arguments.depth), depth::parseSplit(arguments.split),
-                                 depth::DepthFormat::d32f};
     visibility::requireUsable(visibility::Detail{.mode = visibility::DetailMode::perObject,
                                                  .pixels = options.drawing.detail.pixels});
     const PictureFolder folder(arguments.folder, command.files(), PictureFolder::oneOf(detailFiles()));
@@ -85,17 +82,18 @@ void run(Command& command, DetailArguments& arguments) {
     }
 
     const auto columns = detailColumns();
+    const depth::Technique& technique = options.drawing.technique;
     command.console().table(output::tableOf(columns, report.results));
     command.console().line(
         fmt::format("\n{}; {} of {} triangles, {} levels and {} clusters made in {} ms; {} frames, {}x{}, {} "
                     "pixels of error, {} {}, {} threads; commit {}",
                     command.opened().text(), options.scene, report.sceneTriangles, report.meshLevels,
                     report.clusters, output::Readable{report.makeMs}, options.frames, options.drawing.width,
-                    options.drawing.height, options.drawing.detail.pixels, arguments.depth, arguments.split,
-                    options.drawing.threads, program::buildInfo().commit));
+                    options.drawing.height, options.drawing.detail.pixels, nameOf(technique.mapping),
+                    nameOf(technique.split), options.drawing.threads, program::buildInfo().commit));
     nlohmann::ordered_json settings = settingsOf(options, arguments.choice);
-    settings.update({{"mapping", nameOf(options.drawing.technique.mapping)},
-                     {"split", nameOf(options.drawing.technique.split)},
+    settings.update({{"mapping", nameOf(technique.mapping)},
+                     {"split", nameOf(technique.split)},
                      {"error_pixels", options.drawing.detail.pixels}});
     auto document = command.makeDocument(std::move(settings));
     for (const auto& result : report.results) {
@@ -116,8 +114,10 @@ void addOptions(CLI::App& command, DetailArguments& arguments) {
     addState(command, arguments.state);
     addValue(command, "--pixels", options.drawing.detail.pixels,
              "Largest error on screen of a level of detail, in pixels");
-    addValue(command, "--depth", arguments.depth, options::mappingHelp());
-    addValue(command, "--split", arguments.split, options::kSplitHelp);
+    depth::Technique& technique = options.drawing.technique;
+    technique.split = depth::SplitCount{5};
+    options::addNamed(command, "--depth", technique.mapping, depth::parseMapping, options::mappingHelp());
+    options::addNamed(command, "--split", technique.split, depth::parseSplit, options::kSplitHelp);
 }
 
 } // namespace

@@ -37,8 +37,7 @@ constexpr std::size_t kPairsWritten = 1000;
 struct InspectArguments {
     std::string scene;
     experiments::InspectOptions options;
-    std::string technique = "reversed";
-    std::string format = "d32f";
+    depth::DepthFormat format = depth::DepthFormat::d32f;
     options::CameraOptions camera;
     std::uint32_t views = 8;
     scene::GltfChoice choice;
@@ -166,9 +165,8 @@ void addResults(nlohmann::ordered_json& document, const Inspection& inspection, 
 void run(Command& command, InspectArguments& arguments) {
     experiments::InspectOptions& options = arguments.options;
     requireDistinct(options.techniques);
-    options.judged = depth::namedTechnique(arguments.technique);
     options.allowedShare = arguments.failAbove.value_or(0.0);
-    options.judged.technique.format = depth::parseDepthFormat(arguments.format);
+    options.judged.technique.format = arguments.format;
     if (!arguments.heatMap.empty()) {
         if (platform::lowerExtension(arguments.heatMap) != ".png") {
             throw base::inputError("--heat-map: {} does not end in .png", arguments.heatMap.string());
@@ -214,10 +212,12 @@ void run(Command& command, InspectArguments& arguments) {
 void addOptions(CLI::App& command, InspectArguments& arguments) {
     experiments::InspectOptions& options = arguments.options;
     command.add_option("scene", arguments.scene, options::sceneHelp())->required();
-    addValue(command, "--technique", arguments.technique,
-             "Technique for --fail-above and --heat-map: " + options::techniqueHelp());
-    addValue(command, "--format", arguments.format,
-             "Format of the depth buffer for --technique: d16, d24 or d32f");
+    options.judged = depth::namedTechnique("reversed");
+    options::addParsed(command, "--technique", options.judged, depth::namedTechnique,
+                       "Technique for --fail-above and --heat-map: " + options::techniqueHelp())
+        ->default_str(options.judged.name);
+    options::addNamed(command, "--format", arguments.format, depth::parseDepthFormat,
+                      "Format of the depth buffer for --technique: d16, d24 or d32f");
     addTechniques(command, options.techniques);
     addValue(command, "--frames", arguments.views,
              "Views, spread evenly over the camera path; around the model if it has none")

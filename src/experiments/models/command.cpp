@@ -42,8 +42,8 @@ constexpr std::array<ModelPicture, experiments::kModelPictures> kPicturesOfModel
 struct ModelsArguments {
     std::vector<std::string> files;
     experiments::ModelsOptions options;
-    std::string technique = "anchored";
-    std::string light = "sky";
+    depth::NamedTechnique technique = depth::namedTechnique("anchored");
+    scene::ModelLight light = scene::ModelLight::sky;
     std::optional<double> seconds;
     std::optional<std::uint32_t> camera;
     std::filesystem::path folder;
@@ -174,8 +174,7 @@ void run(Command& command, ModelsArguments& arguments) {
     const std::vector<std::string> names = pictureNames(arguments.files);
     requirePictureMemory(arguments.files.size(), arguments.options);
     arguments.options.closer = !arguments.camera.has_value();
-    arguments.options.drawing.technique = depth::parseTechnique(arguments.technique);
-    const scene::ModelLight light = scene::parseModelLight(arguments.light);
+    arguments.options.drawing.technique = arguments.technique.technique;
     const PictureFolder folder(arguments.folder, command.files(), PictureFolder::oneOf(modelFiles(names)));
     if (folder.isWanted()) {
         requireApart(modelFiles(names));
@@ -189,13 +188,13 @@ void run(Command& command, ModelsArguments& arguments) {
         progress(results.size(), arguments.files.size(), file);
         scene::GltfChoice choice = command.modelChoice();
         choice.camera = arguments.camera;
-        choice.light = light;
+        choice.light = arguments.light;
         const scene::OpenedScene model = openModel(file, choice, arguments.seconds);
         command.note(file, model.notes);
         choice.light = scene::ModelLight::lamps;
         const scene::OpenedScene plain = openModel(file, choice, arguments.seconds);
-        results.push_back(
-            experiments::compareModel(command.device(), model.setup, plain.setup, light, arguments.options));
+        results.push_back(experiments::compareModel(command.device(), model.setup, plain.setup,
+                                                    arguments.light, arguments.options));
         results.back().model = names[results.size() - 1];
     }
     command.endProgress();
@@ -204,16 +203,16 @@ void run(Command& command, ModelsArguments& arguments) {
     }
     const auto columns = modelColumns();
     command.console().table(output::tableOf(columns, results));
-    command.console().line(
-        fmt::format("\n{}; {}x{}, {}; a FLIP of 0 means no difference{}", command.opened().text(),
-                    arguments.options.drawing.width, arguments.options.drawing.height, arguments.technique,
-                    folder.isWanted() ? fmt::format("; pictures in {}, all on {}", folder.path().string(),
-                                                    (folder.path() / kModelSheet).string())
-                                      : ""));
+    command.console().line(fmt::format(
+        "\n{}; {}x{}, {}; a FLIP of 0 means no difference{}", command.opened().text(),
+        arguments.options.drawing.width, arguments.options.drawing.height, arguments.technique.name,
+        folder.isWanted() ? fmt::format("; pictures in {}, all on {}", folder.path().string(),
+                                        (folder.path() / kModelSheet).string())
+                          : ""));
     auto document = command.makeDocument({{"width", arguments.options.drawing.width},
                                           {"height", arguments.options.drawing.height},
-                                          {"technique", arguments.technique},
-                                          {"light", arguments.light}});
+                                          {"technique", arguments.technique.name},
+                                          {"light", nameOf(arguments.light)}});
     document["results"] = output::jsonOf(columns, results);
     command.writeDocument(document);
 }
@@ -221,8 +220,10 @@ void run(Command& command, ModelsArguments& arguments) {
 void addOptions(CLI::App& command, ModelsArguments& arguments) {
     command.add_option("models", arguments.files, "glTF files, .gltf or .glb")->required();
     options::addFolder(command, "--out", arguments.folder, "Folder for the pictures and one sheet of all");
-    addValue(command, "--technique", arguments.technique, "Technique: " + options::techniqueHelp());
-    addValue(command, "--light", arguments.light, options::kLightHelp);
+    options::addParsed(command, "--technique", arguments.technique, depth::namedTechnique,
+                       "Technique: " + options::techniqueHelp())
+        ->default_str(arguments.technique.name);
+    options::addNamed(command, "--light", arguments.light, scene::parseModelLight, options::kLightHelp);
     command.add_option("--time", arguments.seconds, "Time in the first animation of a model, in seconds");
     command.add_option("--camera", arguments.camera, options::kCameraHelp)
         ->default_str("one that the model fills");

@@ -58,7 +58,7 @@ output::Columns<experiments::ShadowResult> shadowColumns() {
 }
 
 /// Of the files of a technique and a method of shadows.
-std::string startOf(const std::string& technique, const std::string& method) {
+std::string startOf(const std::string& technique, std::string_view method) {
     return fmt::format("{}_{}_", technique, method);
 }
 
@@ -71,9 +71,9 @@ bool isNumbered(std::string_view rest) {
 /// Which files of a folder may be one of the pictures, by their names. The lights of the scene are not known yet.
 std::function<bool(const std::string& name)> shadowFiles(const experiments::ShadowExperiment& experiment) {
     std::vector<std::string> starts;
-    for (const std::string& technique : experiment.techniques) {
-        for (const std::string& method : experiment.methods) {
-            starts.push_back(PictureFolder::nameInFolder(startOf(technique, method)));
+    for (const depth::NamedTechnique& technique : experiment.techniques) {
+        for (const render::ShadowMethod method : experiment.methods) {
+            starts.push_back(PictureFolder::nameInFolder(startOf(technique.name, nameOf(method))));
         }
     }
     return [starts](const std::string& name) {
@@ -85,14 +85,17 @@ std::function<bool(const std::string& name)> shadowFiles(const experiments::Shad
 
 void run(Command& command, ShadowArguments& arguments) {
     experiments::ShadowExperiment& experiment = arguments.experiment;
-    experiment.techniques = techniqueNames(experiment.techniques);
     if (!arguments.camera.path.empty()) {
         command.reads(arguments.camera.path);
     }
     const options::FrameCameras cameras(arguments.camera);
     const PictureFolder folder(arguments.folder, command.files(), shadowFiles(experiment));
     requireDistinct(experiment.techniques);
-    requireDistinct(experiment.methods);
+    std::vector<std::string> methods;
+    for (const render::ShadowMethod method : experiment.methods) {
+        methods.emplace_back(nameOf(method));
+    }
+    requireDistinct(methods);
     const scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed, arguments.choice);
     const gpu::Device& device = command.device(); // which the document names
     const auto columns = shadowColumns();
@@ -127,10 +130,11 @@ void run(Command& command, ShadowArguments& arguments) {
 void addOptions(CLI::App& command, ShadowArguments& arguments) {
     experiments::ShadowExperiment& experiment = arguments.experiment;
     addValue(command, "scene", arguments.scene, "A generated scene with lights, or a .gltf or .glb file");
-    addList(command, "--techniques", experiment.techniques,
-            "Techniques to compare, separated by commas: " + options::techniqueHelp());
-    addList(command, "--methods", experiment.methods,
-            "Shadow methods to compare, separated by commas: anchored, plain (the usual method)");
+    addTechniques(command, experiment.techniques)->default_str("anchored");
+    options::addParsedList(
+        command, "--methods", experiment.methods, render::parseShadowMethod,
+        "Shadow methods to compare, separated by commas: anchored, plain (the usual method)")
+        ->default_str("anchored");
     addValue(command, "--shadow-texels", experiment.options.shadows.maxTexels, options::shadowTexelsHelp())
         ->check(CLI::Range(render::kMinShadowTexels, render::kMaxShadowTexels));
     options::addNamed(command, "--surface", arguments.experiment.options.surface, render::parseSurfacePath,

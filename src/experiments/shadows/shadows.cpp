@@ -20,14 +20,14 @@ struct ShadowVariant {
     render::RenderOptions options;
 };
 
-/// base::InputError for an unknown name, and for a method that casts no shadows.
+/// base::InputError for a method that casts no shadows.
 std::vector<ShadowVariant> shadowVariants(const ShadowExperiment& experiment) {
     std::vector<ShadowVariant> variants;
-    for (const std::string& technique : experiment.techniques) {
-        for (const std::string& method : experiment.methods) {
-            ShadowVariant& variant = variants.emplace_back(ShadowVariant{technique, experiment.options});
-            variant.options.technique = depth::namedTechnique(technique).technique;
-            variant.options.shadows.method = render::parseShadowMethod(method);
+    for (const depth::NamedTechnique& named : experiment.techniques) {
+        for (const render::ShadowMethod method : experiment.methods) {
+            ShadowVariant& variant = variants.emplace_back(ShadowVariant{named.name, experiment.options});
+            variant.options.technique = named.technique;
+            variant.options.shadows.method = method;
             if (!variant.options.shadows.isOn()) {
                 throw base::InputError("shadows: the method none has nothing to compare");
             }

@@ -21,9 +21,9 @@ namespace cdr::experiments {
 
 /// Rendered shadows against float64 rays to the lights.
 struct ShadowExperiment {
-    std::vector<std::string> techniques{"anchored"};
-    std::vector<std::string> methods{"anchored"}; ///< of shadows
-    render::RenderOptions options;                ///< the technique and the method are set
+    std::vector<depth::NamedTechnique> techniques{depth::namedTechnique("anchored")};
+    std::vector<render::ShadowMethod> methods{render::ShadowMethod::anchored};
+    render::RenderOptions options; ///< the technique and the method are set
 };
 
 /// A light in a frame of a technique.
@@ -44,7 +44,7 @@ struct ShadowResult {
 };
 
 /// Results go out as they come, by technique, frame and light. base::InputError for a scene
-/// without lights, an unknown name, and a method that casts none.
+/// without lights, and a method that casts none.
 void runShadows(const gpu::Device& device, const scene::SceneSetup& setup,
                 const options::FrameCameras& cameras, const ShadowExperiment& experiment,
                 const Progress& progress, const std::function<void(const ShadowResult&)>& take);

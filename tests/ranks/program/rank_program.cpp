@@ -19,7 +19,7 @@
 namespace {
 
 using cdr::ranks::Ending;
-using cdr::ranks::Ranks;
+using cdr::ranks::Run;
 
 Ending endingOf(const std::exception_ptr& error) {
     try {
@@ -79,7 +79,7 @@ void tarry(const Trouble& trouble, std::size_t unit) {
     }
 }
 
-void makeTrouble(const Ranks& ranks, const Trouble& trouble, std::size_t unit, int pidOfFirst) {
+void makeTrouble(const Run& ranks, const Trouble& trouble, std::size_t unit, int pidOfFirst) {
     if (trouble.kind == "tarry") {
         tarry(trouble, unit);
     }
@@ -107,7 +107,7 @@ void makeTrouble(const Ranks& ranks, const Trouble& trouble, std::size_t unit, i
     }
 }
 
-void run(Ranks& ranks, std::size_t count, const Trouble& trouble) {
+void run(Run& ranks, std::size_t count, const Trouble& trouble) {
     const bool isTheOne = ranks.place().index == trouble.rank;
     if (trouble.kind == "start" && isTheOne) {
         throw cdr::base::InputError("cannot start");
@@ -185,7 +185,7 @@ int main(int argc, char** argv) {
     if (trouble.kind == "ignore") {
         std::signal(SIGHUP, SIG_IGN);
     }
-    const std::unique_ptr<Ranks> ranks = cdr::ranks::join(
+    const std::unique_ptr<Run> ranks = cdr::ranks::join(
         endingOf, [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); });
     Ending mine;
     try {
