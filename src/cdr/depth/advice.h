@@ -46,6 +46,8 @@ struct Measurement {
     double largestView = 0.0;                   ///< tried
     double timeRatio = 1.0;                     ///< frame time relative to standard: median of the ratios
     std::optional<RatioInterval> timeRatio95{}; ///< its 95 % interval; empty: there were too few frames
+    /// No separation that was tried came out wrong, so that less than resolvedView may be resolved, as predicted.
+    bool resolvesAll = false;
 };
 
 /// One technique, and how it answers.

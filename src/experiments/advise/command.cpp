@@ -64,7 +64,9 @@ depth::LengthText lengthTextIn(base::LengthUnit unit) {
 
 std::string measuredText(const depth::Measurement& measured, base::LengthUnit unit) {
     const depth::LengthText text = lengthTextIn(unit);
-    return measured.resolvedView ? text(*measured.resolvedView) : "none, > " + text(measured.largestView);
+    const char* bound = measured.resolvesAll ? " or less" : "";
+    return measured.resolvedView ? text(*measured.resolvedView) + bound
+                                 : "none, > " + text(measured.largestView);
 }
 
 std::string timeText(const depth::Measurement& measured) {
@@ -102,6 +104,7 @@ output::Columns<Row> measuredColumns(base::LengthUnit unit) {
              .heading = "measured",
              .text = textOf([unit](const Measured& m) { return measuredText(m, unit); }),
              .before = "enough"},
+            {.key = "resolves_all", .value = measuredValue(&Measured::resolvesAll)},
             {.key = "largest", .value = measuredValue(&Measured::largestView)},
             {.key = "time_ratio",
              .value = measuredValue(&Measured::timeRatio),

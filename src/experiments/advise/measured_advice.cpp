@@ -93,9 +93,12 @@ depth::Advice measureAdvice(const gpu::Device& device, const depth::AdviceQuesti
             return candidate.mode.name == nameOf(row.technique);
         });
         const auto ratio = [](double percent) { return 1.0 + 0.01 * percent; };
-        measurements.emplace_back(depth::Measurement{.resolvedView = result->resolvedView,
-                                                     .largestView = result->largestView,
-                                                     .timeRatio = ratio(cost->overheadPercent)});
+        measurements.emplace_back(
+            depth::Measurement{.resolvedView = result->resolvedView,
+                               .largestView = result->largestView,
+                               .timeRatio = ratio(cost->overheadPercent),
+                               .timeRatio95 = {},
+                               .resolvesAll = result->resolvesAll});
         if (const auto& percent95 = cost->overheadPercent95) {
             measurements.back()->timeRatio95 = {.low = ratio(percent95->low), .high = ratio(percent95->high)};
         }
