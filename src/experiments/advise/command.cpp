@@ -65,8 +65,9 @@ depth::LengthText lengthTextIn(base::LengthUnit unit) {
 std::string measuredText(const depth::Measurement& measured, base::LengthUnit unit) {
     const depth::LengthText text = lengthTextIn(unit);
     const char* bound = measured.resolvesAll ? " or less" : "";
-    return measured.resolvedView ? text(*measured.resolvedView) + bound
-                                 : "none, > " + text(measured.largestView);
+    return measured.resolvedView         ? text(*measured.resolvedView) + bound
+           : measured.largestView == 0.0 ? "no pixel tells"
+                                         : "none, > " + text(measured.largestView);
 }
 
 std::string timeText(const depth::Measurement& measured) {
@@ -105,7 +106,10 @@ output::Columns<Row> measuredColumns(base::LengthUnit unit) {
              .text = textOf([unit](const Measured& m) { return measuredText(m, unit); }),
              .before = "enough"},
             {.key = "resolves_all", .value = measuredValue(&Measured::resolvesAll)},
-            {.key = "largest", .value = measuredValue(&Measured::largestView)},
+            {.key = "largest", .value = measuredValue([](const Measured& m) {
+                                   return m.largestView > 0.0 ? output::Json(m.largestView)
+                                                              : output::Json(nullptr);
+                               })},
             {.key = "time_ratio",
              .value = measuredValue(&Measured::timeRatio),
              .heading = "time over standard",
