@@ -265,7 +265,11 @@ TimingScene parseTimingScene(std::string_view name) {
 
 bool liesApart(const std::optional<measure::Interval>& overhead,
                const std::optional<measure::Interval>& floor) {
-    return overhead && floor && (overhead->low > floor->high || overhead->high < floor->low);
+    if (!overhead || !floor) {
+        return false;
+    }
+    const double noise = std::max(std::abs(floor->low), std::abs(floor->high));
+    return overhead->low > noise || overhead->high < -noise;
 }
 
 std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
