@@ -120,8 +120,12 @@ class Race {
 
     std::vector<TimingResult> results() {
         std::vector<TimingResult> results;
+        show(0);
         for (std::size_t mode = 0; mode < m_drawers.size(); ++mode) {
             results.push_back(summarise(mode));
+            if (m_drawers[mode].shades()) { // no contender depends on the frames before
+                m_drawers[mode].renderer().forgetFrames();
+            }
             results.back().cascades = m_drawers[mode].render(m_path.at(0)).cascades;
         }
         return results;
