@@ -144,8 +144,9 @@ class MpiRanks final : public Run {
         if (!isFirst()) {
             platform::Bytes mine; // none, where packing failed: nobody will use it
             attempt(failed, [&] {
-                mine = pack();
-                countOf(mine);
+                platform::Bytes packed = pack();
+                countOf(packed); // throws where MPI cannot send so much
+                mine = std::move(packed);
             });
             MPI_Request request = MPI_REQUEST_NULL;
             MPI_Isend(mine.data(), countOf(mine), MPI_BYTE, static_cast<int>(place().index - step),

@@ -180,7 +180,13 @@ void PendingFolder::continueEarlier(const fs::path& folder) {
     }
     makeTemporary(folder);
     if (fs::is_regular_file(m_path / kManifest)) {
-        copyFiles(m_path, m_temporary);
+        try {
+            copyFiles(m_path, m_temporary);
+        } catch (...) { // no destructor will remove what was copied
+            std::error_code ignored;
+            fs::remove_all(m_temporary, ignored);
+            throw;
+        }
     }
 }
 

@@ -271,7 +271,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Flicker, BadInputTest,
-    testing::Values(BadInput{"flicker --frames 0", "--frames"},
+    testing::Values(BadInput{"flicker --frames 0", "--frames"}, BadInput{"flicker --frames 361", "--frames"},
                     BadInput{"flicker --techniques nonsense", "nonsense"},
                     BadInput{"flicker --format d99", "d99"}, BadInput{"flicker --size 12", "12"},
                     BadInput{"flicker --flip-every 0", "--flip-every"},

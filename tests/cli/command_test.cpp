@@ -245,6 +245,15 @@ TEST_F(Commands, AdviseMeasuresTheTechniquesAskedForInPicturesAskedFor) {
     EXPECT_EQ(document["results"][1]["time_ratio"], document["results"][0]["time_ratio"]);
 }
 
+/// In a picture so small that no pixel shows a pair of cubes off edges, the forecast decides.
+TEST_F(Commands, AdviseMeasuresNothingWhereNoPixelTells) {
+    const ProgramResult result = succeed("advise --separation 0.5 --far 100000 --format d32f --techniques "
+                                         "reversed --measured --size 64x36 --frames 1 --json a.json");
+    EXPECT_NE(result.out.find("no pixel tells"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("is enough: it resolves"), std::string::npos) << result.out;
+    EXPECT_TRUE(jsonIn("a.json")["results"][0].at("largest").is_null());
+}
+
 TEST_F(Commands, AdviseSaysWhenReversedIsEnough) {
     const ProgramResult result = succeed("advise --separation 0.5 --at 5000 --json a.json");
     EXPECT_NE(result.out.find("reversed with d32f in one cascade is enough"), std::string::npos)

@@ -19,6 +19,15 @@ namespace {
 using nlohmann::json;
 using TranslucencyCommand = FolderTest;
 
+/// Four pixels, all at the border: none is judged.
+TEST_F(TranslucencyCommand, SaysNothingOfWhatItDidNotMeasure) {
+    const std::string out = run("translucency --size 2x2 --cascades 1 --repeats 0 --json t.json").out;
+    EXPECT_NE(out.find("no times"), std::string::npos) << out;
+    for (const json& row : jsonIn("t.json")["results"]) {
+        EXPECT_TRUE(row.at("within_one_step").is_null());
+    }
+}
+
 TEST_F(TranslucencyCommand, ComparesBothMethodsWithTheTruth) {
     const json document =
         documentOf("--validate translucency --size 160x90 --cascades 1,3 --repeats 1 --out p");

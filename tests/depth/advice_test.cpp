@@ -318,6 +318,29 @@ TEST(Advice, TheWidestContentKeepsItsPromise) {
     EXPECT_GT(lines, 10);
 }
 
+/// A measurement has a smallest gap. Where that came out right too, the forecast says what less is resolved.
+TEST(Advice, AsksTheForecastBelowTheSmallestGapThatWasMeasured) {
+    const AdviceQuestion asked{
+        .scene = {.nearView = 0.1, .farView = 2000.0, .footprintSlope = 1e-3, .atView = 1000.0},
+        .separationView = 8e-7};
+    const Advice predicted = advise(asked);
+    ASSERT_TRUE(predicted.simplest);
+    const auto measuredAs = [&](bool resolvesAll) {
+        const std::vector<std::optional<Measurement>> measured(
+            predicted.rows.size(),
+            Measurement{.resolvedView = 1e-6, .largestView = 1.0, .resolvesAll = resolvesAll});
+        return tryAdvise(asked, measured).orThrow();
+    };
+    EXPECT_FALSE(measuredAs(false).simplest);
+    const Advice advice = measuredAs(true);
+    EXPECT_EQ(advice.simplest, predicted.simplest);
+    EXPECT_EQ(explain(asked, advice)[0], explain(asked, predicted)[0])
+        << "the forecast is not called measured";
+    for (std::size_t i = 0; i < advice.rows.size(); ++i) {
+        EXPECT_LE(advice.rows[i].resolvedView(), std::max(1e-6, predicted.rows[i].resolvedView()));
+    }
+}
+
 /// One picture may have gaps in order that the buffer stores as one number.
 TEST(Advice, NothingSufficesBelowAStepOfTheDepthBuffer) {
     AdviceQuestion asked = question(1e6, 1e-3);

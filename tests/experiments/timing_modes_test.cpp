@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/depth/make_cascades.h>
+#include <cdr/platform/worker_pool.h>
 #include <experiments/scaling/scaling.h>
 #include <experiments/timing/timing.h>
 
@@ -85,6 +86,8 @@ TEST(TimingModes, AnOverheadIsSeenOnlyBesideTheNoise) {
     EXPECT_FALSE(liesApart(Interval{1.0, 2.0}, floor));
     EXPECT_TRUE(liesApart(Interval{1.1, 2.0}, floor));
     EXPECT_TRUE(liesApart(Interval{-3.0, -1.1}, floor));
+    EXPECT_FALSE(liesApart(Interval{0.0, 0.0}, Interval{0.2, 0.5})) << "standard over itself is no overhead";
+    EXPECT_FALSE(liesApart(Interval{-0.4, -0.3}, Interval{0.2, 0.5}));
     EXPECT_FALSE(liesApart(std::nullopt, floor));
     EXPECT_FALSE(liesApart(Interval{1.1, 2.0}, std::nullopt));
 }
@@ -120,6 +123,9 @@ TEST(Scaling, ThreadStepsReachTwiceTheCpus) {
     EXPECT_EQ(threadSteps(2), (std::vector<std::size_t>{1, 2, 3, 4}));
     EXPECT_EQ(threadSteps(5), (std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 8, 10}));
     EXPECT_EQ(threadSteps(8), (std::vector<std::size_t>{1, 2, 3, 4, 6, 8, 12, 16}));
+    for (const std::size_t cpus : {128u, 129u, 400u}) { // no pool has more threads
+        EXPECT_EQ(threadSteps(cpus).back(), cdr::platform::WorkerPool::kMaxThreads);
+    }
 }
 
 TEST(Scaling, UnusableOptionsAreRefused) {

@@ -9,8 +9,10 @@
 #include <gtest/gtest.h>
 #include <sched.h>
 #include <sys/mount.h>
+#include <sys/resource.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <set>
@@ -113,6 +115,30 @@ TEST_F(PendingFolderTest, TakesUpWhatAStateLeft) {
     }
     fs::current_path(before);
     EXPECT_EQ(namesIn("r").size(), 3u);
+}
+
+/// As on a full disk.
+TEST_F(PendingFolderTest, LeavesNothingWhereTheEarlierReportCannotBeCopied) {
+    {
+        const PendingFolder folder(path("r"));
+        writeReport(folder.temporary(), "more than fits");
+        fs::rename(folder.temporary(), path("r"));
+    }
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{.rlim_cur = 1, .rlim_max = before.rlim_max};
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    bool failed = false;
+    try {
+        const PendingFolder folder(path("r"), "s");
+    } catch (const fs::filesystem_error&) {
+        failed = true;
+    }
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_TRUE(failed);
+    EXPECT_EQ(namesIn("."), std::set<std::string>{"r"});
 }
 
 /// A shell that stands in the folder stays in it.

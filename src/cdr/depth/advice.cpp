@@ -105,7 +105,8 @@ void findWidest(const AdviceQuestion& question, Advice& advice) {
 
 /// What a row resolves: as measured, unless snapping moves more, which no measurement shows. Else as predicted.
 std::string resolvesText(const AdviceRow& row, const LengthText& lengthText) {
-    const bool isMeasured = row.measured && row.measured->resolvedView >= row.forecast.rounding.snapGapView;
+    const bool isMeasured = row.measured && row.measured->resolvedView >= row.forecast.rounding.snapGapView &&
+                            row.measured->resolvedView <= row.resolvedView();
     return isMeasured ? base::concat("was measured to resolve ", lengthText(*row.measured->resolvedView))
                       : base::concat("resolves ", lengthText(row.resolvedView()));
 }
@@ -207,11 +208,15 @@ double AdviceRow::resolvedView() const {
     if (!measured) {
         return forecast.resolvedView();
     }
-    // Beyond the largest separation tried there is only the prediction, which is at least that separation. What was measured
-    // has outlines alike, which snap alike: that says nothing of surfaces whose outlines differ. And one picture may have gaps
-    // below a step of the buffer in order by luck.
-    return std::max(measured->resolvedView.value_or(std::max(forecast.resolvedView(), measured->largestView)),
-                    std::max(forecast.bufferStepView, forecast.rounding.snapGapView));
+    // Beyond the separations tried there is only the prediction: it is at least the largest where that came out wrong, and at
+    // most the smallest where all came out right. What was measured has outlines alike, which snap alike: that says nothing of
+    // surfaces whose outlines differ. And one picture may have gaps below a step of the buffer in order by luck.
+    const double predicted = forecast.resolvedView();
+    double resolved = measured->resolvedView.value_or(std::max(predicted, measured->largestView));
+    if (measured->resolvesAll) {
+        resolved = std::min(resolved, predicted);
+    }
+    return std::max({resolved, forecast.bufferStepView, forecast.rounding.snapGapView});
 }
 
 Advice advise(const AdviceQuestion& question) {

@@ -43,9 +43,11 @@ struct Measurement {
     /// The smallest separation that came out right together with all larger ones; empty when the largest
     /// tried did not.
     std::optional<double> resolvedView;
-    double largestView = 0.0;                   ///< tried
+    double largestView = 0.0;                   ///< tried; 0: none was, so that the forecast decides
     double timeRatio = 1.0;                     ///< frame time relative to standard: median of the ratios
     std::optional<RatioInterval> timeRatio95{}; ///< its 95 % interval; empty: there were too few frames
+    /// No separation that was tried came out wrong, so that less than resolvedView may be resolved, as predicted.
+    bool resolvesAll = false;
 };
 
 /// One technique, and how it answers.

@@ -64,7 +64,10 @@ depth::LengthText lengthTextIn(base::LengthUnit unit) {
 
 std::string measuredText(const depth::Measurement& measured, base::LengthUnit unit) {
     const depth::LengthText text = lengthTextIn(unit);
-    return measured.resolvedView ? text(*measured.resolvedView) : "none, > " + text(measured.largestView);
+    const char* bound = measured.resolvesAll ? " or less" : "";
+    return measured.resolvedView         ? text(*measured.resolvedView) + bound
+           : measured.largestView == 0.0 ? "no pixel tells"
+                                         : "none, > " + text(measured.largestView);
 }
 
 std::string timeText(const depth::Measurement& measured) {
@@ -89,7 +92,12 @@ output::Columns<depth::Measurement> measuredColumns(base::LengthUnit unit) {
          .heading = "measured",
          .text = [unit](const Measured& m) { return measuredText(m, unit); },
          .before = "enough"},
-        {.key = "largest", .value = &Measured::largestView},
+        {.key = "resolves_all", .value = &Measured::resolvesAll},
+        {.key = "largest",
+         .value =
+             [](const Measured& m) {
+                 return m.largestView > 0.0 ? output::Json(m.largestView) : output::Json(nullptr);
+             }},
         {.key = "time_ratio",
          .value = &Measured::timeRatio,
          .heading = "time over standard",

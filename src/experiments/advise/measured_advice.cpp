@@ -93,9 +93,13 @@ depth::Advice measureAdvice(const gpu::Device& device, const depth::AdviceQuesti
             return candidate.mode.name == nameOf(row.technique);
         });
         const auto ratio = [](double percent) { return 1.0 + 0.01 * percent; };
-        measurements.emplace_back(depth::Measurement{.resolvedView = result->resolvedView,
-                                                     .largestView = result->largestView,
-                                                     .timeRatio = ratio(cost->overheadPercent)});
+        // In a picture so small that no pixel tells, no separation was tried.
+        measurements.emplace_back(
+            depth::Measurement{.resolvedView = result->resolvedView,
+                               .largestView = result->pairsSeen > 0 ? result->largestView : 0.0,
+                               .timeRatio = ratio(cost->overheadPercent),
+                               .timeRatio95 = {},
+                               .resolvesAll = result->pairsSeen > 0 && result->resolvesAll});
         if (const auto& percent95 = cost->overheadPercent95) {
             measurements.back()->timeRatio95 = {.low = ratio(percent95->low), .high = ratio(percent95->high)};
         }

@@ -224,7 +224,8 @@ void run(Command& command, FlickerArguments& arguments) {
 
 void addOptions(CLI::App& command, FlickerArguments& arguments) {
     experiments::FlickerOptions& options = arguments.options;
-    addFrames(command, options.frames, "Frames, spread evenly over one turn of the camera");
+    addFrames(command, options.frames, "Frames, spread evenly over the 360 frames of one turn of the camera",
+              360);
     addSize(command, options.drawing.width, options.drawing.height);
     addTechniques(command, options.techniques);
     addRivalList(command, options.rivalsBeside, "none");

@@ -23,7 +23,7 @@ namespace cdr::experiments {
 /// The 2AFC experiment (thesis section 6.1) without people: the same frames, measured against the truth.
 struct FlickerOptions {
     render::RenderOptions drawing{}; ///< but for the technique; rivals are not snapped
-    std::uint32_t frames = 360;      ///< spread evenly over one turn of the camera
+    std::uint32_t frames = 360; ///< spread evenly over the camera's turn of 360, beyond which cameras repeat
     std::uint64_t seed = 2013;
     std::vector<depth::NamedTechnique> techniques{depth::presets().begin(), depth::presets().end()};
     std::vector<rivals::NamedRival> rivalsBeside{}; ///< measured as the techniques are, behind them

@@ -97,10 +97,12 @@ void measureFlip(ModelResult& result, const render::Frame& frame, platform::Work
     const auto all = static_cast<double>(map.pixels.size());
     result.flip = sum / all;
     result.coveredFraction = static_cast<double>(count) / all;
-    result.coveredFlip = count > 0 ? covered / static_cast<double>(count) : 0.0;
+    if (count > 0) {
+        result.coveredFlip = covered / static_cast<double>(count);
+    }
 }
 
-double meanSteps(const ModelResult& result, const measure::LayeredTruth& truth) {
+std::optional<double> meanSteps(const ModelResult& result, const measure::LayeredTruth& truth) {
     double sum = 0.0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
@@ -115,7 +117,7 @@ double meanSteps(const ModelResult& result, const measure::LayeredTruth& truth) 
         sum += largest;
         ++count;
     }
-    return count > 0 ? sum / static_cast<double>(count) : 0.0;
+    return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
 }
 
 } // namespace

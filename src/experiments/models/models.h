@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace cdr::experiments {
@@ -28,10 +29,11 @@ struct ModelResult {
     std::string light;
     std::uint64_t triangles = 0; ///< of what is drawn, repeats counted
     std::uint64_t textures = 0;
-    double coveredFraction = 0.0; ///< of the pixels: those that show a surface, opaque or blended
-    double flip = 0.0;            ///< mean FLIP over the picture
-    double coveredFlip = 0.0;     ///< mean FLIP over the covered pixels
-    double meanSteps = 0.0;    ///< over inner pixels: mean of the largest channel's difference, 8-bit steps
+    double coveredFraction = 0.0;        ///< of the pixels: those that show a surface, opaque or blended
+    double flip = 0.0;                   ///< mean FLIP over the picture
+    std::optional<double> coveredFlip{}; ///< mean FLIP over the covered pixels; none where there are none
+    /// Over inner pixels: mean of the largest channel's difference, 8-bit steps. None where there are none.
+    std::optional<double> meanSteps{};
     image::ImageRgba8 plain{}; ///< base colour and the factors of metallic and roughness alone
     image::ImageRgba8 picture{};
     image::ImageRgba8 reference{};

@@ -14,18 +14,36 @@ namespace cdr::experiments {
 
 namespace {
 
+/// What each frame of a scene should show, and what of it stays from the frame before. All techniques share it.
+struct SceneTruth {
+    measure::TruthImage truth{};
+    image::Raster<std::uint8_t> inner{};
+    std::optional<image::Raster<std::uint8_t>> steady{}; ///< none in the first frame
+
+    void add(measure::TruthImage next) {
+        image::Raster<std::uint8_t> nextInner = measure::innerMask(next);
+        steady = truth.pixels.empty() ? std::nullopt
+                                      : std::optional(measure::steadyMask(truth, inner, next, nextInner));
+        truth = std::move(next);
+        inner = std::move(nextInner);
+    }
+};
+
 /// Adds one frame of one technique to its result.
-void addFrame(const render::Frame& frame, const measure::TruthImage& truth,
-              const std::optional<measure::IdFrame>& before, PictureResult& result) {
-    const image::ImageU32 ids = frame.ids();
+/// @param before what it showed in the frame before, in place of which the ids of this one are kept.
+void addFrame(const render::Frame& frame, const SceneTruth& scene, image::ImageU32& before,
+              PictureResult& result) {
+    const measure::TruthImage& truth = scene.truth;
+    image::ImageU32 ids = frame.ids();
     result.wrong += measure::countWrong(ids, truth);
     if (result.frames == 0) {
         result.picture = frame.color;
         result.heatMap = measure::heatMap(ids, truth, frame.color);
     }
-    if (before) {
-        result.flips += measure::countFlips(*before, {ids, truth}).flips;
+    if (scene.steady) {
+        result.flips += measure::countFlips(before, ids, *scene.steady).flips;
     }
+    before = std::move(ids);
     ++result.frames;
 }
 
@@ -43,7 +61,8 @@ std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOpt
     platform::WorkerPool workers(drawing.threads);
     std::vector<std::unique_ptr<render::Renderer>> renderers;
     std::vector<PictureResult> results;
-    std::vector<std::optional<measure::IdFrame>> before(options.techniques.size());
+    std::vector<image::ImageU32> before(options.techniques.size());
+    SceneTruth truth;
     for (const auto& [name, technique] : options.techniques) {
         drawing.technique = technique;
         renderers.push_back(std::make_unique<render::Renderer>(device, setup.scene, gpuScene, drawing));
@@ -57,13 +76,10 @@ std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOpt
     for (std::uint32_t i = 0; i < frames; ++i) {
         const auto number = static_cast<std::uint32_t>(std::uint64_t{i} * setup.path.frames / frames);
         const scene::Camera camera = setup.path.at(number);
-        const measure::TruthImage truth =
-            measure::castTruth(setup.scene, camera, drawing.width, drawing.height, workers);
+        truth.add(measure::castTruth(setup.scene, camera, drawing.width, drawing.height, workers));
         for (std::size_t t = 0; t < renderers.size(); ++t) {
             step(results[t].scene + " " + results[t].technique);
-            const render::Frame frame = renderers[t]->render(camera);
-            addFrame(frame, truth, before[t], results[t]);
-            before[t] = measure::IdFrame{frame.ids(), truth};
+            addFrame(renderers[t]->render(camera), truth, before[t], results[t]);
         }
     }
     return results;

@@ -29,14 +29,18 @@ std::optional<double> ratioOf(const experiments::ProbeResult& result) {
     return result.resolvedView ? std::optional(*result.resolvedView / result.predictedView) : std::nullopt;
 }
 
+/// Behind what is only known to be no more, as the ladder ends there.
+const char* orLess(const experiments::ProbeResult& result) {
+    return result.resolvesAll ? " or less" : "";
+}
+
 output::Columns<experiments::ProbeResult> probeColumns(base::LengthUnit unit) {
     using Result = experiments::ProbeResult;
     const auto text = [unit](double view) {
         return base::quantityText(view, unit, base::NumberStyle::plain);
     };
     const auto resolvedText = [text](const Result& result) {
-        const char* orLess = result.isRival() && result.resolvesAll ? " or less" : "";
-        return result.resolvedView     ? text(*result.resolvedView) + orLess
+        return result.resolvedView     ? text(*result.resolvedView) + orLess(result)
                : result.pairsSeen == 0 ? "no pixel tells"
                                        : "none, > " + text(result.largestView);
     };
@@ -48,7 +52,7 @@ output::Columns<experiments::ProbeResult> probeColumns(base::LengthUnit unit) {
     };
     const auto ratioText = [](const Result& result) {
         const std::optional<double> ratio = ratioOf(result);
-        return ratio && *ratio > 0.0 ? fmt::format("{}", output::Readable{*ratio}) : "";
+        return ratio && *ratio > 0.0 ? fmt::format("{}{}", output::Readable{*ratio}, orLess(result)) : "";
     };
     return {
         {.key = "technique", .value = &Result::technique, .heading = "technique"},
@@ -56,11 +60,7 @@ output::Columns<experiments::ProbeResult> probeColumns(base::LengthUnit unit) {
         experiments::formatColumn(&Result::format),
         {.key = "distance", .value = &Result::distanceView, .heading = "distance", .format = {.unit = unit}},
         {.key = "resolved", .value = &Result::resolvedView, .heading = "resolved", .text = resolvedText},
-        {.key = "resolves_all",
-         .value =
-             [](const Result& result) {
-                 return result.isRival() ? output::Json(result.resolvesAll) : output::absent();
-             }},
+        {.key = "resolves_all", .value = &Result::resolvesAll},
         {.key = "pairs_seen", .value = &Result::pairsSeen},
         {.key = "predicted", .value = &Result::predictedView, .heading = "predicted", .text = predictedText},
         {.key = "ratio", .value = ratioOf, .heading = "measured / predicted", .text = ratioText},

@@ -62,10 +62,11 @@ double ScalingPoint::recordNsPerDraw() const {
 }
 
 std::vector<std::size_t> threadSteps(std::size_t cpus) {
-    std::set<std::size_t> steps{1, cpus, 2 * cpus};
-    for (std::size_t power = 1; power <= 2 * cpus; power *= 2) {
+    const std::size_t most = std::min(2 * cpus, platform::WorkerPool::kMaxThreads);
+    std::set<std::size_t> steps{1, std::min(cpus, most), most};
+    for (std::size_t power = 1; power <= most; power *= 2) {
         steps.insert(power);
-        if (power >= 2 && power + power / 2 <= 2 * cpus) {
+        if (power >= 2 && power + power / 2 <= most) {
             steps.insert(power + power / 2);
         }
     }

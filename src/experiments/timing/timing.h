@@ -119,8 +119,8 @@ struct TimingResult {
 std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
                                     const Progress& progress, runs::TimedRanks& ranks);
 
-/// Whether an overhead is more than noise: its interval and that of standard over itself have nothing in common. Never without
-/// both.
+/// Whether an overhead is more than noise: its interval lies beyond the end of that of standard over itself which is farther
+/// from 0, in either direction. Never without both.
 bool liesApart(const std::optional<measure::Interval>& overhead,
                const std::optional<measure::Interval>& floor);
 

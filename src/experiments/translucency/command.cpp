@@ -107,11 +107,13 @@ void print(Command& command, const experiments::TranslucencyExperiment& experime
                 fmt::format("{} cascades drawn weighted: {}", result.cascades, result.note));
         }
     }
-    command.console().line(
-        fmt::format("\n{}; {}, {}x{}, mapping {}, medians of {} interleaved frames; errors in 8-bit "
-                    "steps of the worst channel, except at silhouettes",
-                    command.opened().text(), experiment.scene, experiment.width, experiment.height,
-                    nameOf(experiment.mapping), experiment.repeats));
+    command.console().line(fmt::format(
+        "\n{}; {}, {}x{}, mapping {}, {}; errors in 8-bit steps of the worst channel, except at "
+        "silhouettes",
+        command.opened().text(), experiment.scene, experiment.width, experiment.height,
+        nameOf(experiment.mapping),
+        experiment.repeats > 0 ? fmt::format("medians of {} interleaved frames", experiment.repeats)
+                               : "no times"));
 }
 
 nlohmann::ordered_json documentOf(Command& command, const TranslucencyArguments& arguments,

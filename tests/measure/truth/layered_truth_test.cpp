@@ -65,6 +65,11 @@ TEST(LayeredTruth, LaysNearOverFarWhateverTheOrderTheyAreGivenIn) {
     EXPECT_TRUE(pixel.isInner);
 }
 
+TEST(LayeredTruth, OfNoTranslucentPixelNothingIsSaid) {
+    EXPECT_EQ(LayerDifference{}.withinFraction(), std::nullopt);
+    EXPECT_EQ((LayerDifference{.pixels = 8, .translucent = 4, .within = 1}.withinFraction()), 0.25);
+}
+
 TEST(LayeredTruth, OpaqueSurfacesAndTheRangeEndARay) {
     Stack stack;
     stack.add(1.0, {1.0f, 1.0f, 1.0f, 0.5f}, true); // before near

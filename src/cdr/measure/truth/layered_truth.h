@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/image/image.h>
+#include <cdr/measure/compare/share.h>
 #include <cdr/measure/truth/shape.h>
 #include <cdr/measure/truth/truth_finish.h>
 #include <cdr/platform/worker_pool.h>
@@ -10,6 +11,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -57,9 +59,8 @@ struct LayerDifference {
     double meanError = 0.0;         ///< mean over pixels of the largest channel's difference, 8-bit steps
     std::uint32_t largestError = 0; ///< 8-bit steps
 
-    double withinFraction() const {
-        return translucent ? static_cast<double>(within) / static_cast<double>(translucent) : 1.0;
-    }
+    /// None where no inner pixel is translucent.
+    std::optional<double> withinFraction() const { return shareOf(within, translucent); }
 };
 
 /// @param picture neither exposed nor tone mapped: under a sky or in air one with render::ToneMap::none.
