@@ -123,6 +123,8 @@ TEST_F(GltfCompression, BytesThatAreMeshoptsAreNotRead) {
         for (const int touching : {begin - 7, begin, end - 1}) {
             compressed["byteOffset"] = touching;
             EXPECT_NE(refusal(document), "loaded") << touching; // they are no sound ones
+            compressed["byteOffset"] = static_cast<double>(touching);
+            EXPECT_NE(refusal(document), "loaded") << touching;
         }
         for (const int beside : {begin - 8, end}) {
             compressed["byteOffset"] = beside;

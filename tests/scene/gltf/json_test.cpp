@@ -87,6 +87,25 @@ TEST_F(GltfJson, ValuesOfAnotherTypeAreRefused) {
     expectRefused(square(), "/bufferViews/1/byteStride", 13, "buffer view 1: its byteStride is 13");
 }
 
+/// As glTF says of integers, and as some exporters write them.
+TEST_F(GltfJson, IntegersMayBeWrittenAsDecimals) {
+    const auto with = [&](const char* key, const char* number) {
+        Document document = square();
+        document.root["accessors"][0][key] = json::parse(number);
+        return refusal(document);
+    };
+    EXPECT_EQ(with("count", "4.0"), "loaded");
+    EXPECT_EQ(with("componentType", "5126.0"), "loaded");
+    EXPECT_EQ(with("byteOffset", "0e0"), "loaded");
+    EXPECT_EQ(with("byteOffset", "-0"), "loaded");
+    EXPECT_EQ(with("byteOffset", "-0.0"), "loaded");
+    EXPECT_EQ(with("count", "40e-1"), "loaded");
+    expectSays(with("count", "1.5"), "'count' is 1.5, not an integer from 0 to 2147483647");
+    for (const char* number : {"-1.0", "-1", "2147483648", "2147483648.0", "1e300", "-1e300", "\"4\""}) {
+        expectSays(with("count", number), "not an integer from 0 to 2147483647");
+    }
+}
+
 TEST_F(GltfJson, WhatIsLeftOutIsNamed) {
     const auto without = [&](const char* array, const char* key) {
         Document document = square();

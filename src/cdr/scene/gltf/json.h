@@ -15,6 +15,9 @@ namespace cdr::scene::gltf {
 /// stack.
 nlohmann::json parseBoundedJson(std::string_view text);
 
+/// An integer in [0, 2^31), which glTF lets be written as a decimal: 4.0 is 4. Nothing for any other value.
+std::optional<int> indexOf(const nlohmann::json& value);
+
 // Each refuses a member that is of another type. `where` says which part of the file it is, for the message.
 
 /// A member of an object, or null when it is absent or `value` is not an object.
