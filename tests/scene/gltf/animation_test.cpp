@@ -161,6 +161,21 @@ TEST_F(GltfAnimation, ANodeThatIsFlatAtRestMayGrow) {
         glm::mat3(2.0f));
 }
 
+/// So that a picture of a model far from the origin is not framed to show the origin too.
+TEST_F(GltfAnimation, ANodeThatIsFlatAtRestKeepsItsPlace) {
+    Document document = moving();
+    document.root["nodes"][0]["scale"] = {0, 0, 0};
+    document.root["nodes"][0]["translation"] = {1e6, 0, 0};
+    document.root["animations"][0]["channels"][0]["target"]["path"] = "scale";
+    document.root["nodes"].push_back({{"mesh", 0}, {"translation", {1e6, 0, 0}}});
+    document.root["scenes"][0]["nodes"] = {0, 1};
+    const Instances instances = load(document).scene.instances;
+    EXPECT_EQ(instances.position(0), glm::dvec3(1e6, 0, 0));
+    EXPECT_EQ(instances.basis[0], glm::mat3(0.0f));
+    const Camera camera = openGltf(write("a.glb", document.glb())).setup.path.at(0);
+    EXPECT_LT(glm::distance(camera.position, glm::dvec3(1e6, 0, 0)), 20.0);
+}
+
 /// Also where float32 has no such size, whose volume is not a number.
 TEST_F(GltfAnimation, OneThatGrowsBeyondWhatCanBeDrawnIsRefused) {
     for (const float size : {1e18f, 1e20f}) {

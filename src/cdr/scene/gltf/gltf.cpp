@@ -332,8 +332,11 @@ void Importer::addRigid(const MeshNode& node, std::size_t index, std::uint32_t o
     countPieces(node, primitive->pieces);
     const std::size_t first = m_scene.instances.size();
     placePieces(m_scene, primitive->pieces, materialIn(node.layer, primitive->material), object,
-                flat ? glm::dmat4(glm::dmat3(0.0)) : node.toWorld);
+                node.toWorld);
     for (std::size_t i = first; i < m_scene.instances.size(); ++i) {
+        if (flat) {
+            placeInstance(m_scene, i, m_scene.instances.position(i), glm::mat3(0.0f));
+        }
         const Transform placed{m_scene.instances.position(i), m_scene.instances.basis[i]};
         if (!isUsable(placed) || !std::isfinite(m_scene.instances.radius[i]) ||
             !std::isfinite(glm::dot(placed.position, placed.position))) {
