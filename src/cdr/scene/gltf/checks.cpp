@@ -15,6 +15,9 @@ bool isInsideCharacter(char byte) {
 
 std::string oneLine(std::string_view text, std::size_t maxLength) {
     constexpr std::string_view kMore = "...";
+    // Names may be millions of bytes long and shown as often, so what follows is not looked at.
+    const bool isLonger = text.size() > maxLength + 1;
+    text = text.substr(0, maxLength + 1);
     while (!text.empty() && text.back() == '\n') {
         text.remove_suffix(1);
     }
@@ -32,7 +35,7 @@ std::string oneLine(std::string_view text, std::size_t maxLength) {
             line[i] = ' ';
         }
     }
-    if (text.size() > length) {
+    if (isLonger || text.size() > length) {
         line += kMore;
     }
     return line;

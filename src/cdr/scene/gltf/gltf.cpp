@@ -282,10 +282,10 @@ std::uint64_t Importer::readBounded(int mesh) {
 }
 
 void Importer::addNode(const MeshNode& node) {
-    const std::string nodeName = fullNameOf(itemAt(m_sources.document, "nodes", node.node, "node"));
+    const std::string_view nodeName = fullNameOf(itemAt(m_sources.document, "nodes", node.node, "node"));
     const std::string& meshName = m_sourceMeshes.at(node.mesh).name;
     // A mesh may be that of many nodes, so what they take of its name is bounded.
-    const std::string name = !nodeName.empty()   ? nodeName
+    const std::string name = !nodeName.empty()   ? std::string(nodeName)
                              : !meshName.empty() ? oneLine(meshName, kMaxNameLength)
                                                  : fmt::format("node {}", node.node);
     std::size_t copies = 0;
@@ -429,8 +429,11 @@ std::uint32_t Importer::materialIn(std::optional<float> layer, std::uint32_t mat
         if (m_layered.size() > kMaxLayeredMaterials) {
             refuse("layers of nodes need over {} materials", kMaxLayeredMaterials);
         }
-        Material layered = m_scene.materials[material];
-        layered.name = oneLine(layered.name, kMaxNameLength); // nodes are many, and names may be long
+        Material& source = m_scene.materials[material];
+        std::string name = std::exchange(source.name, {}); // nodes are many, and names may be long
+        Material layered = source;
+        source.name = std::move(name);
+        layered.name = oneLine(source.name, kMaxNameLength);
         layered.layer = *layer;
         m_scene.materials.push_back(std::move(layered));
     }

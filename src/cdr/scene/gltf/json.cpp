@@ -195,9 +195,10 @@ std::string requireString(const json& value, const char* key) {
     return value.get<std::string>();
 }
 
-std::string fullNameOf(const json& object) {
+std::string_view fullNameOf(const json& object) {
     const json* name = member(object, "name");
-    return name != nullptr && name->is_string() ? name->get<std::string>() : std::string();
+    return name != nullptr && name->is_string() ? std::string_view(name->get_ref<const std::string&>())
+                                                : std::string_view();
 }
 
 std::string nameOf(const json& object) {
