@@ -142,7 +142,7 @@ TEST_F(GltfCompression, BuffersWithoutBytesAreNoFaultUntilTheyAreUsed) {
     document.root["buffers"] = {{{"byteLength", document.bin.size()}}, {{"byteLength", 1000}}};
     expectIsTheSquare(load(document));
     document.root["bufferViews"][1]["buffer"] = 1;
-    EXPECT_EQ(refusal(document), "buffer 1 has neither a URI nor a BIN chunk");
+    EXPECT_EQ(refusal(document), "buffer 1 has neither a URI nor a BIN chunk, or is a fallback");
 }
 
 } // namespace
