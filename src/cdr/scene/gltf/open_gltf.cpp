@@ -237,7 +237,11 @@ struct Played {
 Played playedFrom(GltfImport& import, const std::optional<std::size_t>& chosen, const GltfChoice& choice,
                   std::vector<ListedLight>& lights) {
     Played played;
+    const auto isPlayable = [](const Animation& animation) { return animation.fault.empty(); };
     if (chosen) {
+        if (const Animation& animation = import.animation->animations[*chosen]; !isPlayable(animation)) {
+            throw base::InputError(animation.fault);
+        }
         played.motion = motionOf(import.animation, chosen, clockOf(choice));
         platform::WorkerPool workers(1);
         show(import.scene, played.motion, 0, workers);
@@ -246,7 +250,7 @@ Played playedFrom(GltfImport& import, const std::optional<std::size_t>& chosen, 
         for (const std::uint32_t light : played.lights->moving()) {
             lights[light].moves = true;
         }
-    } else if (import.animation != nullptr && !import.animation->animations.empty()) {
+    } else if (import.animation != nullptr && std::ranges::any_of(import.animation->animations, isPlayable)) {
         played.animationsNote = import.ignored.size();
         import.ignored.push_back(animationsNote(import.animation->animations));
     }
