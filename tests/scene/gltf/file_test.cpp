@@ -37,8 +37,8 @@ TEST_F(Gltf, AnErrorIsOneLineWhateverTheFileIsCalled) {
     const auto lineOf = [](const fs::path& path, const GltfChoice& choice) {
         return cdr::test::inputErrorOf([&] { openGltf(path, choice); }, "opened");
     };
-    const std::string name = "bad\x1b[31m\nname.gltf";
-    const std::string shown = (folder() / "bad [31m name.gltf: ").string();
+    const std::string name = "bad\x1b[31m\n\u009b31m.gltf";
+    const std::string shown = (folder() / "bad [31m   31m.gltf: ").string();
     expectSays(lineOf(folder() / name, {}), shown + "no such file");
     expectSays(lineOf(write(name, std::string("{")), {}), shown + "not valid JSON");
     write(name, square().glb());

@@ -1,5 +1,7 @@
 #include "checks.h"
 
+#include <cdr/platform/file.h>
+
 #include <algorithm>
 
 namespace cdr::scene::gltf {
@@ -25,16 +27,7 @@ std::string oneLine(std::string_view text, std::size_t maxLength) {
     while (length > 0 && length < text.size() && isInsideCharacter(text[length])) {
         --length;
     }
-    std::string line(text.substr(0, length));
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(line[i]);
-        // U+0080 to U+009F are controls too: terminals take U+009B for the start of a command.
-        if (i > 0 && line[i - 1] == '\xc2' && byte >= 0x80 && byte < 0xa0) {
-            line[i - 1] = line[i] = ' ';
-        } else if (byte < 0x20 || byte == 0x7f) {
-            line[i] = ' ';
-        }
-    }
+    std::string line = platform::withoutControls(std::string(text.substr(0, length)));
     if (isLonger || text.size() > length) {
         line += kMore;
     }
