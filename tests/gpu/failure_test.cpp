@@ -20,7 +20,7 @@ gpu::Failure failureFrom(const auto& error) {
 TEST(FailureOf, IsBadInputOrAFailureAndOneLine) {
     EXPECT_EQ(failureFrom(base::InputError("no\nsuch\nscene")).status, 2);
     EXPECT_EQ(failureFrom(base::InputError("no\nsuch\nscene")).line, "no such scene");
-    EXPECT_EQ(failureFrom(base::InputError("\x1b[31mred\x7f")).line, " [31mred ");
+    EXPECT_EQ(failureFrom(base::InputError("\x1b[31mred\x7f\u009b")).line, " [31mred   ");
     EXPECT_EQ(failureFrom(base::RunError("disk full")).status, 1);
     EXPECT_EQ(failureFrom(base::RunError("disk full")).line, "disk full");
 }

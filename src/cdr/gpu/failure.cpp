@@ -1,11 +1,12 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/failure.h>
 #include <cdr/gpu/vulkan_hpp.h>
+#include <cdr/platform/file.h>
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <new>
+#include <utility>
 
 namespace cdr::gpu {
 
@@ -33,8 +34,7 @@ Failure explain(const std::exception_ptr& error) {
 
 Failure failureOf(const std::exception_ptr& error) {
     Failure failure = explain(error);
-    std::replace_if(
-        failure.line.begin(), failure.line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    failure.line = platform::withoutControls(std::move(failure.line));
     return failure;
 }
 

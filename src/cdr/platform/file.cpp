@@ -169,11 +169,21 @@ bool isKeptForItsOwner(const fs::path& file, const fs::path& folder) {
 
 } // namespace
 
+std::string withoutControls(std::string text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        // U+0080 to U+009F are controls too: terminals take U+009B for the start of a command.
+        if (i > 0 && text[i - 1] == '\xc2' && byte >= 0x80 && byte < 0xa0) {
+            text[i - 1] = text[i] = ' ';
+        } else if (byte < 0x20 || byte == 0x7f) {
+            text[i] = ' ';
+        }
+    }
+    return text;
+}
+
 std::string oneLine(const fs::path& path) {
-    std::string line = path.string();
-    std::replace_if(
-        line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-    return line;
+    return withoutControls(path.string());
 }
 
 std::optional<FileIdentity> identityOf(const fs::path& path) {

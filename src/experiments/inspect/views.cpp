@@ -1,33 +1,19 @@
 #include "views.h"
 
-#include <cdr/scene/box_tree.h>
+#include <cdr/scene/sphere_around.h>
 
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 
 namespace cdr::experiments {
 
-namespace {
-
-glm::dvec3 middleOf(const scene::Instances& instances) {
-    scene::Box box;
-    for (std::size_t i = 0; i < instances.size(); ++i) {
-        if (instances.radius[i] >= 0.0f) {
-            box.add(instances.position(i), static_cast<double>(instances.radius[i]));
-        }
-    }
-    return 0.5 * (box.low + box.high); // not a number where there are none
-}
-
-} // namespace
-
 std::vector<scene::Camera> viewsAround(const scene::Scene& scene, const scene::Camera& own,
                                        std::uint32_t count) {
     std::vector<scene::Camera> views{own};
-    const glm::dvec3 middle = middleOf(scene.instances);
+    const scene::Sphere all = scene::sphereAround(scene.instances);
+    const glm::dvec3 middle = all.centre;
     const double distance = glm::length(own.position - middle);
-    if (!std::isfinite(distance) || distance == 0.0) {
+    if (all.radius == 0.0 || !std::isfinite(distance) || distance == 0.0) {
         return views;
     }
     // A spiral on the sphere: every view takes the same share of it.

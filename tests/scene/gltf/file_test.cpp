@@ -37,8 +37,8 @@ TEST_F(Gltf, AnErrorIsOneLineWhateverTheFileIsCalled) {
     const auto lineOf = [](const fs::path& path, const GltfChoice& choice) {
         return cdr::test::inputErrorOf([&] { openGltf(path, choice); }, "opened");
     };
-    const std::string name = "bad\x1b[31m\nname.gltf";
-    const std::string shown = (folder() / "bad [31m name.gltf: ").string();
+    const std::string name = "bad\x1b[31m\n\u009b31m.gltf";
+    const std::string shown = (folder() / "bad [31m   31m.gltf: ").string();
     expectSays(lineOf(folder() / name, {}), shown + "no such file");
     expectSays(lineOf(write(name, std::string("{")), {}), shown + "not valid JSON");
     write(name, square().glb());
@@ -138,6 +138,17 @@ TEST_F(Gltf, FilesThatCannotBeReadAreRefused) {
     expectSays(refusal(write("a.gltf", withBufferUri("a\nb\x01.bin"))), "a b .bin");
 }
 
+TEST_F(Gltf, ABufferThatNothingUsesMayBeMissing) {
+    Document document = square();
+    document.root["buffers"] = {{{"byteLength", document.bin.size()}},
+                                {{"byteLength", 4}, {"uri", "missing.bin"}}};
+    EXPECT_EQ(refusal(document), "loaded");
+    document.root["bufferViews"].push_back({{"buffer", 1}, {"byteLength", 4}});
+    EXPECT_EQ(refusal(document), "loaded");
+    document.root["accessors"][0]["bufferView"] = 4;
+    expectSays(refusal(document), "'missing.bin': no such file");
+}
+
 TEST_F(Gltf, OneFileNamedOftenDoesNotFillMemory) {
     Document document = square();
     write("data.bin", document.bin);
@@ -149,13 +160,22 @@ TEST_F(Gltf, OneFileNamedOftenDoesNotFillMemory) {
     const fs::path path = write("a.gltf", document.root.dump());
     ASSERT_LT(fs::file_size(path), 4096u);
     EXPECT_EQ(refusal(path, limits), "loaded");
-    limits.maxFileBytes = fs::file_size(path);
-    document.root["buffers"].clear();
-    write("large.bin", Bytes(fs::file_size(path)));
-    for (int i = 0; i < 5; ++i) {
-        document.root["buffers"].push_back({{"byteLength", 1}, {"uri", "large.bin"}});
+    document = triangle();
+    document.root["bufferViews"].clear();
+    json& primitives = document.root["meshes"][0]["primitives"];
+    const json primitive = primitives[0];
+    for (std::size_t i = 0; i < 5; ++i) { // each buffer is used
+        document.root["buffers"].push_back({{"byteLength", 36}, {"uri", "large.bin"}});
+        document.root["bufferViews"].push_back({{"buffer", i}, {"byteLength", 36}});
+        document.root["accessors"][i] = document.root["accessors"][0];
+        document.root["accessors"][i]["bufferView"] = i;
+        primitives[i] = primitive;
+        primitives[i]["attributes"]["POSITION"] = i;
     }
-    expectSays(refusal(write("a.gltf", document.root.dump()), limits), "over the limit of 0");
+    const std::string text = document.root.dump();
+    write("large.bin", Bytes(text.size()));
+    limits.maxFileBytes = text.size();
+    expectSays(refusal(write("a.gltf", text), limits), "over the limit of 0");
 }
 
 TEST_F(Gltf, UnsoundContainersAreRefused) {

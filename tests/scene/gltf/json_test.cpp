@@ -87,6 +87,25 @@ TEST_F(GltfJson, ValuesOfAnotherTypeAreRefused) {
     expectRefused(square(), "/bufferViews/1/byteStride", 13, "buffer view 1: its byteStride is 13");
 }
 
+/// As glTF says of integers, and as some exporters write them.
+TEST_F(GltfJson, IntegersMayBeWrittenAsDecimals) {
+    const auto with = [&](const char* key, const char* number) {
+        Document document = square();
+        document.root["accessors"][0][key] = json::parse(number);
+        return refusal(document);
+    };
+    EXPECT_EQ(with("count", "4.0"), "loaded");
+    EXPECT_EQ(with("componentType", "5126.0"), "loaded");
+    EXPECT_EQ(with("byteOffset", "0e0"), "loaded");
+    EXPECT_EQ(with("byteOffset", "-0"), "loaded");
+    EXPECT_EQ(with("byteOffset", "-0.0"), "loaded");
+    EXPECT_EQ(with("count", "40e-1"), "loaded");
+    expectSays(with("count", "1.5"), "'count' is 1.5, not an integer from 0 to 2147483647");
+    for (const char* number : {"-1.0", "-1", "2147483648", "2147483648.0", "1e300", "-1e300", "\"4\""}) {
+        expectSays(with("count", number), "not an integer from 0 to 2147483647");
+    }
+}
+
 TEST_F(GltfJson, WhatIsLeftOutIsNamed) {
     const auto without = [&](const char* array, const char* key) {
         Document document = square();
@@ -153,6 +172,63 @@ TEST_F(GltfJson, LongNamesEndWithAWholeCharacter) {
     EXPECT_EQ(gltf::oneLine("a\u00e4", 3), "a\u00e4");
     EXPECT_EQ(gltf::oneLine("a\U0001f600b", 4), "a...");
     EXPECT_EQ(gltf::oneLine("a\U0001f600b", 5), "a\U0001f600...");
+}
+
+TEST_F(GltfJson, LineBreaksAtTheEndOfANameAreNotShown) {
+    EXPECT_EQ(gltf::oneLine("ab\n\n"), "ab");
+    EXPECT_EQ(gltf::oneLine("ab\n", 2), "ab");
+    EXPECT_EQ(gltf::oneLine("\n"), "");
+}
+
+/// Bytes of a name that is too long to be looked at once for each use: a test would take minutes.
+constexpr std::size_t kLongName = 16u << 20u;
+constexpr int kManyUses = 20'000;
+
+TEST_F(GltfJson, ALongNameOfAMaterialIsNotCopiedForEachPart) {
+    Document document = square();
+    document.root["meshes"][0]["primitives"].push_back(document.primitive());
+    document.root["materials"] = {{{"name", std::string(kLongName, 'm')}}};
+    document.primitive()["material"] = 0;
+    document.root["nodes"][0]["name"] = "n" + std::string(kLongName, '\n');
+    const int places = document.addAccessor(std::vector<float>(3), "VEC3", kFloat);
+    document.root["accessors"].back().erase("bufferView"); // which makes them zeros
+    document.root["accessors"].back()["count"] = kManyUses;
+    document.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {
+        {"TRANSLATION", places}};
+    const std::vector<std::string> names = load(document).scene.objectNames;
+    ASSERT_EQ(names.size(), 2u * kManyUses);
+    EXPECT_TRUE(names[0].ends_with(" 0 / " + std::string(100, 'm') + "...")) << names[0];
+    EXPECT_TRUE(names.back().ends_with(" 19999 / part 1")) << names.back();
+}
+
+TEST_F(GltfJson, ALongNameOfAMaterialIsNotCopiedForEachLayer) {
+    Document document = square();
+    document.root["materials"] = {{{"name", std::string(kLongName, 'm')}}};
+    document.primitive()["material"] = 0;
+    document.root["nodes"].clear();
+    document.root["scenes"][0]["nodes"].clear();
+    for (int i = 0; i < kManyUses; ++i) {
+        document.root["nodes"].push_back({{"mesh", 0}, {"extras", {{"cdr_layer", i}}}});
+        document.root["scenes"][0]["nodes"].push_back(i);
+    }
+    const std::vector<Material> materials = load(document).scene.materials;
+    ASSERT_EQ(materials.size(), static_cast<std::size_t>(kManyUses));
+    EXPECT_EQ(materials.front().name.size(), kLongName);
+    EXPECT_EQ(materials.back().name, std::string(100, 'm') + "...");
+}
+
+TEST_F(GltfJson, ALongNameOfACameraIsNotCopiedForEachNode) {
+    Document document = square();
+    document.root["cameras"] = {{{"type", "perspective"},
+                                 {"name", std::string(kLongName, 'c')},
+                                 {"perspective", {{"yfov", 4.0}, {"znear", 1.0}}}}};
+    for (int i = 1; i <= kManyUses; ++i) {
+        document.root["nodes"].push_back({{"camera", 0}});
+        document.root["scenes"][0]["nodes"].push_back(i);
+    }
+    const GltfImport import = load(document);
+    EXPECT_TRUE(import.cameras.empty());
+    EXPECT_TRUE(anySays(import.ignored, "c...' and 19999 more: not used, because pictures have no such"));
 }
 
 } // namespace

@@ -174,6 +174,21 @@ TEST_F(GltfMeshopt, DamagedBytesAreRefusedOrRead) {
     }
 }
 
+/// A copy for programs that cannot decode, which may have been left behind.
+TEST_F(GltfMeshopt, TheFallbackIsNotOpened) {
+    Document document = packed(true);
+    json& fallback = document.root["buffers"][1];
+    fallback["uri"] = "gone.bin";
+    fallback["extensions"][kExtension] = {{"fallback", true}};
+    EXPECT_EQ(refusal(document), "loaded");
+    document.root["bufferViews"][kPositions].erase("extensions");
+    EXPECT_EQ(refusal(document), "buffer 1 has neither a URI nor a BIN chunk, or is a fallback");
+    fallback["extensions"][kExtension]["fallback"] = "yes";
+    expectSays(refusal(document), "buffer 1: 'fallback' is neither true nor false");
+    fallback["extensions"][kExtension]["fallback"] = false;
+    expectSays(refusal(document), "'gone.bin': no such file");
+}
+
 TEST_F(GltfMeshopt, DecodedBytesAreBounded) {
     GltfLimits limits;
     limits.maxFileBytes = packed(true).glb().size();

@@ -26,6 +26,40 @@ TEST_F(Gltf, ObjectsFollowTheNodeArray) {
     EXPECT_EQ(load(document).scene.objectNames[0], "node 0");
 }
 
+TEST_F(Gltf, WhatIsNotVisibleIsNotDrawn) {
+    constexpr const char* kVisibility = "KHR_node_visibility";
+    constexpr const char* kLights = "KHR_lights_punctual";
+    Document document = square();
+    document.root["extensions"][kLights]["lights"] = {{{"type", "point"}}};
+    document.root["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 1.0}}}}};
+    document.root["nodes"] = {{{"mesh", 0}, {"name", "seen"}},
+                              {{"children", {2}}, {"name", "group"}},
+                              {{"mesh", 0}, {"name", "hidden"}, {"children", {3}}, {"camera", 0}},
+                              {{"extensions", {{kLights, {{"light", 0}}}}}}};
+    document.root["scenes"] = {{{"nodes", {0, 1}}}};
+    document.root["extensionsUsed"] = {kLights, kVisibility};
+    document.root["extensionsRequired"] = {kVisibility};
+    giveMove(document, 2, {0, 2}, {0, 0, 0, 10, 0, 0});
+    const auto namesWith = [&](const json& group, const json& hidden) {
+        document.root["nodes"][1]["extensions"][kVisibility] = group;
+        document.root["nodes"][2]["extensions"][kVisibility] = hidden;
+        const GltfImport import = load(document);
+        EXPECT_TRUE(import.ignored.empty()) << import.ignored.front();
+        EXPECT_EQ(import.cameras.size(), 1u);
+        EXPECT_EQ(import.lights.size(), import.scene.objectNames.size() - 1);
+        EXPECT_EQ(import.animation->carried.size(), import.scene.objectNames.size() - 1);
+        return import.scene.objectNames;
+    };
+    const std::vector<std::string> all{"seen", "hidden"};
+    const std::vector<std::string> some{"seen"};
+    EXPECT_EQ(namesWith({{"visible", true}}, json::object()), all);
+    EXPECT_EQ(namesWith({{"visible", false}}, json::object()), some);
+    EXPECT_EQ(namesWith({{"visible", false}}, {{"visible", true}}), some);
+    EXPECT_EQ(namesWith(json::object(), {{"visible", false}}), some);
+    expectRefused(document, "/nodes/1/extensions/KHR_node_visibility/visible", 0,
+                  "node 1: 'visible' is neither true nor false");
+}
+
 /// So what is wrong between them can be seen.
 TEST_F(Gltf, EachPrimitiveOfANodeIsAnObject) {
     Document document = square();

@@ -53,6 +53,7 @@ struct Animation {
     double seconds = 0.0; ///< of its last keyframe
     std::vector<Keyframes> keyframes;
     std::vector<Channel> channels;
+    std::string fault{}; ///< why it cannot be played; empty where it can
 };
 
 /// A rig at a moment.

@@ -1,5 +1,7 @@
 #include "checks.h"
 
+#include <cdr/platform/file.h>
+
 #include <algorithm>
 
 namespace cdr::scene::gltf {
@@ -15,6 +17,9 @@ bool isInsideCharacter(char byte) {
 
 std::string oneLine(std::string_view text, std::size_t maxLength) {
     constexpr std::string_view kMore = "...";
+    // Names may be millions of bytes long and shown as often, so what follows is not looked at.
+    const bool isLonger = text.size() > maxLength + 1;
+    text = text.substr(0, maxLength + 1);
     while (!text.empty() && text.back() == '\n') {
         text.remove_suffix(1);
     }
@@ -22,17 +27,8 @@ std::string oneLine(std::string_view text, std::size_t maxLength) {
     while (length > 0 && length < text.size() && isInsideCharacter(text[length])) {
         --length;
     }
-    std::string line(text.substr(0, length));
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(line[i]);
-        // U+0080 to U+009F are controls too: terminals take U+009B for the start of a command.
-        if (i > 0 && line[i - 1] == '\xc2' && byte >= 0x80 && byte < 0xa0) {
-            line[i - 1] = line[i] = ' ';
-        } else if (byte < 0x20 || byte == 0x7f) {
-            line[i] = ' ';
-        }
-    }
-    if (text.size() > length) {
+    std::string line = platform::withoutControls(std::string(text.substr(0, length)));
+    if (isLonger || text.size() > length) {
         line += kMore;
     }
     return line;

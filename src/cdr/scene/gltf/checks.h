@@ -39,7 +39,8 @@ std::optional<Value> valueOf(const std::array<std::string_view, N>& names, std::
 /// Most bytes of a name in a message, so that the rest of the message stays in view.
 inline constexpr std::size_t kMaxNameLength = 100;
 
-/// Text from a hostile file or a library as one printable line of at most `maxLength` bytes and three dots.
+/// Text from a hostile file or a library as one printable line of at most `maxLength` bytes and three dots. It takes
+/// the same time for text of any length.
 /// A character of UTF-8 is in it as a whole or not.
 std::string oneLine(std::string_view text, std::size_t maxLength = 400);
 

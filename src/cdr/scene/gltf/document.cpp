@@ -19,13 +19,14 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 8> kSupportedExtensions{kInstancing,
+constexpr std::array<std::string_view, 9> kSupportedExtensions{kInstancing,
                                                                kDraco,
                                                                kLights,
                                                                kMeshopt,
                                                                "KHR_materials_emissive_strength",
                                                                "KHR_materials_unlit",
                                                                "KHR_mesh_quantization",
+                                                               kVisibility,
                                                                "KHR_texture_transform"};
 
 bool isSupported(const std::string& extension) {

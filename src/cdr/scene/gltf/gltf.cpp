@@ -282,10 +282,10 @@ std::uint64_t Importer::readBounded(int mesh) {
 }
 
 void Importer::addNode(const MeshNode& node) {
-    const std::string nodeName = fullNameOf(itemAt(m_sources.document, "nodes", node.node, "node"));
+    const std::string_view nodeName = fullNameOf(itemAt(m_sources.document, "nodes", node.node, "node"));
     const std::string& meshName = m_sourceMeshes.at(node.mesh).name;
     // A mesh may be that of many nodes, so what they take of its name is bounded.
-    const std::string name = !nodeName.empty()   ? nodeName
+    const std::string name = !nodeName.empty()   ? std::string(nodeName)
                              : !meshName.empty() ? oneLine(meshName, kMaxNameLength)
                                                  : fmt::format("node {}", node.node);
     std::size_t copies = 0;
@@ -332,8 +332,11 @@ void Importer::addRigid(const MeshNode& node, std::size_t index, std::uint32_t o
     countPieces(node, primitive->pieces);
     const std::size_t first = m_scene.instances.size();
     placePieces(m_scene, primitive->pieces, materialIn(node.layer, primitive->material), object,
-                flat ? glm::dmat4(glm::dmat3(0.0)) : node.toWorld);
+                node.toWorld);
     for (std::size_t i = first; i < m_scene.instances.size(); ++i) {
+        if (flat) {
+            placeInstance(m_scene, i, m_scene.instances.position(i), glm::mat3(0.0f));
+        }
         const Transform placed{m_scene.instances.position(i), m_scene.instances.basis[i]};
         if (!isUsable(placed) || !std::isfinite(m_scene.instances.radius[i]) ||
             !std::isfinite(glm::dot(placed.position, placed.position))) {
@@ -426,8 +429,11 @@ std::uint32_t Importer::materialIn(std::optional<float> layer, std::uint32_t mat
         if (m_layered.size() > kMaxLayeredMaterials) {
             refuse("layers of nodes need over {} materials", kMaxLayeredMaterials);
         }
-        Material layered = m_scene.materials[material];
-        layered.name = oneLine(layered.name, kMaxNameLength); // nodes are many, and names may be long
+        Material& source = m_scene.materials[material];
+        std::string name = std::exchange(source.name, {}); // nodes are many, and names may be long
+        Material layered = source;
+        source.name = std::move(name);
+        layered.name = oneLine(source.name, kMaxNameLength);
         layered.layer = *layer;
         m_scene.materials.push_back(std::move(layered));
     }

@@ -16,6 +16,7 @@ using nlohmann::json;
 
 constexpr std::size_t kMaxDepth = 128;
 constexpr std::size_t kMaxValues = 32'000'000;
+constexpr int kMaxIndex = std::numeric_limits<int>::max();
 
 /// Counts brackets and commas outside strings. Wherever the text is valid JSON the counts are right, and
 /// where it stops being valid the parser stops too.
@@ -41,12 +42,10 @@ void requireBounded(std::string_view text) {
 }
 
 int requireIndex(const json& value, std::string_view key) {
-    if (!value.is_number_unsigned() ||
-        value.get<std::uint64_t>() > static_cast<std::uint64_t>(std::numeric_limits<int>::max())) {
-        refuse("'{}' is {}, not an integer from 0 to {}", oneLine(key), oneLine(value.dump()),
-               std::numeric_limits<int>::max());
+    if (const std::optional<int> index = indexOf(value)) {
+        return *index;
     }
-    return value.get<int>();
+    refuse("'{}' is {}, not an integer from 0 to {}", oneLine(key), oneLine(value.dump()), kMaxIndex);
 }
 
 } // namespace
@@ -58,6 +57,12 @@ json parseBoundedJson(std::string_view text) {
     } catch (const json::exception& error) {
         refuse("not valid JSON: {}", oneLine(error.what()));
     }
+}
+
+std::optional<int> indexOf(const json& value) {
+    const double number = value.is_number() ? value.get<double>() : -1.0;
+    const bool isIndex = number >= 0.0 && number <= kMaxIndex && number == std::floor(number);
+    return isIndex ? std::optional(static_cast<int>(number)) : std::nullopt;
 }
 
 const json* member(const json& value, const char* key) {
@@ -190,9 +195,10 @@ std::string requireString(const json& value, const char* key) {
     return value.get<std::string>();
 }
 
-std::string fullNameOf(const json& object) {
+std::string_view fullNameOf(const json& object) {
     const json* name = member(object, "name");
-    return name != nullptr && name->is_string() ? name->get<std::string>() : std::string();
+    return name != nullptr && name->is_string() ? std::string_view(name->get_ref<const std::string&>())
+                                                : std::string_view();
 }
 
 std::string nameOf(const json& object) {

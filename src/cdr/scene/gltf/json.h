@@ -15,6 +15,9 @@ namespace cdr::scene::gltf {
 /// stack.
 nlohmann::json parseBoundedJson(std::string_view text);
 
+/// An integer in [0, 2^31), which glTF lets be written as a decimal: 4.0 is 4. Nothing for any other value.
+std::optional<int> indexOf(const nlohmann::json& value);
+
 // Each refuses a member that is of another type. `where` says which part of the file it is, for the message.
 
 /// A member of an object, or null when it is absent or `value` is not an object.
@@ -51,8 +54,8 @@ const nlohmann::json& itemAt(const nlohmann::json& root, const char* key, int in
 
 /// The string `value`; refuses another type, naming the key it came from.
 std::string requireString(const nlohmann::json& value, const char* key);
-/// The name of a glTF object, as long as it is; empty when it has none.
-std::string fullNameOf(const nlohmann::json& object);
+/// The name of a glTF object, as long as it is, within that object; empty when it has none.
+std::string_view fullNameOf(const nlohmann::json& object);
 /// Its beginning as one line, for messages.
 std::string nameOf(const nlohmann::json& object);
 

@@ -11,6 +11,7 @@
 #include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/gltf/import_progress.h>
 #include <cdr/scene/gltf/open_gltf.h>
+#include <cdr/scene/sphere_around.h>
 
 #include <fmt/format.h>
 
@@ -29,11 +30,6 @@ namespace {
 /// So many that a step is far shorter than any frame.
 constexpr double kMaxFramesPerSecond = 1e6;
 
-struct Sphere {
-    glm::dvec3 centre{0.0};
-    double radius = 1.0;
-};
-
 /// Bright enough that rough metals, which mirror little of it, are not dark.
 constexpr Sky kModelSky{
     .zenith = {0.42f, 0.6f, 0.95f}, .horizon = {1.05f, 1.08f, 1.1f}, .ground = {0.32f, 0.29f, 0.26f}};
@@ -41,21 +37,9 @@ constexpr Sky kModelSky{
 constexpr glm::vec3 kModelBackground{0.03f, 0.035f, 0.045f};
 constexpr float kAmbientBesideOwn = 0.03f;
 
-/// A sphere around every instance, about the middle of their bounding box.
+/// Around every instance; without any, of radius one at the origin.
 Sphere boundingSphere(const Instances& instances) {
-    if (instances.size() == 0) {
-        return {};
-    }
-    Box box;
-    for (std::size_t i = 0; i < instances.size(); ++i) {
-        box.add(instances.position(i), static_cast<double>(instances.radius[i]));
-    }
-    Sphere sphere{.centre = box.centre(), .radius = 0.0};
-    for (std::size_t i = 0; i < instances.size(); ++i) {
-        sphere.radius = std::max(sphere.radius, glm::distance(sphere.centre, instances.position(i)) +
-                                                    static_cast<double>(instances.radius[i]));
-    }
-    return sphere;
+    return instances.size() == 0 ? Sphere{.radius = 1.0} : sphereAround(instances);
 }
 
 bool isSolid(const Sphere& sphere) {
@@ -237,7 +221,11 @@ struct Played {
 Played playedFrom(GltfImport& import, const std::optional<std::size_t>& chosen, const GltfChoice& choice,
                   std::vector<ListedLight>& lights) {
     Played played;
+    const auto isPlayable = [](const Animation& animation) { return animation.fault.empty(); };
     if (chosen) {
+        if (const Animation& animation = import.animation->animations[*chosen]; !isPlayable(animation)) {
+            throw base::InputError(animation.fault);
+        }
         played.motion = motionOf(import.animation, chosen, clockOf(choice));
         platform::WorkerPool workers(1);
         show(import.scene, played.motion, 0, workers);
@@ -246,7 +234,7 @@ Played playedFrom(GltfImport& import, const std::optional<std::size_t>& chosen, 
         for (const std::uint32_t light : played.lights->moving()) {
             lights[light].moves = true;
         }
-    } else if (import.animation != nullptr && !import.animation->animations.empty()) {
+    } else if (import.animation != nullptr && std::ranges::any_of(import.animation->animations, isPlayable)) {
         played.animationsNote = import.ignored.size();
         import.ignored.push_back(animationsNote(import.animation->animations));
     }

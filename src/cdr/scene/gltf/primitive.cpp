@@ -38,7 +38,7 @@ Primitive readPrimitive(const json& root, const json& source, const std::string&
 
 MeshSource readMesh(const json& root, int mesh) {
     const json& source = itemAt(root, "meshes", mesh, "mesh");
-    MeshSource result{.name = fullNameOf(source), .primitives = {}};
+    MeshSource result{.name = std::string(fullNameOf(source)), .primitives = {}};
     for (const json& primitive : arrayMember(source, "primitives")) {
         result.primitives.push_back(
             readPrimitive(root, primitive, placeOf(mesh, result.name, result.primitives.size())));

@@ -39,7 +39,9 @@ struct InstanceOptions {
 class CDR_EXPORT World {
   public:
     World() : World(Scene{}) {}
-    /// Of another world's scene, what that removed is not there, and its places are free.
+    /// Of another world's scene, instances that it removed are not there, and their places are free. Meshes,
+    /// materials and textures that it removed are there as what holds their places: an empty mesh, a default material, a white
+    /// pixel. They can be removed again.
     /// @throws base::InputError as requireUsable(scene). So it may refuse the scene of a world with poses that the device draws (setPose):
     ///         the bounds of its meshes are those of the poses, and its vertices are not.
     explicit World(Scene scene);

@@ -1,30 +1,14 @@
 #include "framing.h"
 
-#include <cdr/scene/box_tree.h>
 #include <cdr/scene/frustum.h>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace cdr::viewer {
 
 Ball ballOf(const scene::Instances& instances, std::uint32_t object) {
-    scene::Box box;
-    for (std::size_t i = 0; i < instances.size(); ++i) {
-        if (instances.object[i] == object) {
-            box.add(instances.position(i), static_cast<double>(instances.radius[i]));
-        }
-    }
-    if (box.isEmpty()) {
-        return {};
-    }
-    Ball ball{.centre = box.centre()};
-    for (std::size_t i = 0; i < instances.size(); ++i) {
-        if (instances.object[i] == object) {
-            ball.radius = std::max(ball.radius,
-                                   glm::distance(ball.centre, instances.position(i)) + instances.radius[i]);
-        }
-    }
-    return ball;
+    return scene::sphereAround(instances, [&](std::size_t i) { return instances.object[i] == object; });
 }
 
 scene::Camera framed(const scene::Camera& camera, const Ball& ball, double aspect) {

@@ -2,16 +2,14 @@
 
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
+#include <cdr/scene/sphere_around.h>
 
 #include <cstdint>
 
 namespace cdr::viewer {
 
 /// What holds an object, in world space.
-struct Ball {
-    glm::dvec3 centre{0.0};
-    double radius = 0.0;
-};
+using Ball = scene::Sphere;
 
 /// About all instances of an object: at the middle of their box. Without any, a point at the origin.
 Ball ballOf(const scene::Instances& instances, std::uint32_t object);

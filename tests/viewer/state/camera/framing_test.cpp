@@ -12,10 +12,10 @@ using namespace viewer_test;
 
 TEST(BallOf, HoldsAllInstancesOfAnObject) {
     scene::Instances instances;
-    instances.x = {-3.0, 5.0, 100.0};
-    instances.y = instances.z = {0.0, 0.0, 0.0};
-    instances.radius = {1.0f, 1.0f, 7.0f};
-    instances.object = {4, 4, 5};
+    instances.x = {-3.0, 5.0, 100.0, 900.0};
+    instances.y = instances.z = {0.0, 0.0, 0.0, 0.0};
+    instances.radius = {1.0f, 1.0f, 7.0f, scene::kNoRadius}; // a world removed the last one
+    instances.object = {4, 4, 5, 4};
     const Ball ball = ballOf(instances, 4);
     EXPECT_EQ(ball.centre, glm::dvec3(1.0, 0.0, 0.0));
     EXPECT_DOUBLE_EQ(ball.radius, 5.0);

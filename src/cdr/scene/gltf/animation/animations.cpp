@@ -66,6 +66,12 @@ class AnimationReader {
         for (const json& channel : arrayMember(m_source, "channels")) {
             addChannel(channel);
         }
+        if (!m_animation.fault.empty()) {
+            m_notes.add("it cannot be played, because times of its keyframes are unsound", m_where);
+            m_animation.seconds = 0.0;
+            m_animation.keyframes.clear();
+            m_animation.channels.clear();
+        }
         return std::move(m_animation);
     }
 
@@ -142,11 +148,11 @@ std::vector<float> AnimationReader::timesOf(const json& sampler, const std::stri
     times.reserve(accessor.count());
     for (std::size_t i = 0; i < accessor.count(); ++i) {
         const float time = accessor.vector(i).x;
-        if (time < 0.0f) {
-            refuse("{}: its time {} is negative", where, i);
-        }
-        if (!std::isfinite(time) || (i > 0 && time <= times.back())) {
-            refuse("{}: its time {} is not finite, or does not come after the one before", where, i);
+        const bool isNext = std::isfinite(time) && (i == 0 || time > times.back());
+        if (m_animation.fault.empty() && (time < 0.0f || !isNext)) {
+            m_animation.fault =
+                fmt::format("{}: its time {} is {}", where, i,
+                            time < 0.0f ? "negative" : "not finite, or does not come after the one before");
         }
         times.push_back(time);
     }

@@ -19,7 +19,8 @@ std::vector<bool> animatedNodes(const nlohmann::json& root);
 /// Which nodes of a document have morph targets whose weights its animations change: by node.
 std::vector<bool> morphedNodes(const nlohmann::json& root);
 
-/// The animations of a document. Refuses keyframes whose times do not increase, and counts and values that do not fit.
+/// The animations of a document. Refuses counts and values that do not fit. An animation whose times do not increase
+/// from 0 on is noted and left empty, with its fault.
 /// Channels that nothing can follow are noted and left out.
 std::vector<Animation> readAnimations(const nlohmann::json& root, Accessors& accessors, const FileRig& rig,
                                       MemoryPrediction& memory, Notes& notes);

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
-#include <limits>
 
 namespace cdr::scene::gltf {
 
@@ -20,11 +19,9 @@ constexpr const char* kLaterMeshopt = "KHR_meshopt_compression";
 /// Whether a view lies over its own compressed bytes: a writer that had no others named the buffer it had.
 bool isOverCompressed(const BufferRange& view, const json& compressed) {
     // What is no index is not ours to refuse, since nothing of it is read.
-    const auto number = [&](const char* key, std::int64_t fallback) {
+    const auto number = [&](const char* key, int fallback) -> std::int64_t {
         const json* value = member(compressed, key);
-        const bool isIndex = value != nullptr && value->is_number_unsigned() &&
-                             value->get<std::uint64_t>() <= std::numeric_limits<std::int32_t>::max();
-        return isIndex ? value->get<std::int64_t>() : fallback;
+        return value == nullptr ? fallback : indexOf(*value).value_or(fallback);
     };
     const std::int64_t begin = number("byteOffset", 0);
     const auto viewBegin = static_cast<std::int64_t>(view.offset);

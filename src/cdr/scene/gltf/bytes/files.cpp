@@ -129,32 +129,42 @@ fs::path Files::resolve(const std::string& uri) const {
 Buffers::Buffers(const nlohmann::json& root, const std::optional<ByteSource>& bin, Files& files,
                  const GltfLimits& limits)
     : m_root(root),
-      m_decodableBytes(limits.maxFileBytes) {
-    std::size_t openFiles = 0;
-    for (const nlohmann::json& buffer : arrayMember(root, "buffers")) {
-        const std::size_t number = m_buffers.size();
-        const auto byteLength = static_cast<std::size_t>(indexMember(buffer, "byteLength").value_or(0));
-        if (byteLength == 0) {
-            refuse("buffer {} has no byteLength", number);
-        }
-        ByteSource bytes;
-        if (const std::optional<std::string> uri = stringMember(buffer, "uri")) {
-            bytes = files.open(*uri);
-            if (bytes.file() != nullptr && (bytes.size() <= kSmallFile || openFiles == kMaxOpenFiles)) {
-                bytes = ByteSource(bytes.read());
-            }
-            openFiles += bytes.file() != nullptr ? 1 : 0;
-        } else if (number == 0 && bin) {
-            bytes = *bin;
-        } else {
-            m_buffers.emplace_back();
-            continue;
-        }
-        if (byteLength > bytes.size()) {
-            refuse("buffer {} says it has {} bytes but its data has {}", number, byteLength, bytes.size());
-        }
-        m_buffers.emplace_back(bytes.part(0, byteLength));
+      m_bin(bin),
+      m_files(files),
+      m_decodableBytes(limits.maxFileBytes) {}
+
+bool Buffers::hasBytes(int buffer) const {
+    const nlohmann::json& source = itemAt(m_root, "buffers", buffer, "buffer");
+    const nlohmann::json* meshopt = extensionOf(source, kMeshopt);
+    const bool isFallback =
+        meshopt != nullptr && boolMember(*meshopt, "fallback", fmt::format("buffer {}", buffer));
+    return !isFallback && (member(source, "uri") != nullptr || (buffer == 0 && m_bin));
+}
+
+const ByteSource& Buffers::opened(int buffer) const {
+    const auto [found, isNew] = m_opened.try_emplace(buffer);
+    if (!isNew) {
+        return found->second;
     }
+    const nlohmann::json& source = itemAt(m_root, "buffers", buffer, "buffer");
+    const auto byteLength = static_cast<std::size_t>(indexMember(source, "byteLength").value_or(0));
+    if (byteLength == 0) {
+        refuse("buffer {} has no byteLength", buffer);
+    }
+    ByteSource bytes;
+    if (const std::optional<std::string> uri = stringMember(source, "uri")) {
+        bytes = m_files.open(*uri);
+        if (bytes.file() != nullptr && (bytes.size() <= kSmallFile || m_openFiles == kMaxOpenFiles)) {
+            bytes = ByteSource(bytes.read());
+        }
+        m_openFiles += bytes.file() != nullptr ? 1 : 0;
+    } else {
+        bytes = m_bin.value();
+    }
+    if (byteLength > bytes.size()) {
+        refuse("buffer {} says it has {} bytes but its data has {}", buffer, byteLength, bytes.size());
+    }
+    return found->second = bytes.part(0, byteLength);
 }
 
 BufferView Buffers::view(int index) const {
@@ -167,13 +177,8 @@ BufferView Buffers::view(int index) const {
     if (stride > kMaxStride || stride % 4 != 0) {
         refuse("{}: its byteStride is {}, not a multiple of 4 up to {}", where, stride, kMaxStride);
     }
-    const nlohmann::json* compressed =
-        meshoptOf(view,
-                  {.buffer = buffer,
-                   .offset = offset,
-                   .length = length,
-                   .hasBytes = itemAt(m_buffers, buffer, "buffer").has_value()},
-                  where);
+    const nlohmann::json* compressed = meshoptOf(
+        view, {.buffer = buffer, .offset = offset, .length = length, .hasBytes = hasBytes(buffer)}, where);
     return {compressed != nullptr ? decoded(index, *compressed, length, where)
                                   : range(buffer, offset, length, where),
             stride};
@@ -181,15 +186,15 @@ BufferView Buffers::view(int index) const {
 
 ByteSource Buffers::range(int buffer, std::size_t offset, std::size_t length,
                           const std::string& where) const {
-    const auto& bytes = itemAt(m_buffers, buffer, "buffer");
-    if (!bytes) {
-        refuse("buffer {} has neither a URI nor a BIN chunk", buffer);
+    if (!hasBytes(buffer)) {
+        refuse("buffer {} has neither a URI nor a BIN chunk, or is a fallback", buffer);
     }
-    if (offset > bytes->size() || length > bytes->size() - offset) {
+    const ByteSource& bytes = opened(buffer);
+    if (offset > bytes.size() || length > bytes.size() - offset) {
         refuse("{} covers {} bytes from {} but buffer {} has {}", where, length, offset, buffer,
-               bytes->size());
+               bytes.size());
     }
-    return bytes->part(offset, length);
+    return bytes.part(offset, length);
 }
 
 ByteSource Buffers::decoded(int index, const nlohmann::json& compressed, std::size_t length,

@@ -14,7 +14,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace cdr::scene::gltf {
 
@@ -52,19 +51,20 @@ struct BufferView {
     std::size_t stride = 0; ///< between elements, 0 where they follow each other
 };
 
-/// A document's buffers. What files hold stays there until it is read, except for small files and for files beyond the first
-/// kMaxOpenFiles ones.
+/// A document's buffers. One is opened when first used. What files hold stays there until it is read, except for small
+/// files and for files beyond the first kMaxOpenFiles ones.
 class Buffers {
   public:
     static constexpr std::size_t kMaxOpenFiles = 64;
 
-    /// @param root of the document; must outlive this.
+    /// @param root of the document; must outlive this, as `files` must.
     /// @param bin the BIN chunk, if any.
     Buffers(const nlohmann::json& root, const std::optional<ByteSource>& bin, Files& files,
             const GltfLimits& limits);
 
     /// Refuses a view in a buffer that has no bytes: only those that are used must, since extensions may hold
-    /// the rest. What EXT_meshopt_compression holds is decoded when first asked for, and kept.
+    /// the rest. What EXT_meshopt_compression calls a fallback has none. What that extension holds is decoded when
+    /// first asked for, and kept.
     BufferView view(int index) const;
     /// What was read last of the views that are in files.
     BlockCache& blocks() const { return m_blocks; }
@@ -74,11 +74,18 @@ class Buffers {
                        const std::string& where) const;
     ByteSource range(int buffer, std::size_t offset, std::size_t length, const std::string& where) const;
 
+    bool hasBytes(int buffer) const;
+    /// A buffer that has bytes.
+    const ByteSource& opened(int buffer) const;
+
     const nlohmann::json& m_root;
+    std::optional<ByteSource> m_bin;
+    Files& m_files;
+    mutable std::map<int, ByteSource> m_opened; ///< by buffer
+    mutable std::size_t m_openFiles = 0;
     mutable std::map<int, ByteSource> m_decoded; ///< by view
     mutable std::uintmax_t m_decodableBytes;     ///< that are left, of all views together
     mutable BlockCache m_blocks;
-    std::vector<std::optional<ByteSource>> m_buffers; ///< none where the file has no bytes
 };
 
 } // namespace cdr::scene::gltf

@@ -29,12 +29,12 @@ std::optional<double> written(const json& object) {
     if (const json* extra = extras != nullptr ? member(*extras, kExtra) : nullptr) {
         return extra->is_number() ? extra->get<double>() : std::nan("");
     }
-    const std::string name = fullNameOf(object);
+    const std::string_view name = fullNameOf(object);
     const std::size_t suffix = name.rfind(kSuffix);
-    if (suffix == std::string::npos) {
+    if (suffix == std::string_view::npos) {
         return std::nullopt;
     }
-    return numberOf(std::string_view(name).substr(suffix + kSuffix.size()));
+    return numberOf(name.substr(suffix + kSuffix.size()));
 }
 
 } // namespace

@@ -17,15 +17,6 @@ namespace {
 
 using nlohmann::json;
 
-/// What a camera of the file looks through.
-struct CameraLens {
-    std::string name{};
-    double fovY = 0.0; ///< radians; 0 of an orthographic camera
-    double nearView = 0.0;
-    std::optional<double> farView{};                ///< none: infinitely far
-    std::optional<OrthographicLens> orthographic{}; ///< instead
-};
-
 /// A positive number below `limit`; nothing when absent.
 std::optional<double> positive(const json& object, const char* key, double limit, const std::string& where) {
     const json* value = member(object, key);
@@ -48,7 +39,7 @@ std::optional<double> magnification(const json& object, const char* key, const s
     return number ? std::optional(std::abs(*number)) : std::nullopt;
 }
 
-CameraLens perspectiveLensOf(const json& camera, const std::string& where) {
+GltfCamera perspectiveOf(const json& camera, const std::string& where) {
     const json& perspective = objectMember(camera, "perspective", where);
     const auto fovY = positive(perspective, "yfov", INFINITY, where); // glTF advises to stay below pi
     const auto nearView = positive(perspective, "znear", INFINITY, where);
@@ -57,13 +48,13 @@ CameraLens perspectiveLensOf(const json& camera, const std::string& where) {
         refuse("{}: needs a yfov, and a znear that lies before its zfar", where);
     }
     return {.name = oneLine(fullNameOf(camera)),
-            .fovY = *fovY,
-            .nearView = *nearView,
-            .farView = farView,
+            .camera = {.fovY = *fovY,
+                       .nearView = *nearView,
+                       .farView = farView.value_or(kGltfFarRatio * *nearView)},
             .orthographic = {}};
 }
 
-CameraLens orthographicLensOf(const json& camera, const std::string& where) {
+GltfCamera orthographicOf(const json& camera, const std::string& where) {
     const json& orthographic = objectMember(camera, "orthographic", where);
     const auto halfHeight = magnification(orthographic, "ymag", where);
     const auto nearView = numberMember(orthographic, "znear", where);
@@ -72,21 +63,9 @@ CameraLens orthographicLensOf(const json& camera, const std::string& where) {
         refuse("{}: needs a ymag, and a znear of at least 0 that lies before its zfar", where);
     }
     return {.name = oneLine(fullNameOf(camera)),
-            .fovY = 0.0,
-            .nearView = *nearView,
-            .farView = farView,
+            .camera = {},
             .orthographic =
                 OrthographicLens{.halfHeight = *halfHeight, .nearView = *nearView, .farView = *farView}};
-}
-
-/// What a camera looks through; an orthographic one stands there alone.
-Camera seenThrough(const CameraLens& lens) {
-    if (lens.orthographic) {
-        return {};
-    }
-    return {.fovY = lens.fovY,
-            .nearView = lens.nearView,
-            .farView = lens.farView.value_or(kGltfFarRatio * lens.nearView)};
 }
 
 bool isUsable(const Camera& camera) {
@@ -103,15 +82,16 @@ std::string labelOfCamera(const json& root, int index) {
     return fmt::format("camera {} '{}'", index, nameOf(itemAt(root, "cameras", index, "camera")));
 }
 
-CameraLens lensOf(const json& root, int index) {
+/// A camera of the file as it stands at the origin.
+GltfCamera cameraOf(const json& root, int index) {
     const json& camera = itemAt(root, "cameras", index, "camera");
     const std::string where = labelOfCamera(root, index);
     const std::string type = stringMember(camera, "type").value_or("");
     if (type == "perspective") {
-        return perspectiveLensOf(camera, where);
+        return perspectiveOf(camera, where);
     }
     if (type == "orthographic") {
-        return orthographicLensOf(camera, where);
+        return orthographicOf(camera, where);
     }
     refuse("{}: type '{}' does not exist", where, oneLine(type));
 }
@@ -120,14 +100,14 @@ CameraLens lensOf(const json& root, int index) {
 
 std::vector<GltfCamera> placeCameras(std::span<const CameraNode> nodes, const json& root, Notes& notes) {
     std::vector<GltfCamera> cameras;
-    std::map<int, CameraLens> lenses; // by camera of the file, which many nodes may have
+    std::map<int, GltfCamera> sources; // by camera of the file, which many nodes may have
     for (const CameraNode& node : nodes) {
-        const auto [found, isNew] = lenses.try_emplace(node.camera);
+        const auto [found, isNew] = sources.try_emplace(node.camera);
         if (isNew) {
-            found->second = lensOf(root, node.camera);
+            found->second = cameraOf(root, node.camera);
         }
-        const CameraLens& lens = found->second;
-        const auto camera = carriedBy(node.toWorld, seenThrough(lens));
+        const GltfCamera& source = found->second;
+        const auto camera = carriedBy(node.toWorld, source.camera);
         if (!camera) {
             notes.add("a camera is not used, because its transform is not invertible",
                       fmt::format("node {}", node.node));
@@ -139,7 +119,8 @@ std::vector<GltfCamera> placeCameras(std::span<const CameraNode> nodes, const js
             continue;
         }
         const std::string nodeName = oneLine(fullNameOf(itemAt(root, "nodes", node.node, "node")));
-        cameras.push_back({!lens.name.empty() ? lens.name : nodeName, *camera, node.node, lens.orthographic});
+        cameras.push_back(
+            {!source.name.empty() ? source.name : nodeName, *camera, node.node, source.orthographic});
     }
     // Others keep the numbers that they had before these were drawn.
     std::stable_partition(cameras.begin(), cameras.end(),

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace cdr::scene::gltf {
 
@@ -39,7 +40,7 @@ glm::vec3 colorOf(const json& light, const std::string& where) {
 
 double intensityOf(const json& light, const std::string& where) {
     const double intensity = numberMember(light, "intensity", where).value_or(1.0);
-    if (!(intensity >= 0.0 && std::isfinite(intensity))) {
+    if (!std::isfinite(intensity)) {
         refuse("{}: its intensity is {}", where, intensity);
     }
     return intensity;
@@ -51,11 +52,13 @@ LightCone coneOf(const json& light, const std::string& where) {
     LightCone cone;
     cone.inner = numberMember(angles, "innerConeAngle", where).value_or(cone.inner);
     cone.outer = numberMember(angles, "outerConeAngle", where).value_or(cone.outer);
-    if (!(cone.inner >= 0.0 && cone.inner < cone.outer && cone.outer <= kMaxAngle)) {
-        refuse("{}: its cone is from {} to {}, and it needs 0 <= inner < outer <= half pi", where, cone.inner,
-               cone.outer);
+    if (!(cone.inner >= 0.0 && cone.inner <= cone.outer && cone.outer > 0.0 && cone.outer <= kMaxAngle)) {
+        refuse(
+            "{}: its cone is from {} to {}, and it needs 0 <= inner <= outer <= half pi, and outer above 0",
+            where, cone.inner, cone.outer);
     }
     cone.outer = std::min(cone.outer, 0.5 * std::numbers::pi);
+    // glTF has inner below outer, but programs write both alike for a sharp edge.
     cone.inner = std::min(cone.inner, std::nextafter(cone.outer, 0.0));
     return cone;
 }
@@ -122,8 +125,12 @@ std::vector<GltfLight> placeLights(std::span<const LightNode> nodes, const json&
             notes.add(fmt::format("lights beyond the first {} are not used", kMaxLights), where);
             continue;
         }
-        std::optional<GltfLight> light = carriedBy(
-            node.toWorld, readLight(itemAt(*extension, "lights", node.light, "light"), where, notes));
+        GltfLight read = readLight(itemAt(*extension, "lights", node.light, "light"), where, notes);
+        if (read.intensity < 0.0) { // some programs have lamps that take light away
+            notes.add("a light of negative intensity is not used", where);
+            continue;
+        }
+        std::optional<GltfLight> light = carriedBy(node.toWorld, std::move(read));
         if (!light) {
             notes.add("a light is not used, because its transform is not invertible",
                       fmt::format("node {}", node.node));

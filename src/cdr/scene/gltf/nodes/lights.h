@@ -17,7 +17,8 @@ namespace cdr::scene::gltf {
 
 inline constexpr const char* kLights = "KHR_lights_punctual";
 
-/// The lights of a scene's nodes. Refuses a light that is not as the extension has it.
+/// The lights of a scene's nodes. One of negative intensity is noted and left out. Refuses any other that is not as the
+/// extension has it.
 /// @param root of the document.
 std::vector<GltfLight> placeLights(std::span<const LightNode> nodes, const nlohmann::json& root,
                                    Notes& notes);

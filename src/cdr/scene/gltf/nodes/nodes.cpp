@@ -26,6 +26,7 @@ struct Placement {
     std::uint32_t depth = 0;
     bool reached = false;
     bool inScene = false;
+    bool hidden = false;          ///< the node or an ancestor
     std::optional<float> layer{}; ///< of the node, else of its nearest ancestor that has one
 };
 
@@ -41,6 +42,12 @@ struct NodeSource {
 int lightOf(const json& node) {
     const json* extension = extensionOf(node, kLights);
     return extension == nullptr ? -1 : indexMember(*extension, "light").value_or(-1);
+}
+
+bool isHidden(const json& node, const std::string& where) {
+    const json* extension = extensionOf(node, kVisibility);
+    return extension != nullptr && member(*extension, "visible") != nullptr &&
+           !boolMember(*extension, "visible", where);
 }
 
 std::vector<NodeSource> readNodes(const json& root) {
@@ -153,6 +160,7 @@ void place(const json& root, const std::vector<NodeSource>& nodes, const std::ve
             placement.toWorld = parent.toWorld;
             placement.depth = parent.depth + 1;
             placement.inScene = parent.inScene;
+            placement.hidden = parent.hidden;
             placement.layer = parent.layer;
         }
         if (placement.depth >= limits.maxNodeDepth) {
@@ -163,6 +171,7 @@ void place(const json& root, const std::vector<NodeSource>& nodes, const std::ve
         placement.toWorld =
             placement.toWorld * (transform.matrix ? *transform.matrix : matrixOf(transform.local));
         requireUsable(placement.toWorld, node, i);
+        placement.hidden = placement.hidden || isHidden(node, fmt::format("node {}", i));
         if (const auto layer = layerOf(node, fmt::format("node {}", i), notes)) {
             placement.layer = layer;
         }
@@ -223,14 +232,15 @@ PlacedNodes placeNodes(const json& root, const GltfLimits& limits, std::optional
                                            : std::optional(static_cast<std::size_t>(parents[i])),
                              .toWorld = placements[i].toWorld,
                              .inScene = placements[i].inScene});
-        if (placements[i].inScene && sources[i].mesh >= 0) {
+        const bool isShown = placements[i].inScene && !placements[i].hidden;
+        if (isShown && sources[i].mesh >= 0) {
             nodes.meshes.push_back({static_cast<int>(i), sources[i].mesh, placements[i].toWorld,
                                     placements[i].layer, sources[i].skin});
         }
         if (placements[i].inScene && sources[i].camera >= 0) {
             nodes.cameras.push_back({static_cast<int>(i), sources[i].camera, placements[i].toWorld});
         }
-        if (placements[i].inScene && sources[i].light >= 0) {
+        if (isShown && sources[i].light >= 0) {
             nodes.lights.push_back({static_cast<int>(i), sources[i].light, placements[i].toWorld});
         }
     }

@@ -15,6 +15,9 @@
 
 namespace cdr::scene::gltf {
 
+/// Hides a node and all below it, but for cameras, which show nothing themselves.
+inline constexpr const char* kVisibility = "KHR_node_visibility";
+
 /// A node with a mesh and where it stands.
 struct MeshNode {
     int node = 0;
@@ -59,9 +62,9 @@ NodeTransform readTransform(const nlohmann::json& node);
 struct PlacedNodes {
     std::vector<PlacedNode> all;    ///< every node of the file
     std::vector<std::size_t> order; ///< all of them, parents first
-    std::vector<MeshNode> meshes;
+    std::vector<MeshNode> meshes;   ///< that are not hidden
     std::vector<CameraNode> cameras;
-    std::vector<LightNode> lights;
+    std::vector<LightNode> lights; ///< that are not hidden
 };
 
 /// The nodes of a document's scene, or without one of the default scene that carry something. Without a default scene
