@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <string>
 
 namespace cdr::viewer_test {
@@ -40,6 +41,19 @@ TEST_F(ViewerTest, PlaysAnAnimatedCameraThroughTheLensOfTheCommandLine) {
     ASSERT_EQ(lines.size(), 1u) << run.out;
     EXPECT_NE(lines[0].find(" --direction="), std::string::npos) << "it has not moved: " << lines[0];
     expectLens(lines[0]);
+}
+
+/// moving_camera.gltf with the last of its key frames at 2e38 s. Dear ImGui takes half of the largest float at most.
+TEST_F(ViewerTest, AnAnimationMayBeLongerThanASliderCanShow) {
+    constexpr std::size_t kTimes = 48; // where the base64 of both times begins
+    std::string text = test::readText(kMovingCamera);
+    const std::string base64 = "base64,";
+    const std::size_t at = text.find(base64) + base64.size() + kTimes;
+    ASSERT_EQ(text.substr(at, 12), "AAAAAAAAgD8A");
+    std::ofstream(folder() / "long.gltf") << text.replace(at, 12, "AAAAAJl2Fn8A");
+    const RunResult run = play("--size 560x300 --technique anchored --camera 0 long.gltf",
+                               "wait-frame\nkey K\nkey F3\nwait-ui 3\nwhere time\nquit\n");
+    EXPECT_EQ(run.lines("time ").size(), 1u) << run.out;
 }
 
 /// Until the scene's own camera is asked for again.
