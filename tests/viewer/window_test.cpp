@@ -172,6 +172,19 @@ TEST_F(ViewerTest, KeysReachThePanelsAndComeBack) {
     EXPECT_NE(valueOf(states[2], "eye"), valueOf(states[1], "eye")) << "the camera has no keys";
 }
 
+/// Over the picture an open list takes the wheel.
+TEST_F(ViewerTest, EscapeClosesAList) {
+    const std::string wheels =
+        "key escape\nwait-ui 3\nstate\nmove 50 100\nwait-ui 2\nscroll 3\nwait-ui 2\nstate\n";
+    const RunResult run =
+        play("--size 560x300 --technique standard cubes",
+             "wait-frame\nkey F2\nwait-ui 3\nkey down\nkey up\nkey space\nwait-ui 3\nwhere scene=rotation\n" +
+                 wheels + "click scene\nwait-ui 2\nwhere scene=rotation\n" + wheels + "quit\n");
+    const auto states = run.states(4);
+    EXPECT_NE(valueOf(states[1], "eye"), valueOf(states[0], "eye")) << "the list that a key opened";
+    EXPECT_NE(valueOf(states[3], "eye"), valueOf(states[2], "eye")) << "the list that a click opened";
+}
+
 TEST_F(ViewerTest, ShowsPicturesOfScenesToChooseFrom) {
     const RunResult run = play("--size 800x600 --technique standard cubes",
                                "wait-frame\nwait-ui 3\nwindow closed.png\nclick scene\nwait-ui 3\nwindow "

@@ -30,6 +30,14 @@ void text(std::string_view words, ImGuiCol color) {
     ImGui::PopStyleColor();
 }
 
+bool isEscapePressed() {
+#if IMGUI_VERSION_NUM >= 18700
+    return ImGui::IsKeyPressed(ImGuiKey_Escape);
+#else
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+#endif
+}
+
 } // namespace
 
 void Widgets::heading(std::string_view words) const {
@@ -104,6 +112,9 @@ std::size_t Widgets::combo(std::string_view name, std::string_view shown, std::s
             ImGui::PopStyleVar();
             ImGui::PopID();
             m_places.note(fmt::format("{}={}", name, entry));
+        }
+        if (isEscapePressed()) { // a list that the pointer opened has no keys
+            ImGui::CloseCurrentPopup();
         }
         ImGui::EndCombo();
     } else {

@@ -11,6 +11,7 @@
 #include <viewer/panels/panels.h>
 #include <viewer/panels/shortcuts.h>
 
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -107,7 +108,8 @@ InputOwner Application::handleKey(const KeyInput& key) {
     if (sidebarWidth() <= 0.0f) {
         interface.panelKeys.reset(); // the window has become too narrow for them
     }
-    if (m_interface.wantsKeys() || (interface.panelKeys && !isForEveryPlace(key))) {
+    if (m_interface.wantsKeys() || (interface.panelKeys && !isForEveryPlace(key)) ||
+        (key.key == GLFW_KEY_ESCAPE && m_interface.wantsEscape())) {
         return InputOwner::interface;
     }
     const bool wasWanted = interface.showsPanel;
