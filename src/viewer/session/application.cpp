@@ -311,7 +311,7 @@ void Application::finish(std::exception_ptr failure) {
     if (m_model.video != nullptr) {
         attempt(&Application::toggleVideo);
     }
-    if (m_model.camera.recorder.isRecording()) {
+    if (m_model.camera.recorder.isRecording() || m_isPathUnsaved) {
         attempt(&Application::toggleRecording);
     }
     if (!isFailed && !m_arguments.screenshot.empty()) {
