@@ -53,7 +53,7 @@ Application::Application(const Arguments& arguments, Player* player)
       m_system(fmt::format("cdr render {} -o picture.png", arguments.scene)),
       m_renderInstance({.validate = arguments.validate, .extensions = {}}),
       m_renderDevice(m_renderInstance, arguments.device),
-      m_window(m_system, arguments.size.width, arguments.size.height, "cdr-viewer"),
+      m_window(m_system, firstSize(arguments, m_model.settings), "cdr-viewer"),
       m_ui(m_system, m_window, {.choice = arguments.device, .validate = arguments.validate}),
       m_presenter(m_ui, m_window, arguments.waitsForDisplay ? Pace::display : Pace::newest),
       m_interface(m_ui, m_window, m_presenter, arguments.uiScale),

@@ -4,9 +4,11 @@
 #include <cdr/image/codec.h>
 #include <cdr/platform/file.h>
 #include <cdr/render/renderer_setup.h>
+#include <viewer/state/camera/stereo_view.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <system_error>
 
 namespace cdr::viewer {
@@ -93,6 +95,14 @@ ViewerModel initialModel(const Arguments& arguments) {
         model.interface.firstSteps.begin();
     }
     return model;
+}
+
+FirstSize firstSize(const Arguments& arguments, const ViewSettings& settings) {
+    FirstSize size{.width = arguments.size.width, .height = arguments.size.height};
+    if (!arguments.output.empty() && stereoPictureOf(settings) == options::StereoPicture::sideBySide) {
+        size.width = std::min(2 * size.width, static_cast<std::uint32_t>(kMaxWindowSide)); // it is one eye's
+    }
+    return size;
 }
 
 std::filesystem::path freeName(const std::string& stem, const std::string& extension) {
