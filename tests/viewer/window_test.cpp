@@ -69,6 +69,21 @@ TEST_F(ViewerTest, FollowsItsSize) {
     EXPECT_GT(brightness(picture("back.png")), 15.0);
 }
 
+/// A window of its own choice is as large as on a display of 96 dots per inch.
+TEST_F(ViewerTest, HasThePixelsThatItWasToldOnAScaledDisplay) {
+    const RunResult set = runShell("xprop -root -f RESOURCE_MANAGER 8s -set RESOURCE_MANAGER 'Xft.dpi: 192'",
+                                   folder(), environment());
+    if (set.status != 0) {
+        GTEST_SKIP() << "xprop: " << set.err;
+    }
+    const std::string script = "wait-ui 3\nwindow ";
+    play("--size 560x300 cubes", script + "told.png\nwait-ui 3\nquit\n");
+    EXPECT_EQ(picture("told.png").width, 560u);
+    EXPECT_EQ(picture("told.png").height, 300u);
+    play("cubes", script + "chosen.png\nwait-ui 3\nquit\n");
+    EXPECT_EQ(picture("chosen.png").width, 2560u);
+}
+
 TEST_F(ViewerTest, ComesBackFromBeingMinimised) {
     const RunResult run =
         play("--size 560x300 --technique standard cubes",

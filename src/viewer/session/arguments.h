@@ -47,7 +47,7 @@ struct Arguments {
     options::ViewsArguments views; ///< one eye, or two
     ViewKind view = ViewKind::shaded;
     std::string output; ///< of a line that renders a picture, which is shown instead; empty without
-    PictureExtent size{.width = 1280, .height = 720}; ///< of the window
+    std::optional<PictureExtent> size; ///< of the window, or of an eye's picture with `output`
     std::string device;
     bool validate = false;
     bool plays = false;                                  ///< the scene's camera path from the start

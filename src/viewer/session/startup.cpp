@@ -98,8 +98,10 @@ ViewerModel initialModel(const Arguments& arguments) {
 }
 
 FirstSize firstSize(const Arguments& arguments, const ViewSettings& settings) {
-    FirstSize size{.width = arguments.size.width, .height = arguments.size.height};
-    if (!arguments.output.empty() && stereoPictureOf(settings) == options::StereoPicture::sideBySide) {
+    const bool isOfPicture = !arguments.output.empty();
+    const PictureExtent told = arguments.size.value_or(PictureExtent{.width = 1280, .height = 720});
+    FirstSize size{.width = told.width, .height = told.height, .isScaled = !arguments.size && !isOfPicture};
+    if (isOfPicture && stereoPictureOf(settings) == options::StereoPicture::sideBySide) {
         size.width = std::min(2 * size.width, static_cast<std::uint32_t>(kMaxWindowSide)); // it is one eye's
     }
     return size;

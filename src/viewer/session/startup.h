@@ -13,7 +13,7 @@ namespace cdr::viewer {
 /// What the command line asks to see first. base::InputError says what cannot be.
 ViewerModel initialModel(const Arguments& arguments);
 
-/// The window's size. Where a line that renders a picture is shown, it is that of the picture, both eyes together.
+/// The window's size in pixels. Where a line that renders a picture is shown, it is that of the picture, both eyes together.
 FirstSize firstSize(const Arguments& arguments, const ViewSettings& settings);
 
 /// STEM-0001EXTENSION in the current folder, or the first number above that is free.

@@ -108,7 +108,7 @@ void Window::Destroy::operator()(GLFWwindow* window) const {
 
 Window::Window(const WindowSystem&, const FirstSize& size, const std::string& title) {
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
-    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, size.isScaled ? GLFW_TRUE : GLFW_FALSE);
     m_handle.reset(glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height),
                                     title.c_str(), nullptr, nullptr));
     if (m_handle == nullptr) {

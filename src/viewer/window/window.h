@@ -35,8 +35,9 @@ inline constexpr int kMaxWindowSide = 16384;
 
 /// What a window begins with.
 struct FirstSize {
-    std::uint32_t width = 0; ///< at 96 dots per inch
+    std::uint32_t width = 0; ///< pixels, where the window system lets a program choose them
     std::uint32_t height = 0;
+    bool isScaled = false; ///< to the display: so many pixels at 96 dots per inch
 };
 
 /// Where the pointer is and what it holds.
