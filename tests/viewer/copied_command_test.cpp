@@ -60,6 +60,18 @@ TEST_F(ViewerTest, OpensWhatItCopied) {
     EXPECT_EQ(picture("cdr-picture-0002.png"), picture("cdr-picture-0001.png"));
 }
 
+/// Its --size is that of one eye.
+TEST_F(ViewerTest, OpensTheTwoEyesThatItCopied) {
+    const std::string copies = "wait-frame\ncommand\nkey F12\nwait-ui 3\nquit\n";
+    const RunResult first =
+        play("alley --technique cdr --stereo parallel --eye-distance 0.2 --size 560x300", copies);
+    const auto line = first.lines("cdr render");
+    ASSERT_EQ(line.size(), 1u) << first.out;
+    const RunResult second = play(line[0].substr(std::string("cdr render ").size()), copies);
+    EXPECT_EQ(second.lines("cdr render"), line) << second.out;
+    EXPECT_EQ(picture("cdr-picture-0002.png"), picture("cdr-picture-0001.png"));
+}
+
 /// All that a line says of the finish comes back, numbers too.
 TEST_F(ViewerTest, CopiesWhatItWasGiven) {
     const std::vector<std::string> given{

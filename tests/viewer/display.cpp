@@ -23,8 +23,9 @@ std::string readLine(std::FILE* file) {
 
 Display::Display() {
     // The server writes its number once it takes clients, so reading it is all the waiting there is.
-    m_server = ::popen(
-        "echo $$; exec '" CDR_XVFB "' -displayfd 1 -screen 0 3840x2160x24 -nolisten tcp 2>/dev/null", "r");
+    m_server = ::popen("echo $$; exec '" CDR_XVFB
+                       "' -displayfd 1 -noreset -screen 0 3840x2160x24 -nolisten tcp 2>/dev/null",
+                       "r");
     if (m_server == nullptr) {
         throw std::runtime_error("no shell");
     }

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <string>
 
 namespace cdr::viewer_test {
@@ -40,6 +41,34 @@ TEST_F(ViewerTest, PlaysAnAnimatedCameraThroughTheLensOfTheCommandLine) {
     ASSERT_EQ(lines.size(), 1u) << run.out;
     EXPECT_NE(lines[0].find(" --direction="), std::string::npos) << "it has not moved: " << lines[0];
     expectLens(lines[0]);
+}
+
+/// The line has neither --eye nor --direction where the camera is the file's own at its --frame.
+TEST_F(ViewerTest, PlaysAnAnimatedCameraTogetherWithWhatMoves) {
+    const RunResult run =
+        play("--size 560x300 --technique anchored --camera 0 --animation 0 --play " + kMovingCamera,
+             "wait-frame 3\nwait-ui 10\ncommand\nkey space\nwait-ui 2\nstate\nwait-ui 5\nstate\n"
+             "key space\nwait-ui 5\nstate\nquit\n");
+    const auto lines = run.lines("cdr render");
+    ASSERT_EQ(lines.size(), 1u) << run.out;
+    EXPECT_NE(lines[0].find(" --frame="), std::string::npos) << "it has not moved: " << lines[0];
+    EXPECT_EQ(lines[0].find(" --direction="), std::string::npos) << lines[0];
+    const auto states = run.states(3);
+    EXPECT_EQ(valueOf(states[1], "time"), valueOf(states[0], "time")) << "space does not stop it";
+    EXPECT_NE(valueOf(states[2], "time"), valueOf(states[1], "time")) << "space does not play it again";
+}
+
+/// moving_camera.gltf with the last of its key frames at 2e38 s. Dear ImGui takes half of the largest float at most.
+TEST_F(ViewerTest, AnAnimationMayBeLongerThanASliderCanShow) {
+    constexpr std::size_t kTimes = 48; // where the base64 of both times begins
+    std::string text = test::readText(kMovingCamera);
+    const std::string base64 = "base64,";
+    const std::size_t at = text.find(base64) + base64.size() + kTimes;
+    ASSERT_EQ(text.substr(at, 12), "AAAAAAAAgD8A");
+    std::ofstream(folder() / "long.gltf") << text.replace(at, 12, "AAAAAJl2Fn8A");
+    const RunResult run = play("--size 560x300 --technique anchored --camera 0 long.gltf",
+                               "wait-frame\nkey K\nkey F3\nwait-ui 3\nwhere time\nquit\n");
+    EXPECT_EQ(run.lines("time ").size(), 1u) << run.out;
 }
 
 /// Until the scene's own camera is asked for again.

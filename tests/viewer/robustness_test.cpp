@@ -192,12 +192,23 @@ TEST_F(ViewerTest, SaysThatAFolderCannotBeWritten) {
     EXPECT_EQ(valueOf(states[3], "technique"), "anchored,") << "it goes on";
 }
 
-/// Nobody sees a notice any more.
-TEST_F(ViewerTest, FailsWhereItEndsWithARecordingThatCannotBeSaved) {
+/// Before a path is flown that would be lost.
+TEST_F(ViewerTest, RecordsNothingWhereAFolderCannotBeWritten) {
     const RunResult run =
         playInGoneFolder(folder(), "wait-frame\nkey R\nwait-ui 5\nstate\nquit\n", environment());
-    EXPECT_NE(valueOf(run.states(1)[0], "notice").find("recording"), std::string::npos) << run.out;
-    EXPECT_NE(run.status, 0);
+    EXPECT_NE(valueOf(run.states(1)[0], "notice").find("cannot "), std::string::npos) << run.out;
+    EXPECT_EQ(run.status, 0) << run.err;
+}
+
+/// Files that may not grow stand for a disk that is full. When it ends, nobody sees a notice any more.
+TEST_F(ViewerTest, FailsWhereItEndsWithARecordingThatCannotBeSaved) {
+    std::ofstream(folder() / "script")
+        << "wait-frame\nkey R\nhold D\nwait-ui 90\nlet D\nkey R\nwait-ui 2\nstate\nquit\n";
+    const RunResult run = runShell("(trap '' XFSZ && ulimit -f 4 && '" CDR_VIEWER_DRIVE
+                                   "' --size 560x300 --script script cubes)",
+                                   folder(), environment());
+    EXPECT_NE(valueOf(run.states(1)[0], "notice").find("write failed"), std::string::npos) << run.out;
+    EXPECT_EQ(run.status, 1);
     EXPECT_NE(run.err.find("camera-path-0001.json"), std::string::npos) << run.err;
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
 }

@@ -69,6 +69,21 @@ TEST_F(ViewerTest, FollowsItsSize) {
     EXPECT_GT(brightness(picture("back.png")), 15.0);
 }
 
+/// A window of its own choice is as large as on a display of 96 dots per inch.
+TEST_F(ViewerTest, HasThePixelsThatItWasToldOnAScaledDisplay) {
+    const RunResult set = runShell("xprop -root -f RESOURCE_MANAGER 8s -set RESOURCE_MANAGER 'Xft.dpi: 192'",
+                                   folder(), environment());
+    if (set.status != 0) {
+        GTEST_SKIP() << "xprop: " << set.err;
+    }
+    const std::string script = "wait-ui 3\nwindow ";
+    play("--size 560x300 cubes", script + "told.png\nwait-ui 3\nquit\n");
+    EXPECT_EQ(picture("told.png").width, 560u);
+    EXPECT_EQ(picture("told.png").height, 300u);
+    play("cubes", script + "chosen.png\nwait-ui 3\nquit\n");
+    EXPECT_EQ(picture("chosen.png").width, 2560u);
+}
+
 TEST_F(ViewerTest, ComesBackFromBeingMinimised) {
     const RunResult run =
         play("--size 560x300 --technique standard cubes",
@@ -170,6 +185,19 @@ TEST_F(ViewerTest, KeysReachThePanelsAndComeBack) {
     EXPECT_EQ(valueOf(states[1], "eye"), valueOf(states[0], "eye")) << "arrows flew";
     EXPECT_EQ(valueOf(states[2], "view"), "cascades");
     EXPECT_NE(valueOf(states[2], "eye"), valueOf(states[1], "eye")) << "the camera has no keys";
+}
+
+/// Over the picture an open list takes the wheel.
+TEST_F(ViewerTest, EscapeClosesAList) {
+    const std::string wheels =
+        "key escape\nwait-ui 3\nstate\nmove 50 100\nwait-ui 2\nscroll 3\nwait-ui 2\nstate\n";
+    const RunResult run =
+        play("--size 560x300 --technique standard cubes",
+             "wait-frame\nkey F2\nwait-ui 3\nkey down\nkey up\nkey space\nwait-ui 3\nwhere scene=rotation\n" +
+                 wheels + "click scene\nwait-ui 2\nwhere scene=rotation\n" + wheels + "quit\n");
+    const auto states = run.states(4);
+    EXPECT_NE(valueOf(states[1], "eye"), valueOf(states[0], "eye")) << "the list that a key opened";
+    EXPECT_NE(valueOf(states[3], "eye"), valueOf(states[2], "eye")) << "the list that a click opened";
 }
 
 TEST_F(ViewerTest, ShowsPicturesOfScenesToChooseFrom) {

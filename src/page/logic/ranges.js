@@ -17,3 +17,8 @@ export function panned([low, high], value, log) {
     const half = (to(high) - to(low)) / 2;
     return [from(to(value) - half), from(to(value) + half)];
 }
+
+/** Whether a range holds all values that the axis can show. */
+export function holds([low, high], values, log) {
+    return values.every((value) => !Number.isFinite(value) || (log && value <= 0) || (value >= low && value <= high));
+}

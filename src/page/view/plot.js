@@ -3,7 +3,7 @@
 
 import uPlot from "uplot";
 import { number, powerOfTen } from "../logic/format.js";
-import { around, panned } from "../logic/ranges.js";
+import { around, holds, panned } from "../logic/ranges.js";
 import { colourOf, h, svg } from "./elements.js";
 
 const kHeight = 380;
@@ -152,15 +152,17 @@ class Plot {
         });
     }
 
-    /** By a factor about the cursor, or about the middle. */
+    /** By a factor about the cursor, or about the middle. An axis that shows all of its values gets no wider. */
     zoom(factor) {
+        const { logX, logY, series } = this.options;
         const { left, top } = this.uplot.cursor;
-        const at = (position, scale) => (position >= 0 ? this.uplot.posToVal(position, scale) : null);
-        const { x, y } = this.ranges();
-        this.setRanges({
-            x: around(x, factor, at(left, "x"), this.options.logX),
-            y: around(y, factor, at(top, "y"), this.options.logY),
-        });
+        const values = series.filter(({ title }) => !this.hidden.has(title)).flatMap((shown) => shown.values);
+        const hasAll = { x: (range) => holds(range, this.options.x, logX), y: (range) => holds(range, values, logY) };
+        const now = this.ranges();
+        const along = (key, position, log) => (factor > 1 && hasAll[key](now[key]) ? now[key]
+            : around(now[key], factor, position >= 0 ? this.uplot.posToVal(position, key) : null, log));
+        const ranges = { x: along("x", left, logX), y: along("y", top, logY) };
+        factor > 1 && hasAll.x(ranges.x) && hasAll.y(ranges.y) ? this.showAll() : this.setRanges(ranges);
     }
 
     showAll() {

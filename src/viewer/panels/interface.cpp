@@ -166,4 +166,8 @@ bool Interface::wantsKeys() const {
     return ImGui::GetIO().WantTextInput;
 }
 
+bool Interface::wantsEscape() const {
+    return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) || ImGui::IsAnyItemActive();
+}
+
 } // namespace cdr::viewer

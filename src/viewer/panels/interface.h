@@ -31,6 +31,8 @@ class Interface {
     bool wantsPointer() const;
     /// Whether a text is being typed into the interface.
     bool wantsKeys() const;
+    /// Whether a list is open or an item is held, which Escape ends first.
+    bool wantsEscape() const;
     /// Screen coordinates per unit of 96 dots per inch.
     float scale() const { return m_scale; }
 

@@ -46,8 +46,8 @@ void showLength(const Widgets& widgets, InterfaceModel& interface, std::string_v
 }
 
 void chooseMotion(const Widgets& widgets, ViewerModel& model) {
-    if (widgets.toggle("scene's path", onIf(model.camera.motion == Motion::scenePath))) {
-        model.camera.motion = model.camera.motion == Motion::scenePath ? Motion::free : Motion::scenePath;
+    if (widgets.toggle("scene's path", onIf(followsPath(model.camera)))) {
+        togglePath(model.camera);
     }
     widgets.beside();
     const bool isRecording = model.camera.recorder.isRecording();

@@ -23,7 +23,7 @@ void stepView(ViewerModel& model, const Pressed& pressed) {
 }
 
 void toggleScenePath(ViewerModel& model, const Pressed&) {
-    model.camera.motion = model.camera.motion == Motion::scenePath ? Motion::free : Motion::scenePath;
+    togglePath(model.camera);
 }
 
 void toggleAnimation(ViewerModel& model, const Pressed&) {
@@ -191,6 +191,21 @@ void beginOrbit(CameraModel& camera, const Measuring& measuring) {
     if (!camera.orbits) {
         aimPivot(camera, measuring);
         camera.orbits = true;
+    }
+}
+
+bool followsPath(const CameraModel& camera) {
+    return camera.motion == Motion::scenePath || (camera.motion == Motion::free && camera.followsAnimation &&
+                                                  camera.animatedFrame && camera.playback.isPlaying);
+}
+
+void togglePath(CameraModel& camera) {
+    if (!followsPath(camera)) {
+        camera.motion = Motion::scenePath;
+    } else if (camera.motion == Motion::scenePath) {
+        camera.motion = Motion::free;
+    } else {
+        camera.playback.isPlaying = false;
     }
 }
 

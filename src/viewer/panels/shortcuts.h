@@ -42,6 +42,10 @@ bool isForEveryPlace(const KeyInput& key);
 
 /// Where nothing was clicked, what the camera looks at becomes what it goes round.
 void aimPivot(CameraModel& camera, const Measuring& measuring);
+/// Whether the camera follows the scene's path. That of an animated camera is its animation.
+bool followsPath(const CameraModel& camera);
+/// Follows it, or stops. An animation stops with the camera that it moves.
+void togglePath(CameraModel& camera);
 /// Orbits what was clicked, or else what the camera looks at.
 void beginOrbit(CameraModel& camera, const Measuring& measuring);
 

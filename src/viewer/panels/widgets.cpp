@@ -13,6 +13,12 @@ namespace {
 constexpr float kLabelShare = 0.30f;  ///< of a panel's width
 constexpr float kPictureWidth = 6.0f; ///< in letters' heights
 constexpr float kPictureShape = 9.0f / 16.0f;
+/// Of a slider's numbers. Dear ImGui ends the program where an end is beyond half of the largest float.
+constexpr double kLargest = 1e38;
+
+float shownBySlider(double value) {
+    return static_cast<float>(std::clamp(value, -kLargest, kLargest));
+}
 
 void text(std::string_view words) {
     ImGui::TextUnformatted(words.data(), words.data() + words.size());
@@ -22,6 +28,14 @@ void text(std::string_view words, ImGuiCol color) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(color));
     text(words);
     ImGui::PopStyleColor();
+}
+
+bool isEscapePressed() {
+#if IMGUI_VERSION_NUM >= 18700
+    return ImGui::IsKeyPressed(ImGuiKey_Escape);
+#else
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+#endif
 }
 
 } // namespace
@@ -99,6 +113,9 @@ std::size_t Widgets::combo(std::string_view name, std::string_view shown, std::s
             ImGui::PopID();
             m_places.note(fmt::format("{}={}", name, entry));
         }
+        if (isEscapePressed()) { // a list that the pointer opened has no keys
+            ImGui::CloseCurrentPopup();
+        }
         ImGui::EndCombo();
     } else {
         m_places.note(name);
@@ -141,15 +158,15 @@ bool Widgets::count(std::string_view name, int& value, int low, int high) const 
 }
 
 bool Widgets::slider(std::string_view name, double& value, const SliderRange& range) const {
-    auto shown = static_cast<float>(value);
+    float shown = shownBySlider(value);
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", std::string(name).c_str());
     ImGui::SameLine(ImGui::GetFontSize() * 4.0f);
     ImGui::SetNextItemWidth(-1.0f);
     const ImGuiSliderFlags scale = range.isLogarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
-    const bool isMoved = ImGui::SliderFloat(fmt::format("##{}", name).c_str(), &shown,
-                                            static_cast<float>(range.low), static_cast<float>(range.high),
-                                            range.format, ImGuiSliderFlags_AlwaysClamp | scale);
+    const bool isMoved =
+        ImGui::SliderFloat(fmt::format("##{}", name).c_str(), &shown, shownBySlider(range.low),
+                           shownBySlider(range.high), range.format, ImGuiSliderFlags_AlwaysClamp | scale);
     m_places.note(name);
     // What is typed may be an expression, and 0 * 1e39 is no number.
     if (!isMoved || !std::isfinite(shown)) {

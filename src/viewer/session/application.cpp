@@ -11,6 +11,7 @@
 #include <viewer/panels/panels.h>
 #include <viewer/panels/shortcuts.h>
 
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,7 +53,7 @@ Application::Application(const Arguments& arguments, Player* player)
       m_system(fmt::format("cdr render {} -o picture.png", arguments.settings.scene)),
       m_renderInstance({.validate = arguments.validate, .extensions = {}}),
       m_renderDevice(m_renderInstance, arguments.device),
-      m_window(m_system, arguments.size.width, arguments.size.height, "cdr-viewer"),
+      m_window(m_system, firstSize(arguments, m_model.settings), "cdr-viewer"),
       m_ui(m_system, m_window, {.choice = arguments.device, .validate = arguments.validate}),
       m_presenter(m_ui, m_window, arguments.waitsForDisplay ? Pace::display : Pace::newest),
       m_interface(m_ui, m_window, m_presenter, arguments.uiScale),
@@ -107,7 +108,8 @@ InputOwner Application::handleKey(const KeyInput& key) {
     if (sidebarWidth() <= 0.0f) {
         interface.panelKeys.reset(); // the window has become too narrow for them
     }
-    if (m_interface.wantsKeys() || (interface.panelKeys && !isForEveryPlace(key))) {
+    if (m_interface.wantsKeys() || (interface.panelKeys && !isForEveryPlace(key)) ||
+        (key.key == GLFW_KEY_ESCAPE && m_interface.wantsEscape())) {
         return InputOwner::interface;
     }
     const bool wasWanted = interface.showsPanel;
@@ -309,7 +311,7 @@ void Application::finish(std::exception_ptr failure) {
     if (m_model.video != nullptr) {
         attempt(&Application::toggleVideo);
     }
-    if (m_model.camera.recorder.isRecording()) {
+    if (m_model.camera.recorder.isRecording() || m_isPathUnsaved) {
         attempt(&Application::toggleRecording);
     }
     if (!isFailed && !m_arguments.screenshot.empty()) {

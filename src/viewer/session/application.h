@@ -53,6 +53,7 @@ class Application {
     void perform(Action action);
     void tryPerform(Action action);
     void dropFiles(const DropInput& drop);
+    /// A path that could not be saved is kept, and saved instead of a new one begun.
     void toggleRecording();
     /// From its beginning, if there is one. Says so if it is another scene's.
     void playRecording();
@@ -100,6 +101,7 @@ class Application {
 
     std::optional<std::filesystem::path> m_capture; ///< file for the next frame's window
     std::optional<std::string> m_unsaved;           ///< why the last window was not saved
+    bool m_isPathUnsaved = false;                   ///< of what was recorded last
     Clock::time_point m_lastFrame = Clock::now();
     Clock::time_point m_lastUpdate = Clock::now();
     int m_redraws = 3; ///< frames due: the interface takes a few to settle after input

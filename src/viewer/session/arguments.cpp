@@ -78,7 +78,7 @@ void addPlace(CLI::App& program, Arguments& arguments) {
 void addWindowOptions(CLI::App& program, Arguments& arguments) {
     options::addParsed(program, "--size", arguments.size, parseWindowSize, "Size of the window in pixels")
         ->type_name("WIDTHxHEIGHT")
-        ->default_str(fmt::format("{}x{}", arguments.size.width, arguments.size.height));
+        ->default_str("1280x720 at 96 dots per inch");
     program.add_option("--device", arguments.device, options::kDeviceHelp);
     program.add_flag("--validate", arguments.validate, options::kValidateHelp);
     program.add_flag("--vsync", arguments.waitsForDisplay, "Limit frames to the refresh rate of the display");

@@ -38,7 +38,7 @@ struct Arguments {
     options::TechniqueParts parts;                          ///< instead of a technique
     std::optional<depth::DepthFormat> format;
     std::string output; ///< of a line that renders a picture, which is shown instead; empty without
-    PictureExtent size{.width = 1280, .height = 720}; ///< of the window
+    std::optional<PictureExtent> size; ///< of the window, or of an eye's picture with `output`
     std::string device;
     bool validate = false;
     bool plays = false;                                  ///< the scene's camera path from the start

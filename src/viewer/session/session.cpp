@@ -66,6 +66,10 @@ void Session::followPath(double seconds) {
             m_model.camera.motion = Motion::free; // there is nowhere to go
             return;
         }
+        if (isAnimated()) { // what moves goes by time, and the camera with it
+            playAnimation();
+            return;
+        }
         // Frame by frame, however long each takes, so that neighbours can be compared.
         goTo(++m_model.camera.pathFrame);
         return;
@@ -81,6 +85,20 @@ void Session::followPath(double seconds) {
     m_model.camera.now = cameraAt(recording, m_model.camera.playedSeconds);
 }
 
+bool Session::isAnimated() const {
+    const RenderResult* shown = m_model.picture.shown.get();
+    return shown != nullptr && shown->scene->setup.path.frames > 1 && shown->settings.choice.framesPerSecond;
+}
+
+void Session::playAnimation() {
+    CameraModel& camera = m_model.camera;
+    camera.motion = Motion::free;
+    camera.followsAnimation = true;
+    if (!camera.playback.isPlaying) {
+        camera.playback.toggle(playableSeconds(m_model.settings.choice, *m_model.picture.shown->scene));
+    }
+}
+
 void Session::followAnimation(double seconds) {
     const bool isOpen = m_model.picture.shown != nullptr &&
                         m_model.picture.shown->sceneName == m_model.settings.scene &&
@@ -91,9 +109,8 @@ void Session::followAnimation(double seconds) {
     const scene::OpenedScene& scene = *m_model.picture.shown->scene;
     CameraModel& camera = m_model.camera;
     camera.playback.advance(seconds, playableSeconds(m_model.settings.choice, scene));
-    const bool isAnimated = scene.setup.path.frames > 1 && m_model.settings.choice.framesPerSecond;
     const std::uint32_t frame = camera.playback.frame(m_model.settings.choice);
-    if (isAnimated && camera.motion == Motion::free && camera.followsAnimation &&
+    if (isAnimated() && camera.motion == Motion::free && camera.followsAnimation &&
         camera.animatedFrame != frame) {
         camera.animatedFrame = frame;
         goTo(frame);

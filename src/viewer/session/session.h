@@ -64,6 +64,9 @@ class Session {
     void followPath(double seconds);
     void followTour();
     void followAnimation(double seconds);
+    /// Whether an animation moves the scene's own camera, so that the frames of its path are moments of it.
+    bool isAnimated() const;
+    void playAnimation();
     /// Puts the camera where the scene's own is at a frame. Where it cannot, says why and ends what moves it.
     void goTo(std::uint32_t frame);
     /// At which a scene that moves is shown.

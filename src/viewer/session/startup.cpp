@@ -4,9 +4,11 @@
 #include <cdr/image/codec.h>
 #include <cdr/platform/file.h>
 #include <cdr/render/renderer_setup.h>
+#include <viewer/state/camera/stereo_view.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <system_error>
 
 namespace cdr::viewer {
@@ -86,6 +88,16 @@ ViewerModel initialModel(const Arguments& arguments) {
         model.interface.firstSteps.begin();
     }
     return model;
+}
+
+FirstSize firstSize(const Arguments& arguments, const ViewSettings& settings) {
+    const bool isOfPicture = !arguments.output.empty();
+    const PictureExtent told = arguments.size.value_or(PictureExtent{.width = 1280, .height = 720});
+    FirstSize size{.width = told.width, .height = told.height, .isScaled = !arguments.size && !isOfPicture};
+    if (isOfPicture && stereoPictureOf(settings) == options::StereoPicture::sideBySide) {
+        size.width = std::min(2 * size.width, static_cast<std::uint32_t>(kMaxWindowSide)); // it is one eye's
+    }
+    return size;
 }
 
 std::filesystem::path freeName(const std::string& stem, const std::string& extension) {

@@ -27,7 +27,8 @@ struct ReproducedView {
 ///
 /// A technique with a fitted split depends on the frames before. There the picture is that of a renderer which
 /// begins with this camera. The wrong view is compared with a float64 ray cast instead of the anchored answer.
-/// Flips need time, so that view becomes the shaded picture.
+/// Flips need time, so that view becomes the shaded picture. The ids view has a colour for each object, where the line
+/// writes the bits of the ids. In the distance view a pixel may differ by a step of grey.
 std::string renderCommand(const ReproducedView& view, std::string_view output = "view.png");
 
 /// The view that renderCommand() calls so. base::InputError with a suggestion for another name.

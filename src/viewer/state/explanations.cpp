@@ -74,8 +74,8 @@ std::string_view explanationOf(render::Snapping snapping) {
 std::string_view explanationOf(visibility::DetailMode detail) {
     static constexpr std::array<std::string_view, visibility::kDetailModes.size()> kTexts{
         "Every mesh in full. It is slow where they are dense and small.",
-        "Each object at the coarsest level whose error stays under half a pixel. The level is the same in "
-        "all its cascades, so there are no cracks.",
+        "Each object at the coarsest level whose error stays under its limit, by default half a pixel. The level "
+        "is the same in all its cascades, so there are no cracks.",
         "Each cascade chooses, as in the thesis. An object that crosses a boundary is drawn at two levels, "
         "which may leave cracks.",
         "Each piece of a large mesh at a level of its own, by its distance. Near parts are fine and far ones "

@@ -24,6 +24,13 @@ double nearestSurface(const render::Frame& frame) {
                                                            (2 * row + 1) * frame.height() / (2 * kSamples)));
         }
     }
+    if (std::isfinite(nearest)) {
+        return nearest;
+    }
+    for (const render::GBufferPixel& pixel :
+         frame.gbuffer.pixels) { // a small object lies between the samples
+        nearest = pixel.id() != 0 ? std::min(nearest, frame.distanceView(pixel)) : nearest;
+    }
     return nearest;
 }
 

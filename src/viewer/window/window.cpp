@@ -106,11 +106,11 @@ void Window::Destroy::operator()(GLFWwindow* window) const {
     glfwDestroyWindow(window);
 }
 
-Window::Window(const WindowSystem&, std::uint32_t width, std::uint32_t height, const std::string& title) {
+Window::Window(const WindowSystem&, const FirstSize& size, const std::string& title) {
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
-    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    m_handle.reset(
-        glfwCreateWindow(static_cast<int>(width), static_cast<int>(height), title.c_str(), nullptr, nullptr));
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, size.isScaled ? GLFW_TRUE : GLFW_FALSE);
+    m_handle.reset(glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height),
+                                    title.c_str(), nullptr, nullptr));
     if (m_handle == nullptr) {
         throw base::runError("no window: {}", lastError());
     }

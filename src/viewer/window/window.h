@@ -33,6 +33,13 @@ class WindowSystem {
 /// Largest side a window may be asked for, screen coordinates.
 inline constexpr int kMaxWindowSide = 16384;
 
+/// What a window begins with.
+struct FirstSize {
+    std::uint32_t width = 0; ///< pixels, where the window system lets a program choose them
+    std::uint32_t height = 0;
+    bool isScaled = false; ///< to the display: so many pixels at 96 dots per inch
+};
+
 /// Where the pointer is and what it holds.
 struct Pointer {
     double x = 0.0; ///< screen coordinates
@@ -43,7 +50,7 @@ struct Pointer {
 /// A window and the input it received. Every input, injected or real, comes through the same callbacks.
 class Window {
   public:
-    Window(const WindowSystem&, std::uint32_t width, std::uint32_t height, const std::string& title);
+    Window(const WindowSystem&, const FirstSize& size, const std::string& title);
     Window(const Window&) = delete; // GLFW knows its address
     Window& operator=(const Window&) = delete;
     ~Window() = default;

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { around, panned } from "../../../src/page/logic/ranges.js";
+import { around, holds, panned } from "../../../src/page/logic/ranges.js";
 
 const close = (actual, expected) => actual.forEach((value, i) =>
     assert.ok(Math.abs(value / expected[i] - 1) < 1e-12, `${actual} is not ${expected}`));
@@ -16,4 +16,12 @@ test("zooming keeps the point under the cursor, on either kind of axis", () => {
 test("panning keeps the width", () => {
     close(panned([1, 3], 10, false), [9, 11]);
     close(panned([1, 100], 1e6, true), [1e5, 1e7]);
+});
+
+test("a range holds what an axis can show", () => {
+    assert.ok(holds([1, 100], [1, null, 100], false));
+    assert.ok(!holds([1, 100], [0, 5], false));
+    assert.ok(holds([1, 100], [0, 5], true));
+    assert.ok(!holds([1, 100], [5, 101], true));
+    assert.ok(holds([1, 100], [], true));
 });

@@ -81,6 +81,13 @@ TEST(SurfaceView, TakesThePixelElseTheNearest) {
     EXPECT_EQ(surfaceView(tiny, {7.0, 7.0}), 4.0);
 }
 
+TEST(SurfaceView, FindsWhatCoversOnePixel) {
+    const render::Frame frame = makeFrame(320, 200, [](auto x, auto y) {
+        return x == 7 && y == 3 ? MadePixel{.id = 1, .ahead = 50.0f} : MadePixel{};
+    });
+    EXPECT_EQ(surfaceView(frame, {200.5, 10.0}), 51.0);
+}
+
 PickedPoint pointAt(const glm::dvec3& position, double distanceView) {
     return {.object = 0,
             .name = "x",

@@ -29,7 +29,9 @@ Heading headingToSee(const glm::dvec3& target, const glm::dvec2& seen, const Hea
 
 scene::Camera setLens(const scene::Camera& camera, double fovDegrees) {
     scene::Camera set = camera;
-    set.fovY = scene::radiansOf(std::clamp(fovDegrees, kNarrowestDegrees, kWidestDegrees));
+    const double now = scene::degreesOf(camera.fovY); // of a file, beyond the limits: no jump to them
+    set.fovY = scene::radiansOf(
+        std::clamp(fovDegrees, std::min(kNarrowestDegrees, now), std::max(kWidestDegrees, now)));
     set.lensShift *=
         std::tan(0.5 * set.fovY) / std::tan(0.5 * camera.fovY); // in halves of the picture it stays
     return set;

@@ -15,7 +15,8 @@ inline constexpr double kZoomPerNotch = 0.15;
 /// cursor stays there. The new field of view is one that `--fov` gives back to the bit (scene::radiansOf()).
 scene::Camera zoomLens(const scene::Camera& camera, const CameraInput& input);
 
-/// Sets the vertical field of view, in degrees, within the limits; the view direction stays.
+/// Sets the vertical field of view, in degrees, within the limits or at least no farther beyond them; the view direction
+/// stays.
 scene::Camera setLens(const scene::Camera& camera, double fovDegrees);
 
 } // namespace cdr::viewer

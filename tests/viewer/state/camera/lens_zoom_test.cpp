@@ -68,6 +68,19 @@ TEST(LensZoom, AGamepadZoomsToTheMiddle) {
     EXPECT_EQ(zoomed.back, camera.back);
 }
 
+/// A notch changes no lens by more than it does any other.
+TEST(LensZoom, LeadsALensFromBeyondTheLimitsBack) {
+    const CameraInput in{.cursor = {10.0, 700.0}, .lens = 1.0};
+    CameraInput out = in;
+    out.lens = -1.0;
+    const scene::Camera wide = cameraWith(120.0, glm::dvec3(0.0), {0.0, 0.0, -1.0});
+    EXPECT_NEAR(zoomLens(wide, in).fovY / wide.fovY, std::exp(-kZoomPerNotch), 1e-12);
+    EXPECT_NEAR(zoomLens(wide, out).fovY, wide.fovY, 1e-12);
+    const scene::Camera narrow = cameraWith(1e-5, glm::dvec3(0.0), {0.0, 0.0, -1.0});
+    EXPECT_NEAR(zoomLens(narrow, out).fovY / narrow.fovY, std::exp(kZoomPerNotch), 1e-12);
+    EXPECT_NEAR(zoomLens(narrow, in).fovY / narrow.fovY, 1.0, 1e-12);
+}
+
 TEST(SetLens, HoldsTheLimits) {
     EXPECT_EQ(setLens({}, 45.0).fovY, scene::radiansOf(45.0));
     EXPECT_EQ(setLens({}, 170.0).fovY, scene::radiansOf(kWidestDegrees));
