@@ -168,6 +168,16 @@ void VKAPI_PTR seenBarrier(VkCommandBuffer commands, const VkDependencyInfo* dep
     realBarrier(commands, dependency);
 }
 
+PFN_vkCmdDrawIndexed realDrawIndexed = nullptr;
+std::atomic<std::size_t> indexedDrawsSeen = 0;
+
+void VKAPI_PTR seenDrawIndexed(VkCommandBuffer commands, std::uint32_t indices, std::uint32_t instances,
+                               std::uint32_t firstIndex, std::int32_t vertexOffset,
+                               std::uint32_t firstInstance) {
+    ++indexedDrawsSeen;
+    realDrawIndexed(commands, indices, instances, firstIndex, vertexOffset, firstInstance);
+}
+
 PFN_vkGetDeviceProcAddr realDeviceLoader = nullptr;
 
 PFN_vkVoidFunction VKAPI_PTR failableDeviceLoader(VkDevice device, const char* name) {
@@ -206,6 +216,10 @@ PFN_vkVoidFunction VKAPI_PTR failableLoader(VkInstance instance, const char* nam
     if (std::string_view(name) == "vkCmdPipelineBarrier2") {
         realBarrier = reinterpret_cast<PFN_vkCmdPipelineBarrier2>(found);
         return reinterpret_cast<PFN_vkVoidFunction>(&seenBarrier);
+    }
+    if (std::string_view(name) == "vkCmdDrawIndexed") {
+        realDrawIndexed = reinterpret_cast<PFN_vkCmdDrawIndexed>(found);
+        return reinterpret_cast<PFN_vkVoidFunction>(&seenDrawIndexed);
     }
     return failableOf(name, found);
 }
@@ -249,6 +263,10 @@ StandIn<VkFormat> noDepthFormat(VkFormat format) {
 
 DepthLayouts depthLayouts() {
     return {.separate = separateLayoutsSeen, .whole = attachmentLayoutsSeen};
+}
+
+std::size_t indexedDraws() {
+    return indexedDrawsSeen;
 }
 
 StandIn<std::uint32_t> counterFrom(std::uint32_t first) {

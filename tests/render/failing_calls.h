@@ -70,6 +70,8 @@ struct DepthLayouts {
     std::size_t whole = 0; ///< the layout of any attachment
 };
 DepthLayouts depthLayouts();
+/// How many indexed draws this program has recorded so far.
+std::size_t indexedDraws();
 /// A counter of four bytes that a frame sets to 0 begins with `first`.
 [[nodiscard]] StandIn<std::uint32_t> counterFrom(std::uint32_t first);
 
