@@ -39,6 +39,21 @@ TEST_F(FacetRoomTest, DrawsNameNoVertexThatTheDeviceCannotName) {
     }
 }
 
+/// Half as many again would not fit: a box has 192 bytes of what takes most.
+TEST_F(FacetRoomTest, FacetsGrowUpToTheLargestBufferOfTheDevice) {
+    constexpr std::uint64_t kBytes = 512 * 1024;
+    scene::Scene scene = boxScene();
+    for (int i = 0; i < 2'500; ++i) {
+        addBox(scene, {0.0, 0.0, -5.0});
+    }
+    const StandIn buffers = smallBuffers(kBytes);
+    const gpu::Device small(lentDevice());
+    for (const SurfacePath surface : kFacetSurfaces) {
+        SoleRenderer renderer(small, scene, facetOptions(surface));
+        EXPECT_EQ(test::runErrorOf([&] { renderer.draw({}); }), "") << nameOf(surface);
+    }
+}
+
 } // namespace
 
 } // namespace cdr::render_test
