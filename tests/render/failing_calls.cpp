@@ -91,6 +91,7 @@ struct Said {
     std::optional<std::uint32_t> storageBuffers;
     std::optional<std::uint32_t> mostIndices;
     std::optional<std::uint64_t> bufferBytes;
+    std::optional<std::uint64_t> allocationBytes;
     std::optional<VkFormat> withheldFormat;
     std::optional<std::uint32_t> firstCount;
 };
@@ -128,6 +129,11 @@ void VKAPI_PTR properties2Of(VkPhysicalDevice physical, VkPhysicalDeviceProperti
          next = next->pNext) {
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES && said().bufferBytes) {
             reinterpret_cast<VkPhysicalDeviceVulkan13Properties*>(next)->maxBufferSize = *said().bufferBytes;
+        }
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_PROPERTIES &&
+            said().allocationBytes) {
+            reinterpret_cast<VkPhysicalDeviceVulkan11Properties*>(next)->maxMemoryAllocationSize =
+                *said().allocationBytes;
         }
     }
 }
@@ -255,6 +261,10 @@ StandIn<std::uint32_t> fewIndices(std::uint32_t most) {
 
 StandIn<std::uint64_t> smallBuffers(std::uint64_t bytes) {
     return {said().bufferBytes, bytes};
+}
+
+StandIn<std::uint64_t> smallAllocations(std::uint64_t bytes) {
+    return {said().allocationBytes, bytes};
 }
 
 StandIn<VkFormat> noDepthFormat(VkFormat format) {
