@@ -130,6 +130,7 @@ depth::Cascades ViewsRenderer::look(Cameras cameras, std::span<const depth::Inte
 }
 
 void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
+    keepRecorded();
     requireCameras(cameras, views());
     // An error of a frame before comes before anything of this one is decided, in all views.
     for (const auto& view : m_views) {
