@@ -293,12 +293,12 @@ void ViewsRenderer::skip(Cameras cameras) {
             m_views[i]->followScene();
             m_views[i]->decider().followMotion(cameras[i]);
         }
+        if (m_split->needsVisible()) {
+            look(cameras, {});
+        }
     } catch (...) {
         forgetMotion();
         throw;
-    }
-    if (m_split->needsVisible()) {
-        look(cameras, {});
     }
 }
 
