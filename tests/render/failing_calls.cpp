@@ -91,6 +91,7 @@ struct Said {
     std::optional<std::uint32_t> storageBuffers;
     std::optional<std::uint32_t> mostIndices;
     std::optional<std::uint64_t> bufferBytes;
+    std::optional<std::uint64_t> allocationBytes;
     std::optional<VkFormat> withheldFormat;
     std::optional<std::uint32_t> firstCount;
 };
@@ -129,6 +130,11 @@ void VKAPI_PTR properties2Of(VkPhysicalDevice physical, VkPhysicalDeviceProperti
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES && said().bufferBytes) {
             reinterpret_cast<VkPhysicalDeviceVulkan13Properties*>(next)->maxBufferSize = *said().bufferBytes;
         }
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_PROPERTIES &&
+            said().allocationBytes) {
+            reinterpret_cast<VkPhysicalDeviceVulkan11Properties*>(next)->maxMemoryAllocationSize =
+                *said().allocationBytes;
+        }
     }
 }
 
@@ -166,6 +172,16 @@ void VKAPI_PTR seenBarrier(VkCommandBuffer commands, const VkDependencyInfo* dep
         }
     }
     realBarrier(commands, dependency);
+}
+
+PFN_vkCmdDrawIndexed realDrawIndexed = nullptr;
+std::atomic<std::size_t> indexedDrawsSeen = 0;
+
+void VKAPI_PTR seenDrawIndexed(VkCommandBuffer commands, std::uint32_t indices, std::uint32_t instances,
+                               std::uint32_t firstIndex, std::int32_t vertexOffset,
+                               std::uint32_t firstInstance) {
+    ++indexedDrawsSeen;
+    realDrawIndexed(commands, indices, instances, firstIndex, vertexOffset, firstInstance);
 }
 
 PFN_vkGetDeviceProcAddr realDeviceLoader = nullptr;
@@ -207,6 +223,10 @@ PFN_vkVoidFunction VKAPI_PTR failableLoader(VkInstance instance, const char* nam
         realBarrier = reinterpret_cast<PFN_vkCmdPipelineBarrier2>(found);
         return reinterpret_cast<PFN_vkVoidFunction>(&seenBarrier);
     }
+    if (std::string_view(name) == "vkCmdDrawIndexed") {
+        realDrawIndexed = reinterpret_cast<PFN_vkCmdDrawIndexed>(found);
+        return reinterpret_cast<PFN_vkVoidFunction>(&seenDrawIndexed);
+    }
     return failableOf(name, found);
 }
 
@@ -243,12 +263,20 @@ StandIn<std::uint64_t> smallBuffers(std::uint64_t bytes) {
     return {said().bufferBytes, bytes};
 }
 
+StandIn<std::uint64_t> smallAllocations(std::uint64_t bytes) {
+    return {said().allocationBytes, bytes};
+}
+
 StandIn<VkFormat> noDepthFormat(VkFormat format) {
     return {said().withheldFormat, format};
 }
 
 DepthLayouts depthLayouts() {
     return {.separate = separateLayoutsSeen, .whole = attachmentLayoutsSeen};
+}
+
+std::size_t indexedDraws() {
+    return indexedDrawsSeen;
 }
 
 StandIn<std::uint32_t> counterFrom(std::uint32_t first) {

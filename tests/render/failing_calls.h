@@ -61,6 +61,8 @@ class StandIn {
 [[nodiscard]] StandIn<std::uint32_t> fewIndices(std::uint32_t most);
 /// Physical devices say that a buffer has at most so many bytes.
 [[nodiscard]] StandIn<std::uint64_t> smallBuffers(std::uint64_t bytes);
+/// Physical devices say that an allocation has at most so many bytes.
+[[nodiscard]] StandIn<std::uint64_t> smallAllocations(std::uint64_t bytes);
 /// Physical devices say that they do not draw to depth images of this format.
 [[nodiscard]] StandIn<VkFormat> noDepthFormat(VkFormat format);
 /// How many barriers of this program's have left an image, so far, in
@@ -70,6 +72,8 @@ struct DepthLayouts {
     std::size_t whole = 0; ///< the layout of any attachment
 };
 DepthLayouts depthLayouts();
+/// How many indexed draws this program has recorded so far.
+std::size_t indexedDraws();
 /// A counter of four bytes that a frame sets to 0 begins with `first`.
 [[nodiscard]] StandIn<std::uint32_t> counterFrom(std::uint32_t first);
 

@@ -42,6 +42,7 @@ struct Told {
     vk::PhysicalDeviceFeatures features;
     vk::PhysicalDeviceVulkan12Features features12;
     vk::PhysicalDeviceVulkan13Features features13;
+    vk::PhysicalDeviceVulkan11Properties properties11;
     vk::PhysicalDeviceVulkan12Properties properties12;
     vk::PhysicalDeviceVulkan13Properties properties13;
 };
@@ -51,11 +52,12 @@ Told ask(vk::PhysicalDevice physical) {
         physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
                               vk::PhysicalDeviceVulkan13Features>();
     const auto properties =
-        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan12Properties,
-                                vk::PhysicalDeviceVulkan13Properties>();
+        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan11Properties,
+                                vk::PhysicalDeviceVulkan12Properties, vk::PhysicalDeviceVulkan13Properties>();
     return {.features = features.get<vk::PhysicalDeviceFeatures2>().features,
             .features12 = features.get<vk::PhysicalDeviceVulkan12Features>(),
             .features13 = features.get<vk::PhysicalDeviceVulkan13Features>(),
+            .properties11 = properties.get<vk::PhysicalDeviceVulkan11Properties>(),
             .properties12 = properties.get<vk::PhysicalDeviceVulkan12Properties>(),
             .properties13 = properties.get<vk::PhysicalDeviceVulkan13Properties>()};
 }
@@ -182,8 +184,12 @@ DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {
         info.missing = missingFrom(physical, told);
         info.gpuDrivenMissing = missingForGpuDriven(told, core.limits);
         info.deformMissing = missingForDeforming(told);
-        if (told.properties13.maxBufferSize != 0) {
-            info.maxBufferBytes = told.properties13.maxBufferSize;
+        // A buffer lies in one allocation.
+        for (const std::uint64_t most :
+             {told.properties11.maxMemoryAllocationSize, told.properties13.maxBufferSize}) {
+            if (most != 0) {
+                info.maxBufferBytes = std::min(info.maxBufferBytes, most);
+            }
         }
         info.hasInt64Atomics = features.shaderInt64 != 0 && told.features12.shaderBufferInt64Atomics != 0;
     }

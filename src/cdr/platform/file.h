@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/platform/unfinished_file.h>
 
 #include <cstdint>
@@ -16,7 +17,7 @@ namespace cdr::platform {
 using Bytes = std::vector<std::uint8_t>;
 
 /// A text of UTF-8 with spaces for the bytes of its control characters, line breaks among them.
-std::string withoutControls(std::string text);
+CDR_EXPORT std::string withoutControls(std::string text);
 
 /// A path as messages show it: one line, though the name of a file may hold any byte.
 std::string oneLine(const std::filesystem::path& path);

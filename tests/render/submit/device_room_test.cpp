@@ -21,6 +21,7 @@ class DeviceRoomTest : public RenderTest {
         RenderTest::SetUp();
         gpu::BorrowedDevice handles = lentDevice();
         handles.hasGpuDrivenFeatures = device().info().gpuDrivenMissing.empty();
+        handles.hasFragmentStores = device().info().hasFragmentStores;
         const StandIn heaps = smallHeaps(256 * kMebibyte);
         m_small.emplace(handles);
     }
@@ -121,6 +122,42 @@ TEST_F(DeviceRoomTest, AGpuDrivenSceneThatGrewTakesWhatIsFree) {
     EXPECT_TRUE(binning.follow(copies));
     EXPECT_EQ((*copies.buffers)[0].size(), kNow * sizeof(shaders::InstanceSphere));
     EXPECT_EQ((*copies.buffers)[1].size(), kNow * sizeof(shaders::InstanceLook));
+}
+
+/// Two frames in flight find room for their lists, and the third does not.
+TEST_F(DeviceRoomTest, FramesWhoseListsFindNoMemoryAreDrawnWeighted) {
+    using render::Translucency;
+    if (!small().info().hasFragmentStores) {
+        GTEST_SKIP() << "the device sorts no fragments";
+    }
+    scene::Scene scene = boxScene();
+    scene.materials.push_back(
+        {.name = "glass", .baseColorFactor = glm::vec4(0.5f), .alphaMode = scene::AlphaMode::blend});
+    scene::addInstance(scene, 0, 1, 1, {0.0, 0.0, -5.0}, glm::mat3(1.0f));
+    render::RenderOptions options = withSorting(smallOptions(depth::parseTechnique("reversed")));
+    constexpr std::uint64_t kPixels = std::uint64_t{480} * 270;
+    constexpr std::uint64_t kHeads = kPixels * 4;
+    constexpr std::uint64_t kNodes = kPixels * 32;
+    std::uint64_t taken = 0;
+    for (int i = 0; i < 2; ++i) { // the first leaves memory that others share
+        const std::uint64_t before = gpu::freeDeviceBytes(small());
+        SoleRenderer one(small(), scene, options);
+        one.draw({});
+        taken = before - gpu::freeDeviceBytes(small());
+    }
+    if (!leaves(taken + 2 * kHeads + kNodes * 3 / 2)) {
+        GTEST_SKIP() << "the device has its memory in parts";
+    }
+    options.framesInFlight = 3;
+    SoleRenderer renderer(small(), scene, options);
+    EXPECT_EQ(renderer.draw({}).translucency.method, Translucency::sorted);
+    EXPECT_EQ(renderer.draw({}).translucency.method, Translucency::sorted);
+    const render::TranslucencyStats third = renderer.draw({}).translucency;
+    EXPECT_EQ(third.method, Translucency::weighted);
+    ASSERT_TRUE(third.refusal.has_value());
+    EXPECT_EQ(third.refusal->cause, render::ListRefusal::Cause::memory);
+    EXPECT_EQ(third.refusal->fragments, 0u);
+    EXPECT_EQ(renderer.draw({}).translucency.method, Translucency::sorted);
 }
 
 } // namespace

@@ -122,6 +122,18 @@ TEST_F(FragmentRoomTest, ListsGrowWhereBothWouldNotFit) {
     EXPECT_EQ(hashOf(frame), wanted);
 }
 
+/// More lights than there was room for take new inputs, which go on with the lists.
+TEST_F(FragmentRoomTest, ListsThatGrewStayWhereLightsAreAdded) {
+    scene::World world(panes(3));
+    SoleRenderer renderer(device(), world, sorted());
+    const std::uint64_t grown = renderer.draw({}).translucency.bytes;
+    for (int i = 0; i < 3; ++i) {
+        world.addLight({.position = {-5.0, 10.0, 0.0}});
+    }
+    renderer.submit({});
+    EXPECT_EQ(renderer.lastStats().translucency.bytes, grown);
+}
+
 } // namespace
 
 } // namespace cdr::render_test

@@ -59,6 +59,13 @@ TEST_F(MeshRoomTest, MeshesGrowUpToTheLargestBufferOfTheDevice) {
     EXPECT_NO_THROW(onDevice.update());
 }
 
+TEST_F(MeshRoomTest, ABufferIsNoLargerThanWhatTheDeviceAllocatesAtOnce) {
+    constexpr std::uint64_t kBytes = 128 * 1024;
+    const StandIn allocations = smallAllocations(kBytes);
+    const gpu::Device small(lentDevice());
+    EXPECT_EQ(small.info().maxBufferBytes, kBytes);
+}
+
 } // namespace
 
 } // namespace cdr::render_test

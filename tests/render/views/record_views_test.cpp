@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -240,18 +241,20 @@ TEST_F(RecordViewsTest, NoViewMovesFromAFrameThatIsNotSubmitted) {
 TEST_F(RecordViewsTest, ARefusedFrameLeavesTheOneBefore) {
     const render::RenderOptions options = eyeOptions(depth::parseTechnique("anchored"));
     const std::vector<scene::Camera> cameras = bothEyes(scene::StereoMode::parallel);
-    for (const bool isSkipped : {false, true}) {
+    const std::span<const scene::Camera> tooFew = std::span(cameras).first(1);
+    const std::vector<std::function<void(ViewsRenderer&, std::vector<HostFrame>)>> refusals{
+        [&](ViewsRenderer& renderer, std::vector<HostFrame> frames) {
+            frames[1].color.format = VK_FORMAT_R32G32B32A32_UINT;
+            renderer.record(cameras, frames);
+        },
+        [&](ViewsRenderer& renderer, const auto&) { renderer.skip(tooFew); },
+        [&](ViewsRenderer& renderer, const auto&) { renderer.submit(tooFew); }};
+    for (const auto& refused : refusals) {
         TwoEyes host(device());
         ViewsRenderer renderer(device(), m_scene, *m_onDevice, options, 2);
         const std::vector<HostFrame> frames = host.begin(EyeCommands::shared);
         renderer.record(cameras, frames);
-        std::vector<HostFrame> refused = frames;
-        refused[1].color.format = VK_FORMAT_R32G32B32A32_UINT;
-        if (isSkipped) {
-            EXPECT_THROW(renderer.skip(std::span(cameras).first(1)), base::InputError);
-        } else {
-            EXPECT_THROW(renderer.record(cameras, refused), base::InputError);
-        }
+        EXPECT_THROW(refused(renderer, frames), base::InputError);
         renderer.dropRecorded();
         std::thread submitting([&] { host.submit(); });
         renderer.finish(); // waits for what is being submitted

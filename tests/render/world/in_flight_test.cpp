@@ -2,6 +2,9 @@
 #include "../failing_calls.h"
 #include "../fixture.h"
 
+#include <cdr/render/views/views_renderer.h>
+
+#include <array>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -107,6 +110,30 @@ TEST_F(InFlightTest, ImagesThatAHostMayReadStayUntilTheQueueIsWaitedFor) {
     }
     renderer.submit({});
     EXPECT_NE(renderer.surfaces().color.image, before);
+}
+
+/// Occluders of one view are drawn and read before anything of another is submitted, which may wait for the host.
+TEST_F(InFlightTest, NoViewWaitsForWhatAnotherSubmitted) {
+    scene::Scene scene = boxScene();
+    addBox(scene, {0.0, 0.0, -5.0}, glm::mat3(3.0f));
+    const render::GpuScene onDevice(device(), scene);
+    const std::array cameras{scene::Camera{}, scene::Camera{.position = {0.1, 0.0, 0.0}}};
+    for (const bool deviceClock : {false, true}) { // views are drawn together, and in turn
+        render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
+        options.occlusionCulling = true;
+        options.deviceClock = deviceClock;
+        render::ViewsRenderer renderer(device(), scene, onDevice, options, 2);
+        renderer.draw(cameras);
+        EXPECT_GT(renderer.draw(cameras)[1].occluders.draws, 0u);
+
+        const test::Timeline ready(device());
+        const VkSemaphoreSubmitInfo wait = ready.info();
+        Rescue rescue(ready);
+        renderer.submit(cameras, {.waits = {&wait, 1}, .signals = {}});
+        EXPECT_FALSE(rescue.end()) << deviceClock;
+        ready.signal();
+        renderer.finish();
+    }
 }
 
 } // namespace

@@ -28,10 +28,11 @@ FrameDecider::FrameDecider(const gpu::Device& device, const DrawnScene& drawn, F
 }
 
 void FrameDecider::decide(FrameSlot& slot, const scene::Camera& camera, const Delivery& delivery) {
+    depth::Cascades cut = m_equipment.passes().cutter.split().previous(); // first, since this copy may fail
     slot.before = {.view = std::move(slot.view),
                    .stats = slot.stats,
                    .copy = slot.copy,
-                   .cut = m_equipment.passes().cutter.split().previous(),
+                   .cut = std::move(cut),
                    .isMotionFollowed = false};
     try {
         platform::StageWatch watch(m_equipment.options().trace);

@@ -53,8 +53,13 @@ void FrameRunner::skip(const scene::Camera& camera) {
     slots().keepRecorded(); // it was submitted, also where this is refused
     scene::requireUsable(camera);
     followScene();
-    m_decider.followMotion(camera);
-    m_decider.followCut(camera);
+    try {
+        m_decider.followMotion(camera);
+        m_decider.followCut(camera);
+    } catch (...) {
+        m_decider.forgetMotion();
+        throw;
+    }
 }
 
 void FrameRunner::requireRecordable(const HostFrame& frame) {

@@ -43,6 +43,8 @@ class FrameRunner {
     /// The first step: decides what a frame shows and draws, once its slot is free. commit() or abandon() ends the frame;
     /// where this throws, it was abandoned.
     FrameSlot& prepare(const scene::Camera& camera, const Delivery& delivery);
+    /// All steps from here up to commit(): records a frame and submits it.
+    void launch(FrameSlot& slot, const Delivery& delivery);
     /// Lists a frame's draws and begins its commands. @param watch that times the frame up to its submission.
     void begin(FrameSlot& slot, const Delivery& delivery, platform::StageWatch& watch);
     /// @param primary of this frame, or of another that is submitted before.
@@ -81,8 +83,6 @@ class FrameRunner {
 
   private:
     FrameRecorder recorder() const { return {m_device, drawn(), options(), passes()}; }
-    /// Records a frame and submits it.
-    void launch(FrameSlot& slot, const Delivery& delivery);
     bool hasRoomSufficed(FrameSlot& slot) const;
     /// As finish(), but settles: what follows replaces the images of the last frame, or what they were drawn from.
     void settleAll();

@@ -43,6 +43,9 @@ void SlotRing::giveLightRoom(const FramePasses& passes, std::size_t room) {
         made.push_back(passes.makeInputs(room));
     }
     for (std::size_t i = 0; i < made.size(); ++i) {
+        if (made[i]->translucent && made[i]->translucent->list) { // which may have grown
+            made[i]->translucent->list.emplace(std::move(*m_slots[i].inputs->translucent->list));
+        }
         m_slots[i].inputs = std::move(made[i]);
     }
     m_lightRoom = room;

@@ -24,7 +24,7 @@ class SlotRing {
 
     /// Lights that each slot's inputs have room for.
     std::size_t lightRoom() const { return m_lightRoom; }
-    /// Makes the inputs of all slots anew. Nothing may be in flight. Where this throws, all is as it was.
+    /// Makes the inputs of all slots anew, but for lists of fragments. Nothing may be in flight. Where this throws, all is as it was.
     void giveLightRoom(const FramePasses& passes, std::size_t room);
 
     /// Submits a slot's commands so far ahead of the rest of its frame, and without a fence.

@@ -20,6 +20,15 @@ gpu::Buffer makeStream(const gpu::Device& device, std::size_t bytes, vk::BufferU
     return {device, std::max<std::size_t>(bytes, 1), usage, gpu::MemoryUse::hostWrites, name};
 }
 
+/// Bytes that a draw takes at most of the buffer that it takes most of. @param litStride as of bytesPerDraw()
+std::uint64_t largestStream(const FacetCounts& most, std::size_t litStride) {
+    return std::max({std::uint64_t{most.vertices} * sizeof(shaders::FacetVertex),
+                     std::uint64_t{most.indices} * sizeof(std::uint32_t),
+                     std::uint64_t{most.vertices} * litStride * sizeof(glm::vec3),
+                     litStride > 0 ? 0 : std::uint64_t{most.facets} * sizeof(shaders::FacetRecord),
+                     std::uint64_t{1}});
+}
+
 } // namespace
 
 std::size_t FacetDraws::mostDraws(std::size_t draws) const {
@@ -53,9 +62,11 @@ void FacetDraws::makeRoom(std::size_t draws) {
     if (m_room > 0 && draws <= m_room && most == m_most && litStride == m_litStride) {
         return;
     }
-    const gpu::Records held{.count = std::max<std::size_t>(draws, 1),
-                            .bytes = bytesPerDraw(most, litStride),
-                            .most = mostDraws(draws)};
+    const gpu::Records held{
+        .count = std::max<std::size_t>(draws, 1),
+        .bytes = bytesPerDraw(most, litStride),
+        .most = std::min<std::uint64_t>(mostDraws(draws),
+                                        device().info().maxBufferBytes / largestStream(most, litStride))};
     const std::size_t room = gpu::roomToGrow(device(), held, gpu::MemoryUse::hostWrites,
                                              fmt::format("the facets of {} draws", draws));
     using Usage = vk::BufferUsageFlagBits;
@@ -76,6 +87,18 @@ void FacetDraws::makeRoom(std::size_t draws) {
 }
 
 void FacetDraws::record(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const {
+    // Indices count from the first vertex of a part.
+    const std::uint64_t nameable = std::uint64_t{device().info().maxIndex} + 1;
+    const std::size_t most =
+        std::max<std::size_t>(nameable / std::max(m_pass.meshes.most().vertices, 1u), 1);
+    for (std::size_t first = job.draws.begin; first < job.draws.end;) {
+        const std::size_t end = first + std::min(most, job.draws.end - first);
+        recordPart(commands, {.cascade = job.cascade, .draws = {first, end}}, view);
+        first = end;
+    }
+}
+
+void FacetDraws::recordPart(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const {
     const FacetCounts& most = m_pass.meshes.most();
     const std::size_t first = job.draws.begin;
     FacetStreams streams{.vertices =

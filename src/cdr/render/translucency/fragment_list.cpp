@@ -67,7 +67,6 @@ FragmentList::FragmentList(const gpu::Device& device, const gpu::SetLayout& layo
       m_set(device, layout) {
     m_set.setBuffer(0, m_heads);
     m_set.setBuffer(2, m_count);
-    makeNodes(std::clamp<std::uint64_t>(mostFragments(), 1, pixelsOf(extent)));
 }
 
 std::uint64_t FragmentList::mostFragments() const {
@@ -111,7 +110,24 @@ std::uint32_t FragmentList::count() const {
     return m_readCount.as<std::uint32_t>(1).front();
 }
 
+std::optional<ListRefusal> FragmentList::begin() {
+    const std::uint64_t pixels = m_heads.size() / sizeof(std::uint32_t);
+    if (m_capacity > 0) {
+        return std::nullopt;
+    }
+    std::optional<ListRefusal> refused = makeRoom(std::clamp<std::uint64_t>(mostFragments(), 1, pixels), 0);
+    if (refused) {
+        refused->fragments = 0; // no frame has said how many there are
+    }
+    return refused;
+}
+
 std::optional<ListRefusal> FragmentList::grow(std::uint64_t fragments) {
+    // A quarter more, so that a camera that moves does not draw every frame twice.
+    return makeRoom(fragments, fragments / 4);
+}
+
+std::optional<ListRefusal> FragmentList::makeRoom(std::uint64_t fragments, std::uint64_t spare) {
     const auto refused = [&](ListRefusal::Cause cause, std::uint64_t needed, std::uint64_t allowed) {
         return ListRefusal{.cause = cause,
                            .fragments = fragments,
@@ -130,8 +146,7 @@ std::optional<ListRefusal> FragmentList::grow(std::uint64_t fragments) {
     if (wanted > available) {
         return refused(ListRefusal::Cause::memory, wanted, available);
     }
-    // A quarter more, so that a camera that moves does not draw every frame twice.
-    makeNodes(std::min({mostFragments(), available / kNodeBytes - 1, fragments + fragments / 4}));
+    makeNodes(std::min({mostFragments(), available / kNodeBytes - 1, fragments + spare}));
     return std::nullopt;
 }
 

@@ -19,12 +19,13 @@ class FragmentList {
     static std::optional<ListRefusal> refusal(const gpu::Device& device, vk::Extent2D extent,
                                               std::uint64_t maxBytes, std::uint32_t otherBuffers);
 
-    /// Starts with a node per pixel, or as many as the bound allows. There must be no refusal().
+    /// Has no room before begin(). There must be no refusal().
     FragmentList(const gpu::Device& device, const gpu::SetLayout& layout, vk::Extent2D extent,
                  std::uint64_t maxBytes);
 
     vk::DescriptorSet set() const { return *m_set; }
-    std::uint32_t capacity() const { return m_capacity; } ///< fragments; 0 after grow() threw
+    /// Fragments; 0 before begin(), and after grow() threw.
+    std::uint32_t capacity() const { return m_capacity; }
     std::uint64_t bytes() const { return m_heads.size() + m_nodes.size(); }
 
     /// Empties the lists and sets their counter to 0; outside a rendering scope.
@@ -35,8 +36,10 @@ class FragmentList {
     /// finished.
     std::uint32_t count() const;
 
+    /// Where there is no room, makes it for a fragment per pixel, or for as many as the bound allows; as grow().
+    std::optional<ListRefusal> begin();
     /// Makes room for `fragments`, which it must not have yet; no frame may be using the lists. Else says why
-    /// there can be none. base::RunError where the device's memory went meanwhile; then the list is to grow before it is used.
+    /// there can be none. base::RunError where the device's memory went meanwhile; then begin() is to be called before it is used.
     std::optional<ListRefusal> grow(std::uint64_t fragments);
 
     /// Descriptors in a set: heads, nodes, count.
@@ -44,6 +47,8 @@ class FragmentList {
 
   private:
     std::uint64_t mostFragments() const;
+    /// @param spare fragments more, where there is room for them
+    std::optional<ListRefusal> makeRoom(std::uint64_t fragments, std::uint64_t spare);
     void makeNodes(std::uint64_t fragments);
 
     const gpu::Device& m_device;

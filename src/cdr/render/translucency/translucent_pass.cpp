@@ -88,8 +88,8 @@ void TranslucentPass::prepare(Slot& slot, const FrameView& view, AfterRefusal af
     if (afterRefusal == AfterRefusal::weighted && m_noRoom && m_noRoom->revision == slot.revision) {
         slot.refusal = m_noRoom->refusal;
     }
-    if (methodOf(slot) == Translucency::sorted && slot.list->capacity() == 0) {
-        slot.refusal = slot.list->grow(1);
+    if (methodOf(slot) == Translucency::sorted) {
+        slot.refusal = slot.list->begin();
     }
     slot.draws.prepare(view, methodOf(slot), subPixelBits, workers);
     if (slot.shadows) {

@@ -71,13 +71,11 @@ class DeviceDeformer {
         vk::UniqueFence done;
         bool isPending = false;
         gpu::Buffer poses;
-        vk::UniqueDescriptorPool pool;
-        std::vector<vk::DescriptorSet> sets; ///< one for each job, at least
+        std::vector<gpu::DescriptorSet> sets; ///< one for each job, at least
     };
     Slot& takeSlot();
     /// Where the numbers of each job begin, in bytes.
     std::vector<std::size_t> stage(Slot& slot, std::span<const DeformJob> jobs) const;
-    void provideSets(Slot& slot, std::size_t jobs) const;
     /// Where the numbers of a pose are.
     struct StagedPose {
         vk::Buffer buffer;

@@ -130,6 +130,7 @@ depth::Cascades ViewsRenderer::look(Cameras cameras, std::span<const depth::Inte
 }
 
 void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
+    keepRecorded();
     requireCameras(cameras, views());
     // An error of a frame before comes before anything of this one is decided, in all views.
     for (const auto& view : m_views) {
@@ -148,11 +149,7 @@ void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
     deliveries.front().sync.waits = how.sync.waits;
     deliveries.back().sync.signals = how.sync.signals;
     try {
-        if (mayBeTogether(how)) {
-            launchTogether(cameras, deliveries);
-        } else {
-            launchInTurn(cameras, deliveries);
-        }
+        launchAll(cameras, deliveries, mayBeTogether(how));
     } catch (...) {
         m_split->takeBack(std::move(before));
         forgetMotion();
@@ -169,40 +166,27 @@ bool ViewsRenderer::mayBeTogether(const Launch& how) const {
                        [&](const HostFrame& host) { return host.commands == how.hosts.front().commands; });
 }
 
-void ViewsRenderer::launchInTurn(Cameras cameras, std::span<const Delivery> deliveries) {
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-        m_views[i]->run(cameras[i], deliveries[i]);
-    }
-}
-
-void ViewsRenderer::launchTogether(Cameras cameras, std::span<Delivery> deliveries) {
+void ViewsRenderer::launchAll(Cameras cameras, std::span<Delivery> deliveries, bool isTogether) {
     std::vector<FrameSlot*> begun;
     std::size_t committed = 0;
     try {
+        // Deciding may wait for the device, and what is submitted may wait for the host.
         for (std::size_t i = 0; i < cameras.size(); ++i) {
-            FrameRunner& view = *m_views[i];
-            FrameSlot& slot = view.prepare(cameras[i], deliveries[i]);
-            begun.push_back(&slot);
-            platform::StageWatch watch(options().trace);
-            view.begin(slot, deliveries[i], watch);
-            if (i == 0) {
-                for (const auto& each : m_views) {
-                    each->beginTargets(slot.path->primary());
-                }
-            }
-            view.recordDraws(slot);
-            if (deliveries[i].host == nullptr) {
-                view.submitDraws(slot, std::exchange(deliveries[i].sync.waits, {}), watch);
-                deliveries[i].draws = DrawsSubmitted::ahead;
-            } else {
-                slot.stats.times.recordMs += watch.lap("record");
-            }
+            begun.push_back(&m_views[i]->prepare(cameras[i], deliveries[i]));
         }
-        for (std::size_t i = 0; i < cameras.size(); ++i) {
-            platform::StageWatch watch(options().trace);
-            m_views[i]->finishFrame(*begun[i], deliveries[i], watch);
-            m_views[i]->commit(*begun[i]);
-            ++committed;
+        if (isTogether) {
+            launchDraws(begun, deliveries);
+        }
+        for (; committed < begun.size(); ++committed) {
+            FrameRunner& view = *m_views[committed];
+            FrameSlot& slot = *begun[committed];
+            if (isTogether) {
+                platform::StageWatch watch(options().trace);
+                view.finishFrame(slot, deliveries[committed], watch);
+            } else {
+                view.launch(slot, deliveries[committed]);
+            }
+            view.commit(slot);
         }
     } catch (...) {
         if (deliveries.front().draws == DrawsSubmitted::ahead) {
@@ -212,6 +196,27 @@ void ViewsRenderer::launchTogether(Cameras cameras, std::span<Delivery> deliveri
             m_views[i]->abandon(*begun[i]);
         }
         throw;
+    }
+}
+
+void ViewsRenderer::launchDraws(std::span<FrameSlot* const> begun, std::span<Delivery> deliveries) {
+    for (std::size_t i = 0; i < begun.size(); ++i) {
+        FrameRunner& view = *m_views[i];
+        FrameSlot& slot = *begun[i];
+        platform::StageWatch watch(options().trace);
+        view.begin(slot, deliveries[i], watch);
+        if (i == 0) {
+            for (const auto& each : m_views) {
+                each->beginTargets(slot.path->primary());
+            }
+        }
+        view.recordDraws(slot);
+        if (deliveries[i].host == nullptr) {
+            view.submitDraws(slot, std::exchange(deliveries[i].sync.waits, {}), watch);
+            deliveries[i].draws = DrawsSubmitted::ahead;
+        } else {
+            slot.stats.times.recordMs += watch.lap("record");
+        }
     }
 }
 
@@ -288,12 +293,12 @@ void ViewsRenderer::skip(Cameras cameras) {
             m_views[i]->followScene();
             m_views[i]->decider().followMotion(cameras[i]);
         }
+        if (m_split->needsVisible()) {
+            look(cameras, {});
+        }
     } catch (...) {
         forgetMotion();
         throw;
-    }
-    if (m_split->needsVisible()) {
-        look(cameras, {});
     }
 }
 

@@ -52,7 +52,8 @@ class CDR_EXPORT ViewsRenderer {
     std::vector<FrameStats> draw(std::span<const scene::Camera> cameras);
     /// Renders one frame of each camera without waiting, as Renderer::submit().
     /// @param sync waited for before the first view and signalled after the last.
-    /// @errors base::InputError, base::RunError and std::system_error as render(), of earlier frames too.
+    /// @errors base::InputError, base::RunError and std::system_error as render(), of earlier frames too. Before one of the
+    ///         latter two it waits for draws that it submitted, and so for FrameSync::waits.
     void submit(std::span<const scene::Camera> cameras, const FrameSync& sync = {});
     /// Records one frame of each camera into a host's command buffers and images, as Renderer::record(). Views may share
     /// a command buffer or have one each, which the host submits in the order of the views. What all frames occupy is
@@ -102,10 +103,11 @@ class CDR_EXPORT ViewsRenderer {
     void keepRecorded();
     /// Of all views: some may have gone on to a frame that others refused, and refuse once more what moved apart in it.
     void forgetMotion();
-    /// The draws of all views first, then the rest of all, so that no view's draws wait for another's to be done.
-    void launchTogether(Cameras cameras, std::span<Delivery> deliveries);
-    /// One view after the other.
-    void launchInTurn(Cameras cameras, std::span<const Delivery> deliveries);
+    /// Decides the frames of all views, then submits or records them. @param isTogether the draws of all come first, so that
+    /// none wait for another view's frame to be done; else one view comes after the other.
+    void launchAll(Cameras cameras, std::span<Delivery> deliveries, bool isTogether);
+    /// What comes first where they are together. @param begun frames that were decided, by view
+    void launchDraws(std::span<FrameSlot* const> begun, std::span<Delivery> deliveries);
     /// For the last frame of a view. Where it throws, the next frame of all views is rendered as a first one is.
     const FrameSlot& waitFor(FrameRunner& view);
     /// Not where each view is timed alone, or has a host's command buffer of its own.
