@@ -277,7 +277,7 @@ TEST(UnitOrder, WaitsForTheUnitThatIsMissing) {
 }
 
 TEST(OneProcess, IsFirstAndAloneWithoutALauncher) {
-    const std::unique_ptr<Run> ranks =
+    const std::unique_ptr<ranks::Run> ranks =
         join([](const std::exception_ptr&) { return Ending{}; }, [](const std::string&) {});
     EXPECT_TRUE(ranks->isFirst());
     EXPECT_TRUE(ranks->isAlone());

@@ -146,7 +146,7 @@ TEST_F(Gltf, ABufferThatNothingUsesMayBeMissing) {
     document.root["bufferViews"].push_back({{"buffer", 1}, {"byteLength", 4}});
     EXPECT_EQ(refusal(document), "loaded");
     document.root["accessors"][0]["bufferView"] = 4;
-    expectSays(refusal(document), "'missing.bin': no such file");
+    expectSays(refusal(document), "missing.bin: no such file");
 }
 
 TEST_F(Gltf, OneFileNamedOftenDoesNotFillMemory) {

@@ -186,7 +186,7 @@ TEST_F(GltfMeshopt, TheFallbackIsNotOpened) {
     fallback["extensions"][kExtension]["fallback"] = "yes";
     expectSays(refusal(document), "buffer 1: 'fallback' is neither true nor false");
     fallback["extensions"][kExtension]["fallback"] = false;
-    expectSays(refusal(document), "'gone.bin': no such file");
+    expectSays(refusal(document), "gone.bin: no such file");
 }
 
 TEST_F(GltfMeshopt, DecodedBytesAreBounded) {

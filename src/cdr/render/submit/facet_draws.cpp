@@ -89,8 +89,7 @@ void FacetDraws::makeRoom(std::size_t draws) {
 void FacetDraws::record(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const {
     // Indices count from the first vertex of a part.
     const std::uint64_t nameable = std::uint64_t{device().info().maxIndex} + 1;
-    const std::size_t most =
-        std::max<std::size_t>(nameable / std::max(m_pass.meshes.most().vertices, 1u), 1);
+    const std::size_t most = std::max<std::size_t>(nameable / std::max(m_pass.meshes.most().vertices, 1u), 1);
     for (std::size_t first = job.draws.begin; first < job.draws.end;) {
         const std::size_t end = first + std::min(most, job.draws.end - first);
         recordPart(commands, {.cascade = job.cascade, .draws = {first, end}}, view);

@@ -142,8 +142,7 @@ bool Buffers::hasBytes(int buffer) const {
 }
 
 const ByteSource& Buffers::opened(int buffer) const {
-    const auto [found, isNew] = m_opened.try_emplace(buffer);
-    if (!isNew) {
+    if (const auto found = m_opened.find(buffer); found != m_opened.end()) {
         return found->second;
     }
     const nlohmann::json& source = itemAt(m_root, "buffers", buffer, "buffer");
@@ -164,7 +163,7 @@ const ByteSource& Buffers::opened(int buffer) const {
     if (byteLength > bytes.size()) {
         refuse("buffer {} says it has {} bytes but its data has {}", buffer, byteLength, bytes.size());
     }
-    return found->second = bytes.part(0, byteLength);
+    return m_opened.emplace(buffer, bytes.part(0, byteLength)).first->second;
 }
 
 BufferView Buffers::view(int index) const {
