@@ -200,25 +200,6 @@ vk::UniqueDescriptorSetLayout createSetLayout(const Device& device, const SetLay
             {.bindingCount = static_cast<std::uint32_t>(bindings.size()), .pBindings = bindings.data()});
 }
 
-/// With room for one set.
-vk::UniqueDescriptorPool makeDescriptorPool(const Device& device, const SetLayout& layout) {
-    std::vector<vk::DescriptorPoolSize> sizes;
-    for (const vk::DescriptorType type : layout.types) {
-        sizes.push_back({.type = type, .descriptorCount = 1});
-    }
-    return vk::Device(device.handle())
-        .createDescriptorPoolUnique({.maxSets = 1,
-                                     .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
-                                     .pPoolSizes = sizes.data()});
-}
-
-vk::DescriptorSet allocateSet(const Device& device, vk::DescriptorPool pool, const SetLayout& layout) {
-    const vk::DescriptorSetLayout handle = *layout;
-    return vk::Device(device.handle())
-        .allocateDescriptorSets({.descriptorPool = pool, .descriptorSetCount = 1, .pSetLayouts = &handle})
-        .front();
-}
-
 } // namespace
 
 void keepPipelines(const Device& device) {
@@ -277,10 +258,29 @@ void bindFullscreenPipeline(vk::CommandBuffer commands, vk::Pipeline pipeline, v
     commands.setFrontFace(vk::FrontFace::eCounterClockwise);
 }
 
+vk::UniqueDescriptorPool makeDescriptorPool(const Device& device, const SetLayout& layout,
+                                            std::uint32_t sets) {
+    std::vector<vk::DescriptorPoolSize> sizes;
+    for (const vk::DescriptorType type : layout.types) {
+        sizes.push_back({.type = type, .descriptorCount = sets});
+    }
+    return vk::Device(device.handle())
+        .createDescriptorPoolUnique({.maxSets = sets,
+                                     .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
+                                     .pPoolSizes = sizes.data()});
+}
+
+vk::DescriptorSet allocateSet(const Device& device, vk::DescriptorPool pool, const SetLayout& layout) {
+    const vk::DescriptorSetLayout handle = *layout;
+    return vk::Device(device.handle())
+        .allocateDescriptorSets({.descriptorPool = pool, .descriptorSetCount = 1, .pSetLayouts = &handle})
+        .front();
+}
+
 DescriptorSet::DescriptorSet(const Device& device, const SetLayout& layout)
     : m_device(&device),
       m_types(layout.types),
-      m_pool(makeDescriptorPool(device, layout)),
+      m_pool(makeDescriptorPool(device, layout, 1)),
       m_set(allocateSet(device, *m_pool, layout)) {}
 
 void DescriptorSet::write(std::uint32_t binding, vk::WriteDescriptorSet what) const {

@@ -140,6 +140,12 @@ PipelineLayout makePipelineLayout(const Device& device, const PipelineLayoutOpti
 /// @param name as of makePipelineLayout().
 SetLayout makeSetLayout(const Device& device, const SetLayoutOptions& options, const std::string& name);
 
+/// A pool with room for so many sets of a layout.
+vk::UniqueDescriptorPool makeDescriptorPool(const Device& device, const SetLayout& layout,
+                                            std::uint32_t sets);
+
+vk::DescriptorSet allocateSet(const Device& device, vk::DescriptorPool pool, const SetLayout& layout);
+
 /// A descriptor set in a pool of its own. Nothing is bound at first.
 class DescriptorSet {
   public:

@@ -168,6 +168,17 @@ std::vector<std::size_t> DeviceDeformer::stage(Slot& slot, std::span<const Defor
     return firsts;
 }
 
+void DeviceDeformer::provideSets(Slot& slot, std::size_t jobs) const {
+    if (slot.sets.size() >= jobs) {
+        return;
+    }
+    slot.sets.clear();
+    slot.pool = gpu::makeDescriptorPool(m_device, m_setLayout, static_cast<std::uint32_t>(jobs));
+    while (slot.sets.size() < jobs) {
+        slot.sets.push_back(gpu::allocateSet(m_device, *slot.pool, m_setLayout));
+    }
+}
+
 void DeviceDeformer::record(vk::CommandBuffer commands, vk::DescriptorSet set, const StagedPose& staged,
                             const DeformJob& job, const Into& into) const {
     const Uploaded& uploaded = m_uploaded.at(job.mesh);
@@ -207,9 +218,7 @@ void DeviceDeformer::run(std::span<const DeformJob> jobs, const Into& into,
                          const std::function<void(vk::CommandBuffer)>& before) {
     Slot& slot = takeSlot();
     const std::vector<std::size_t> firsts = stage(slot, jobs);
-    while (slot.sets.size() < jobs.size()) {
-        slot.sets.emplace_back(m_device, m_setLayout);
-    }
+    provideSets(slot, jobs.size());
     slot.commands.reset();
     const vk::CommandBuffer commands = gpu::beginOnce(slot.commands);
     before(commands);
@@ -220,7 +229,7 @@ void DeviceDeformer::run(std::span<const DeformJob> jobs, const Into& into,
     commands.bindPipeline(vk::PipelineBindPoint::eCompute, *m_pipeline);
     for (std::size_t i = 0; i < jobs.size(); ++i) {
         if (m_uploaded.at(jobs[i].mesh).push.vertices > 0) {
-            record(commands, *slot.sets[i], {slot.poses.handle(), firsts[i]}, jobs[i], into);
+            record(commands, slot.sets[i], {slot.poses.handle(), firsts[i]}, jobs[i], into);
         }
     }
     gpu::memoryBarrier(commands, Stage::eComputeShader, Touch::eShaderStorageWrite,

@@ -71,11 +71,13 @@ class DeviceDeformer {
         vk::UniqueFence done;
         bool isPending = false;
         gpu::Buffer poses;
-        std::vector<gpu::DescriptorSet> sets; ///< one for each job, at least
+        vk::UniqueDescriptorPool pool;
+        std::vector<vk::DescriptorSet> sets; ///< one for each job, at least
     };
     Slot& takeSlot();
     /// Where the numbers of each job begin, in bytes.
     std::vector<std::size_t> stage(Slot& slot, std::span<const DeformJob> jobs) const;
+    void provideSets(Slot& slot, std::size_t jobs) const;
     /// Where the numbers of a pose are.
     struct StagedPose {
         vk::Buffer buffer;
