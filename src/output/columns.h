@@ -159,6 +159,9 @@ Columns<Row> columnsOf(Part Row::*part, const Columns<Part>& columns) {
                           .heading = column.heading,
                           .format = column.format,
                           .before = column.before});
+        if (column.text) {
+            result.back().text = [part, text = column.text](const Row& row) { return text(row.*part); };
+        }
     }
     return result;
 }

@@ -17,7 +17,8 @@
 namespace cdr::runs {
 namespace {
 
-/// A run of three kinds of units, of which the first rank makes the second kind, and all make the third together. A start may end early.
+/// A run of three kinds of units, of which the first rank makes the second kind, and all make the third together. A start may end
+/// early.
 class KeptRun : public testing::Test {
   protected:
     struct Start {

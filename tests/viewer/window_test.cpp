@@ -195,9 +195,9 @@ TEST_F(ViewerTest, EscapeClosesAList) {
         play("--size 560x300 --technique standard cubes",
              "wait-frame\nkey F2\nwait-ui 3\nkey down\nkey up\nkey space\nwait-ui 3\nwhere scene=rotation\n" +
                  wheels + "click scene\nwait-ui 2\nwhere scene=rotation\n" + wheels + "quit\n");
-    const auto states = run.states(4);
-    EXPECT_NE(valueOf(states[1], "eye"), valueOf(states[0], "eye")) << "the list that a key opened";
-    EXPECT_NE(valueOf(states[3], "eye"), valueOf(states[2], "eye")) << "the list that a click opened";
+    const auto states = run.states(6); // the lines that say where an entry is among them
+    EXPECT_NE(valueOf(states[2], "eye"), valueOf(states[1], "eye")) << "the list that a key opened";
+    EXPECT_NE(valueOf(states[5], "eye"), valueOf(states[4], "eye")) << "the list that a click opened";
 }
 
 TEST_F(ViewerTest, ShowsPicturesOfScenesToChooseFrom) {

@@ -28,7 +28,7 @@ class FrameCutter {
     /// The same with cascades that another split cut for this camera among others.
     void take(FrameView& view, const depth::Cascades& ranges) const;
 
-    /// What cuts.
+    /// Finds the cascades, and remembers those of the frame before.
     FrameSplit& split() { return m_split; }
 
   private:

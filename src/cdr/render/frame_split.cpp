@@ -18,13 +18,15 @@ depth::Cascades FrameSplit::cut(const scene::Camera& camera, const scene::Frustu
     std::ranges::copy_if(occupied, std::back_inserter(m_intervals), [&](const depth::Interval& interval) {
         return interval.farView >= camera.nearView && interval.nearView <= camera.farView;
     });
-    m_previous = depth::makeCascades(m_technique.split, {.nearView = camera.nearView,
-                                                         .farView = camera.farView,
-                                                         .model = {m_technique.mapping, m_technique.format},
-                                                         .footprintSlope = frustum.footprintSlope,
-                                                         .visible = m_intervals,
-                                                         .previous = m_previous});
-    return m_previous;
+    depth::Cascades made =
+        depth::makeCascades(m_technique.split, {.nearView = camera.nearView,
+                                                .farView = camera.farView,
+                                                .model = {m_technique.mapping, m_technique.format},
+                                                .footprintSlope = frustum.footprintSlope,
+                                                .visible = m_intervals,
+                                                .previous = m_previous});
+    m_previous = made;
+    return made;
 }
 
 } // namespace cdr::render

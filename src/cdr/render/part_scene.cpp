@@ -1,5 +1,4 @@
 #include <cdr/render/frame_split.h>
-#include <cdr/render/frame_view.h>
 #include <cdr/render/part_scene.h>
 #include <cdr/visibility/bin_cells.h>
 #include <cdr/visibility/instance_cells.h>
@@ -11,6 +10,14 @@
 namespace cdr::render {
 
 namespace {
+
+depth::Cascades clipRangesOf(depth::Mapping mapping, const depth::Cascades& ranges) {
+    depth::Cascades clipRanges;
+    for (std::size_t cascade = 0; cascade < ranges.size(); ++cascade) {
+        clipRanges.push_back(depth::clipRange(mapping, ranges, cascade));
+    }
+    return clipRanges;
+}
 
 /// By instance, whether any camera draws it in a cascade of the part.
 std::vector<bool> drawnInstances(const scene::Scene& scene, const RenderOptions& options,
@@ -27,12 +34,8 @@ std::vector<bool> drawnInstances(const scene::Scene& scene, const RenderOptions&
         const scene::Frustum frustum = scene::frustumOf(camera, options.width, options.height);
         visibility::cullCells(cells, camera, frustum, workers, visible);
         const depth::Cascades ranges = split.cut(camera, frustum, std::array{&visible}, {});
-        const FrameView view{.camera = camera,
-                             .frustum = frustum,
-                             .levels = {},
-                             .cascades =
-                                 cascadeViews(options.technique.mapping, ranges, ranges, split.farEnd(), {})};
-        binner.bin(visible, view.clipRanges(), std::numeric_limits<double>::infinity(), workers, lists);
+        binner.bin(visible, clipRangesOf(options.technique.mapping, ranges),
+                   std::numeric_limits<double>::infinity(), workers, lists);
         visibility::keepCascades(lists, options.part.of(ranges.size()));
         for (std::size_t draw = 0; draw < lists.draws(); ++draw) {
             isDrawn[lists.instance[draw]] = true;

@@ -35,7 +35,7 @@ struct KeptSurfaces {
     bool operator==(const KeptSurfaces&) const = default;
 };
 
-/// What a renderer is prepared for: by its scene, by PrepareFor itself, and by its materials.
+/// What a renderer is prepared for: by its scene, by PrepareFor, and by the materials in that.
 struct PreparedSurfaces {
     KeptSurfaces kept{};
     bool blended = false;

@@ -48,7 +48,7 @@ double numberIn(const nlohmann::json& json, const char* key) {
     return value.get<double>();
 }
 
-/// Two or three.
+/// N numbers, two or three.
 template <int N>
 glm::vec<N, double> numbersIn(const nlohmann::json& json, const char* key) {
     const nlohmann::json& value = json.at(key);

@@ -40,7 +40,7 @@ struct SceneMotion {
 /// An animation of a file.
 struct PlayableAnimation {
     std::string name;     ///< may be empty
-    double seconds = 0.0; ///< how long it takes
+    double seconds = 0.0; ///< how long it takes; 0 of one that cannot be played
 };
 
 /// How a light of a file shines.

@@ -52,8 +52,10 @@ platform::Bytes withoutPicture(const platform::Bytes& bytes) {
 /// @param label has bytes of the scene's name.
 bool isPrintable(const output::Json& json, const std::string& label) {
     if (json.is_structured()) {
-        return std::all_of(json.begin(), json.end(),
-                           [&](const output::Json& value) { return isPrintable(value, label); });
+        const auto items = json.items();
+        return std::all_of(items.begin(), items.end(), [&](const auto& item) {
+            return platform::oneLine(item.key()) == item.key() && isPrintable(item.value(), label);
+        });
     }
     return !json.is_string() || json == label || platform::oneLine(json.get<std::string>()) == json;
 }
@@ -61,8 +63,10 @@ bool isPrintable(const output::Json& json, const std::string& label) {
 /// Whether CertificateFile can say of this certificate that the frame was refused.
 bool isRefusal(const output::Json& certificate) {
     const output::Json& first = certificate.at("first_refused");
-    return certificate.at("frame").is_number_unsigned() && certificate.at("refused").is_number_unsigned() &&
-           first.at(0).is_number_unsigned() && first.at(1).is_number_unsigned();
+    constexpr auto kMost = std::numeric_limits<std::uint32_t>::max();
+    const auto isCount = [](const output::Json& json) { return json.is_number_unsigned() && json <= kMost; };
+    return isCount(certificate.at("frame")) && certificate.at("refused").is_number_unsigned() &&
+           isCount(first.at(0)) && isCount(first.at(1));
 }
 
 /// Whether the picture of a frame is there as it was written, if it has one.

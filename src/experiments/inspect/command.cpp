@@ -215,7 +215,8 @@ void addOptions(CLI::App& command, InspectArguments& arguments) {
     options.judged = depth::namedTechnique("reversed");
     options::addParsed(command, "--technique", options.judged, depth::namedTechnique,
                        "Technique for --fail-above and --heat-map: " + options::techniqueHelp())
-        ->default_str(options.judged.name);
+        ->default_str(options.judged.name)
+        ->check(options::namesOne("technique"));
     options::addNamed(command, "--format", arguments.format, depth::parseDepthFormat,
                       "Format of the depth buffer for --technique: d16, d24 or d32f");
     addTechniques(command, options.techniques);

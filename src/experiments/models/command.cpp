@@ -222,7 +222,8 @@ void addOptions(CLI::App& command, ModelsArguments& arguments) {
     options::addFolder(command, "--out", arguments.folder, "Folder for the pictures and one sheet of all");
     options::addParsed(command, "--technique", arguments.technique, depth::namedTechnique,
                        "Technique: " + options::techniqueHelp())
-        ->default_str(arguments.technique.name);
+        ->default_str(arguments.technique.name)
+        ->check(options::namesOne("technique"));
     options::addNamed(command, "--light", arguments.light, scene::parseModelLight, options::kLightHelp);
     command.add_option("--time", arguments.seconds, "Time in the first animation of a model, in seconds");
     command.add_option("--camera", arguments.camera, options::kCameraHelp)

@@ -51,7 +51,10 @@ void chooseMotion(const Widgets& widgets, ViewerModel& model) {
     }
     widgets.beside();
     const bool isRecording = model.camera.recorder.isRecording();
-    if (widgets.toggle(isRecording ? "stop recording" : "record", onIf(isRecording))) {
+    const char* record = isRecording                  ? "stop recording"
+                         : model.camera.isPathUnsaved ? "save recording"
+                                                      : "record";
+    if (widgets.toggle(record, onIf(isRecording))) {
         model.actions.push_back(Action::record);
     }
     if (!model.camera.recorder.recording().cameras.empty() && !isRecording) {

@@ -311,7 +311,7 @@ void Application::finish(std::exception_ptr failure) {
     if (m_model.video != nullptr) {
         attempt(&Application::toggleVideo);
     }
-    if (m_model.camera.recorder.isRecording() || m_isPathUnsaved) {
+    if (m_model.camera.recorder.isRecording() || m_model.camera.isPathUnsaved) {
         attempt(&Application::toggleRecording);
     }
     if (!isFailed && !m_arguments.screenshot.empty()) {

@@ -101,7 +101,6 @@ class Application {
 
     std::optional<std::filesystem::path> m_capture; ///< file for the next frame's window
     std::optional<std::string> m_unsaved;           ///< why the last window was not saved
-    bool m_isPathUnsaved = false;                   ///< of what was recorded last
     Clock::time_point m_lastFrame = Clock::now();
     Clock::time_point m_lastUpdate = Clock::now();
     int m_redraws = 3; ///< frames due: the interface takes a few to settle after input

@@ -40,17 +40,17 @@ void Application::dropFiles(const DropInput& drop) {
 
 void Application::toggleRecording() {
     PathRecorder& recorder = m_model.camera.recorder;
-    if (recorder.isRecording() || m_isPathUnsaved) {
+    if (recorder.isRecording() || m_model.camera.isPathUnsaved) {
         recorder.end();
         const std::size_t cameras = recorder.recording().cameras.size();
         if (cameras == 0) {
             m_model.interface.sayProblem("nothing was recorded");
             return;
         }
-        m_isPathUnsaved = true;
+        m_model.camera.isPathUnsaved = true;
         const std::filesystem::path file = freeName("camera-path", ".json");
         scene::writeRecording(file, recorder.recording());
-        m_isPathUnsaved = false;
+        m_model.camera.isPathUnsaved = false;
         m_model.interface.say(fmt::format("{} holds {}", file.string(), counted(cameras, "camera")));
     } else if (m_model.camera.isThere) {
         platform::requireWritable(freeName("camera-path", ".json")); // rather than when it has been flown

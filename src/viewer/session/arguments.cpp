@@ -76,7 +76,8 @@ void addPlace(CLI::App& program, Arguments& arguments) {
 }
 
 void addWindowOptions(CLI::App& program, Arguments& arguments) {
-    options::addParsed(program, "--size", arguments.size, parseWindowSize, "Size of the window in pixels")
+    options::addParsed(program, "--size", arguments.size, parseWindowSize,
+                       "Size of the window in pixels; with -o, of an eye's picture")
         ->type_name("WIDTHxHEIGHT")
         ->default_str("1280x720 at 96 dots per inch");
     program.add_option("--device", arguments.device, options::kDeviceHelp);

@@ -27,8 +27,8 @@ double nearestSurface(const render::Frame& frame) {
     if (std::isfinite(nearest)) {
         return nearest;
     }
-    for (const render::GBufferPixel& pixel :
-         frame.gbuffer.pixels) { // a small object lies between the samples
+    // A small object lies between the samples.
+    for (const render::GBufferPixel& pixel : frame.gbuffer.pixels) {
         nearest = pixel.id() != 0 ? std::min(nearest, frame.distanceView(pixel)) : nearest;
     }
     return nearest;

@@ -29,7 +29,8 @@ std::optional<PickedPoint> pickAt(const render::Frame& frame, const scene::Scene
                                   const depth::Technique& technique, std::uint32_t x, std::uint32_t y);
 
 /// View distance under a pixel. If that is background or outside, it is that of the nearest surface among some
-/// thousand pixels of the picture, or among all if these are background. Infinity if nothing is in view. A flight's speed follows from it.
+/// thousand pixels of the picture, or among all if these are background. Infinity if nothing is in view. A flight's speed
+/// follows from it.
 double surfaceView(const render::Frame& frame, const glm::dvec2& pixel);
 
 /// Object index's name in the scene, or "object INDEX".

@@ -30,7 +30,7 @@ class WindowSystem {
     static void wake();
 };
 
-/// Largest side a window may be asked for, screen coordinates.
+/// Largest side a window may be asked for, in pixels.
 inline constexpr int kMaxWindowSide = 16384;
 
 /// What a window begins with.

@@ -57,8 +57,9 @@ void lightRepairs(const scene::Scene& scene, std::span<const Shape> shapes, cons
     if (frame.hasShadows) {
         shadows.emplace(scene, shapes);
     }
-    const TruthShader shader(scene, frame.camera, {frame.ids.width, frame.ids.height}, std::move(visible),
-                             shadows ? &*shadows : nullptr, finish);
+    const TruthTextures textures(scene);
+    const TruthShader shader(scene, textures, frame.camera, {frame.ids.width, frame.ids.height},
+                             std::move(visible), shadows ? &*shadows : nullptr, finish);
     workers.run(repairs.size(), [&](std::size_t i, std::size_t) {
         PixelRepair& repair = repairs[i];
         const ShadedPixel pixel = shader.at(repair.x, repair.y, repair.id, repair.distanceView);

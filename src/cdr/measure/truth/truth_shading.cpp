@@ -1,4 +1,5 @@
 #include <cdr/image/same_size.h>
+#include <cdr/measure/shadows/shadow_truth.h>
 #include <cdr/measure/truth/truth_air.h>
 #include <cdr/measure/truth/truth_light.h>
 #include <cdr/measure/truth/truth_shading.h>
@@ -25,13 +26,14 @@ const SurfaceHit* hitAt(const std::vector<SurfaceHit>& hits, double distanceView
 
 } // namespace
 
-TruthShader::TruthShader(const scene::Scene& scene, const scene::Camera& camera, const glm::uvec2& size,
+TruthShader::TruthShader(const scene::Scene& scene, const TruthTextures& textures,
+                         const scene::Camera& camera, const glm::uvec2& size,
                          std::vector<VisibleInstance> visible, const ShadowTruthCaster* shadows,
                          const TruthFinish& finish)
     : m_scene(scene),
       m_camera(camera),
       m_slopes(pixelSlopes(camera, size.x, size.y)),
-      m_textures(scene),
+      m_textures(textures),
       m_visible(std::move(visible)),
       m_shadows(shadows),
       m_finish(finish) {
@@ -72,7 +74,7 @@ image::ImageRgba8 shadeTruth(const scene::Scene& scene, const TruthCaster& caste
                              const scene::Camera& camera, const TruthImage& truth,
                              platform::WorkerPool& workers) {
     const TruthShader shader(
-        scene, camera, {truth.width, truth.height},
+        scene, caster.textures(), camera, {truth.width, truth.height},
         visibleInstances(scene, caster.shapes(), camera, truth.width, truth.height, workers), nullptr, {});
     image::ImageRgba8 picture(truth.width, truth.height);
     workers.run(truth.height, [&](std::size_t row, std::size_t) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cdr/image/image.h>
-#include <cdr/measure/shadows/shadow_truth.h>
 #include <cdr/measure/truth/object_ray.h>
 #include <cdr/measure/truth/surface_hit.h>
 #include <cdr/measure/truth/truth.h>
@@ -19,6 +18,8 @@
 
 namespace cdr::measure {
 
+class ShadowTruthCaster;
+
 /// What a pixel shows.
 struct ShadedPixel {
     image::Rgba8 color{};      ///< sRGB, lit
@@ -30,12 +31,12 @@ struct ShadedPixel {
 /// shares no code with the renderer.
 class TruthShader {
   public:
-    /// Scene, camera and shadows must outlive the shader.
+    /// Scene, camera, textures and shadows must outlive the shader.
     /// @param visible of the scene's instances, at least those of objects that are shown. @param shadows null where lights reach
     /// everything.
-    TruthShader(const scene::Scene& scene, const scene::Camera& camera, const glm::uvec2& size,
-                std::vector<VisibleInstance> visible, const ShadowTruthCaster* shadows,
-                const TruthFinish& finish);
+    TruthShader(const scene::Scene& scene, const TruthTextures& textures, const scene::Camera& camera,
+                const glm::uvec2& size, std::vector<VisibleInstance> visible,
+                const ShadowTruthCaster* shadows, const TruthFinish& finish);
 
     /// The background where the object is not met. Tries each triangle of the object.
     /// @param id object index + 1, 0 for background.
@@ -47,7 +48,7 @@ class TruthShader {
     const scene::Scene& m_scene;
     const scene::Camera& m_camera;
     PixelSlopes m_slopes;
-    TruthTextures m_textures;
+    const TruthTextures& m_textures;
     std::vector<VisibleInstance> m_visible; ///< by object
     const ShadowTruthCaster* m_shadows;
     TruthFinish m_finish;

@@ -11,7 +11,7 @@ class FacetDraws final : public HostDraws {
     FacetDraws(const HostDrawsContext& context, const FacetPass& pass) : HostDraws(context), m_pass(pass) {}
 
     /// Writes a job's corners, triangles and facets, and draws them by one command, or by two where some draws are
-    /// wide; by more where they have more vertices than the device can name. Takes no lock and allocates nothing.
+    /// wide; by more where there are more vertices than the device can name. Takes no lock and allocates nothing.
     void record(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const override;
     void flush() const override;
     ScopeFormats formats() const override { return m_pass.pipelines.formats(); }

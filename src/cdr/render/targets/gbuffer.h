@@ -31,6 +31,7 @@ static_assert(GBufferPixel::kIdBits == shaders::kIdBits &&
 
 /// Of an image that rendering scopes write, shaders read and copies take.
 gpu::ImageOptions colorOptions(vk::Extent2D extent, vk::Format format);
+/// Such an image.
 /// @param format kGBufferFormat, kVisibilityFormat, kPictureFormat or kEmissionFormat.
 gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name,
                        vk::Format format = kGBufferFormat);

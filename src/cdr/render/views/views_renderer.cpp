@@ -138,24 +138,24 @@ void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
     }
     const platform::Stopwatch watch;
     depth::Cascades before = m_split->previous();
-    const depth::Cascades cascades = look(cameras, occupiedBy(how.hosts));
-    const double lookMs = watch.milliseconds();
-    std::vector<Delivery> deliveries;
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-        deliveries.push_back({.copy = how.copy, .shared = &cascades});
-        deliveries.back().awaited = how.awaited;
-        deliveries.back().host = how.hosts.empty() ? nullptr : &how.hosts[i];
-    }
-    deliveries.front().sync.waits = how.sync.waits;
-    deliveries.back().sync.signals = how.sync.signals;
     try {
+        const depth::Cascades cascades = look(cameras, occupiedBy(how.hosts));
+        const double lookMs = watch.milliseconds();
+        std::vector<Delivery> deliveries;
+        for (std::size_t i = 0; i < cameras.size(); ++i) {
+            deliveries.push_back({.copy = how.copy, .shared = &cascades});
+            deliveries.back().awaited = how.awaited;
+            deliveries.back().host = how.hosts.empty() ? nullptr : &how.hosts[i];
+        }
+        deliveries.front().sync.waits = how.sync.waits;
+        deliveries.back().sync.signals = how.sync.signals;
         launchAll(cameras, deliveries, mayBeTogether(how));
+        m_views.front()->slots().last()->stats.times.cullMs += lookMs;
     } catch (...) {
         m_split->takeBack(std::move(before));
         forgetMotion();
         throw;
     }
-    m_views.front()->slots().last()->stats.times.cullMs += lookMs;
 }
 
 bool ViewsRenderer::mayBeTogether(const Launch& how) const {

@@ -41,7 +41,7 @@ inline constexpr std::size_t kMaxNameLength = 100;
 
 /// Text from a hostile file or a library as one printable line of at most `maxLength` bytes and three dots. It takes
 /// the same time for text of any length.
-/// A character of UTF-8 is in it as a whole or not.
+/// A character of UTF-8 is in it as a whole or not, and line breaks at the end of so many bytes are left out.
 std::string oneLine(std::string_view text, std::size_t maxLength = 400);
 
 } // namespace cdr::scene::gltf

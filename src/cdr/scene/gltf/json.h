@@ -54,7 +54,7 @@ const nlohmann::json& itemAt(const nlohmann::json& root, const char* key, int in
 
 /// The string `value`; refuses another type, naming the key it came from.
 std::string requireString(const nlohmann::json& value, const char* key);
-/// The name of a glTF object, as long as it is, within that object; empty when it has none.
+/// The whole name of a glTF object, a view into it; empty when it has none.
 std::string_view fullNameOf(const nlohmann::json& object);
 /// Its beginning as one line, for messages.
 std::string nameOf(const nlohmann::json& object);

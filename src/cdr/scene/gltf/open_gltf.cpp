@@ -146,10 +146,12 @@ std::optional<std::size_t> chosenAnimation(const std::vector<PlayableAnimation>&
 }
 
 std::string animationsNote(const std::vector<Animation>& animations) {
+    const bool areAllSound = std::ranges::all_of(animations, &std::string::empty, &Animation::fault);
     return animations.size() == 1 ? fmt::format("its animation of {:.4g} s, which render --time shows",
                                                 animations.front().seconds)
-                                  : fmt::format("its {} animations, which render --animation 0 to {} plays",
-                                                animations.size(), animations.size() - 1);
+                                  : fmt::format("its {} animations, which render --animation 0 to {} plays{}",
+                                                animations.size(), animations.size() - 1,
+                                                areAllSound ? "" : ", but for those that cannot be played");
 }
 
 /// Says what of a file's lights is not shown. Without any, ModelLight::file would show next to nothing.

@@ -28,6 +28,7 @@ struct CameraModel {
     Motion motion = Motion::free;
     std::uint32_t pathFrame = 0;
     PathRecorder recorder;
+    bool isPathUnsaved = false;                 ///< of what was recorded last
     double playedSeconds = 0.0;                 ///< of what was recorded, or of the tour
     Playback playback;                          ///< of a file's animation
     bool followsAnimation = true;               ///< false once somebody steers away from an animated camera
