@@ -138,9 +138,10 @@ void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
     }
     const platform::Stopwatch watch;
     depth::Cascades before = m_split->previous();
+    const depth::Cascades cascades =
+        look(cameras, occupiedBy(how.hosts)); // where this fails, the last frame stays
+    const double lookMs = watch.milliseconds();
     try {
-        const depth::Cascades cascades = look(cameras, occupiedBy(how.hosts));
-        const double lookMs = watch.milliseconds();
         std::vector<Delivery> deliveries;
         for (std::size_t i = 0; i < cameras.size(); ++i) {
             deliveries.push_back({.copy = how.copy, .shared = &cascades});
