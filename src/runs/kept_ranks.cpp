@@ -1,5 +1,6 @@
 #include "kept_ranks.h"
 
+#include "shallow_cbor.h"
 #include "units.h"
 
 #include <cdr/base/format_error.h>
@@ -14,39 +15,6 @@ namespace {
 
 /// Only the commands know how many units a run has.
 constexpr std::size_t kAnyCount = std::numeric_limits<std::size_t>::max();
-
-/// Stops where values are nested deeper than those of any result: who reads CBOR goes down them by calls.
-class Nesting final : public nlohmann::json_sax<output::Json> {
-  public:
-    bool null() override { return true; }
-    bool boolean(bool) override { return true; }
-    bool number_integer(number_integer_t) override { return true; }
-    bool number_unsigned(number_unsigned_t) override { return true; }
-    bool number_float(number_float_t, const string_t&) override { return true; }
-    bool string(string_t&) override { return true; }
-    bool binary(binary_t&) override { return true; }
-    bool key(string_t&) override { return true; }
-    bool start_object(std::size_t) override { return ++m_depth < kDeepest; }
-    bool end_object() override { return m_depth-- > 0; }
-    bool start_array(std::size_t) override { return ++m_depth < kDeepest; }
-    bool end_array() override { return m_depth-- > 0; }
-    bool parse_error(std::size_t, const std::string&, const output::Json::exception&) override {
-        return false;
-    }
-
-  private:
-    static constexpr int kDeepest = 100;
-    int m_depth = 0;
-};
-
-/// The bytes, if they are CBOR that can be read; else std::out_of_range.
-platform::Bytes shallow(platform::Bytes cbor) {
-    Nesting nesting;
-    if (!output::Json::sax_parse(cbor, &nesting, output::Json::input_format_t::cbor)) {
-        throw std::out_of_range("no CBOR, or nested too deeply");
-    }
-    return cbor;
-}
 
 } // namespace
 
@@ -72,8 +40,11 @@ KeptRanks::KeptRanks(ranks::Ranks& ranks, const std::filesystem::path& path, std
     m_file.emplace(path, UnitRun{.digest = std::move(digest), .units = kAnyCount});
     for (auto& [unit, made] : std::exchange(m_file->made(), {})) {
         m_kept[unit] = reading([&made = made] {
-            return shallow(
-                platform::fromBase64(made.get_ref<const std::string&>()).value_or(platform::Bytes()));
+            auto bytes = platform::fromBase64(made.get_ref<const std::string&>());
+            if (!bytes || !isShallowCbor(*bytes)) {
+                throw std::out_of_range("not what a result is packed as");
+            }
+            return *std::move(bytes);
         });
     }
 }

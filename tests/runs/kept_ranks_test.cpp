@@ -111,9 +111,14 @@ TEST_F(KeptRun, RefusesResultsOfAnotherShapeInOneLine) {
     const auto encoded = [](const output::Json& json) {
         return output::Json(platform::toBase64(output::Json::to_cbor(json)));
     };
-    const output::Json deep = platform::toBase64(platform::Bytes(10'000'000, 0x81)); // lists in lists
-    for (const output::Json& made : {output::Json(7), output::Json("?"), output::Json(platform::toBase64({})),
-                                     encoded(7), encoded({{"other", 1}}), deep}) {
+    const auto repeated = [](std::uint8_t head) {
+        return platform::toBase64(platform::Bytes(10'000'000, head));
+    };
+    for (const output::Json& made :
+         {output::Json(7), output::Json("?"), output::Json(platform::toBase64({})), encoded(7),
+          encoded({{"other", 1}}),
+          output::Json(repeated(0x81)), // lists in lists, and pieces of pieces of texts
+          output::Json(repeated(0x7f)), output::Json(repeated(0x5f))}) {
         platform::writeText(state(), stateHeadOf(run) + stateLineOf(1, made));
         EXPECT_EQ(start().error, line) << made.dump().substr(0, 80);
     }
