@@ -18,6 +18,7 @@
 template <typename Value>
 struct nlohmann::adl_serializer<std::optional<Value>> {
     template <typename AnyJson>
+    // NOLINTNEXTLINE(readability-identifier-naming): a name of the library's
     static void to_json(AnyJson& json, const std::optional<Value>& value) {
         json = value ? AnyJson(*value) : AnyJson(nullptr);
     }

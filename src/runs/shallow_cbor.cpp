@@ -52,8 +52,8 @@ class Heads {
 
 } // namespace
 
-bool isShallowCbor(const platform::Bytes& all) {
-    Heads heads(all);
+bool isShallowCbor(const platform::Bytes& bytes) {
+    Heads heads(bytes);
     std::vector<std::uint64_t> open{1}; // values that are left, by level
     while (!open.empty()) {
         if (open.back() == 0) {
