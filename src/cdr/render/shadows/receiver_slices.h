@@ -55,8 +55,8 @@ void addOccupied(std::vector<SeenSphere>& seen, const scene::Camera& camera, con
 std::vector<ReceiverSlice> receiverSlices(const scene::Camera& camera, const scene::Frustum& frustum,
                                           std::span<const SeenSphere> seen);
 
-/// receiverSlices(), or for ShadowMethod::plain four slices of the whole frustum, from the nearest surface that is seen to the farthest.
-/// Ends are halfway between those of an even split and of one even in ratio (Zhang and others 2006).
+/// receiverSlices(), or for ShadowMethod::plain four slices of the whole frustum, from the nearest surface that is seen to the
+/// farthest. Ends are halfway between those of an even split and of one even in ratio (Zhang and others 2006).
 std::vector<ReceiverSlice> slicesOf(ShadowMethod method, const scene::Camera& camera,
                                     const scene::Frustum& frustum, std::span<const SeenSphere> seen);
 
