@@ -23,7 +23,9 @@ using TranslucencyCommand = FolderTest;
 TEST_F(TranslucencyCommand, SaysNothingOfWhatItDidNotMeasure) {
     const std::string out = run("translucency --size 2x2 --cascades 1 --repeats 0 --json t.json").out;
     EXPECT_NE(out.find("no times"), std::string::npos) << out;
-    for (const json& row : jsonIn("t.json")["results"]) {
+    const json document = jsonIn("t.json");
+    ASSERT_EQ(document["results"].size(), 2u);
+    for (const json& row : document["results"]) {
         EXPECT_TRUE(row.at("within_one_step").is_null());
     }
 }

@@ -88,6 +88,7 @@ TEST(TimingModes, AnOverheadIsSeenOnlyBesideTheNoise) {
     EXPECT_TRUE(liesApart(Interval{-3.0, -1.1}, floor));
     EXPECT_FALSE(liesApart(Interval{0.0, 0.0}, Interval{0.2, 0.5})) << "standard over itself is no overhead";
     EXPECT_FALSE(liesApart(Interval{-0.4, -0.3}, Interval{0.2, 0.5}));
+    EXPECT_FALSE(liesApart(Interval{0.6, 0.9}, Interval{-1.0, 0.2}));
     EXPECT_FALSE(liesApart(std::nullopt, floor));
     EXPECT_FALSE(liesApart(Interval{1.1, 2.0}, std::nullopt));
 }
