@@ -86,7 +86,7 @@ void Console::progress(std::size_t done, std::size_t all, const std::string& wha
         return;
     }
     const std::string left = secondsLeft ? ", " + timeText(*secondsLeft) + " left" : "";
-    fmt::print(stderr, "\r\x1b[K{}{}/{} {}{}", m_section, done, all, what, left);
+    fmt::print(stderr, "\r\x1b[K{}{}/{} {}{}", m_section, done, all, platform::oneLine(what), left);
     std::fflush(stderr);
 }
 

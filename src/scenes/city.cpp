@@ -106,7 +106,7 @@ scene::Camera cameraAt(std::uint32_t frame) {
     constexpr double kTurn = 60.0;
     constexpr double kPace = 0.5; // units a frame
     constexpr double kRadius = kTurn * kPace / (90.0 * kDegree);
-    const double at = frame;
+    const double at = frame % kFrames;
     const double turned = std::clamp((at - kStraight) / kTurn, 0.0, 1.0) * 90.0 * kDegree;
     const double before = std::min(at, kStraight) * kPace;
     const double after = std::max(at - kStraight - kTurn, 0.0) * kPace;

@@ -112,7 +112,7 @@ scene::SceneSetup makeTerrain(std::uint64_t seed, std::uint32_t cells) {
     }
     eye += kTerrainEyeHeight;
     setup.path = {.frames = 360, .at = [eye](std::uint32_t frame) {
-                      const double angle = frame * kDegree;
+                      const double angle = frame % 360 * kDegree;
                       const glm::dvec3 position(kTerrainCircle * std::cos(angle), eye,
                                                 kTerrainCircle * std::sin(angle));
                       const glm::dvec3 ahead(-std::sin(angle), -0.06, std::cos(angle));

@@ -43,6 +43,14 @@ TEST(FailureOf, ALostDeviceIsToldFromOtherErrors) {
     EXPECT_FALSE(gpu::isDeviceLost(
         std::system_error(static_cast<int>(vk::Result::eErrorDeviceLost), std::generic_category())));
     EXPECT_FALSE(gpu::isDeviceLost(base::RunError("the device was lost")));
+    // A host's own vulkan.hpp beside a shared library.
+    struct HostsCategory : std::error_category {
+        const char* name() const noexcept override { return "vk::Result"; }
+        std::string message(int) const override { return {}; }
+    };
+    const HostsCategory category;
+    EXPECT_TRUE(gpu::isDeviceLost(std::system_error(VK_ERROR_DEVICE_LOST, category)));
+    EXPECT_FALSE(gpu::isDeviceLost(std::system_error(VK_ERROR_OUT_OF_DEVICE_MEMORY, category)));
 }
 
 } // namespace

@@ -115,10 +115,14 @@ TEST_F(PartFrames, OfDifferentMeshesHoldFewerTriangles) {
     for (std::size_t part = 0; part < 2; ++part) {
         options.part = {.index = part, .count = 2};
         scene::Scene own = scene;
+        for (scene::Mesh& mesh : own.meshes) {
+            mesh.clusters.indices = mesh.indices;
+        }
         dropOtherParts(own, options, {&camera, 1}, workers);
         for (std::size_t i = 0; i < 4; ++i) {
             const bool isOwn = i / 2 == part;
             EXPECT_EQ(own.meshes[i].indices.empty(), !isOwn) << i;
+            EXPECT_EQ(own.meshes[i].clusters.indices.empty(), !isOwn) << i;
             EXPECT_EQ(own.textures[i].pixels.width, isOwn ? 8u : 1u) << i;
             EXPECT_EQ(own.meshes[i].boundingRadius, scene.meshes[i].boundingRadius);
         }

@@ -1,6 +1,7 @@
 #include <cdr/base/error.h>
 #include <scenes/city.h>
 #include <scenes/open_scene.h>
+#include <scenes/terrain.h>
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,16 @@ TEST(City, LeavesItsStreetsToTheCamera) {
                                   away.y < 0.5 * static_cast<double>(boxes.basis[i][1][1]) &&
                                   away.z < 0.5 * static_cast<double>(boxes.basis[i][2][2]) + 0.3;
             ASSERT_FALSE(isInside) << "frame " << frame << " is in box " << i;
+        }
+    }
+}
+
+TEST(GeneratedPath, RepeatsAfterItsLastFrame) {
+    for (const scene::SceneSetup& setup : {makeCity(3, 2), makeTerrain(3, 16)}) {
+        for (const std::uint32_t frame : {0u, 7u}) {
+            const scene::Camera first = setup.path.at(frame);
+            EXPECT_EQ(setup.path.at(setup.path.frames + frame), first) << setup.scene.name;
+            EXPECT_EQ(setup.path.at(100 * setup.path.frames + frame), first) << setup.scene.name;
         }
     }
 }

@@ -74,7 +74,7 @@ scene::Camera zoomedAt(double x, const PictureArea& area, const ViewSettings& se
 TEST(LensOfTwoEyes, NarrowsAboutWhatTheEyeUnderTheCursorSees) {
     const PictureArea both{.extent = {400, 150}};
     const PictureArea one{.extent = {200, 150}};
-    const ViewSettings beside = withNextStereo({}, 10.0);
+    const ViewSettings beside = withNextStereo({}, {10.0});
     const scene::Camera expected = zoomedAt(30.0, one, {});
     EXPECT_NE(expected, ViewerModel().camera.now);
     EXPECT_EQ(zoomedAt(30.0, both, beside), expected);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -69,6 +70,16 @@ TEST_F(ViewerTest, AnAnimationMayBeLongerThanASliderCanShow) {
     const RunResult run = play("--size 560x300 --technique anchored --camera 0 long.gltf",
                                "wait-frame\nkey K\nkey F3\nwait-ui 3\nwhere time\nquit\n");
     EXPECT_EQ(run.lines("time ").size(), 1u) << run.out;
+}
+
+TEST_F(ViewerTest, AnotherFilesAnimationBeginsAtItsBeginning) {
+    std::filesystem::copy_file(kMovingCamera, folder() / "other.gltf");
+    const RunResult run =
+        play("--size 560x300 --technique anchored --animation 0 " + kMovingCamera,
+             "wait-frame\nkey K\nwait-ui 30\nkey K\nwait-ui 2\nstate\n"
+             "drop other.gltf\nwait-state shown=other.gltf\nwait-frame\nkey K\nwait-ui 2\nstate\nquit\n");
+    const auto states = run.states(2);
+    EXPECT_LT(std::stod(valueOf(states[1], "time")), 0.5 * std::stod(valueOf(states[0], "time"))) << run.out;
 }
 
 /// Until the scene's own camera is asked for again.

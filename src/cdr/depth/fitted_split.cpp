@@ -144,7 +144,8 @@ void thicken(Cascades& cascades, const SplitContext& view) {
 } // namespace
 
 Cascades fitCascades(const SplitFitted& split, const SplitContext& context) {
-    const StepTarget wanted = targetOf(split, context, thinnest(context.visible));
+    const StepTarget wanted =
+        targetOf(split, context, thinnest(context.visible, context.nearView, context.farView));
     const std::vector<Interval> occupied = mergeIntervals(context.visible, context.nearView, context.farView,
                                                           endRounding(context.model.mapping));
     if (occupied.empty()) {

@@ -116,11 +116,12 @@ std::size_t joinAndSort(std::span<Interval> intervals) {
 
 } // namespace
 
-double thinnest(std::span<const Interval> intervals) {
+double thinnest(std::span<const Interval> intervals, double nearView, double farView) {
     double least = std::numeric_limits<double>::infinity();
     for (const Interval& interval : intervals) {
         const double thickness = interval.farView - interval.nearView;
-        least = thickness > 0.0 && thickness < least ? thickness : least;
+        const bool meets = interval.nearView <= farView && interval.farView >= nearView;
+        least = meets && thickness > 0.0 && thickness < least ? thickness : least;
     }
     return std::isfinite(least) ? least : 0.0;
 }

@@ -7,6 +7,7 @@
 #include <cdr/base/export.h>
 #include <cdr/depth/mapping.h>
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -18,8 +19,10 @@ struct Interval {
     double farView = 0.0;  ///< view distance where it ends, included
 };
 
-/// The thickness of the thinnest interval that is not a point; 0 when there is none.
-CDR_EXPORT double thinnest(std::span<const Interval> intervals);
+/// The thickness of the thinnest interval that is not a point and meets [nearView, farView]; 0 when there is none.
+CDR_EXPORT double thinnest(std::span<const Interval> intervals,
+                           double nearView = -std::numeric_limits<double>::infinity(),
+                           double farView = std::numeric_limits<double>::infinity());
 
 /// Sorts intervals, cuts them to [nearView, farView], and merges those that overlap or lie closer together
 /// than their ends round. The result ascends, with a gap between any two. Intervals outside the range, or

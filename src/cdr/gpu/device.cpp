@@ -166,7 +166,9 @@ struct Device::Handles {
 
 bool isDeviceLost(const std::exception& error) {
     const auto* system = dynamic_cast<const std::system_error*>(&error);
-    return system != nullptr && system->code() == vk::make_error_code(vk::Result::eErrorDeviceLost);
+    // By name: each shared library and program has a category of its own.
+    return system != nullptr && system->code().value() == VK_ERROR_DEVICE_LOST &&
+           system->code().category().name() == std::string_view(vk::errorCategory().name());
 }
 
 Device::~Device() = default;

@@ -162,7 +162,7 @@ class CDR_EXPORT Device {
     VmaAllocator_T* allocator() const;
     /// What all pipelines of cdr are made with; lent, or one of its own.
     VkPipelineCache pipelineCache() const;
-    /// What listDevices() says of it.
+    /// What listDevices() says of it; of a borrowed device with index 0.
     const DeviceInfo& info() const;
 
     /// The Vulkan format of optimally tiled depth attachments for `format`.

@@ -1,8 +1,5 @@
 #include <cdr/render/frame_split.h>
 
-#include <algorithm>
-#include <iterator>
-
 namespace cdr::render {
 
 depth::Cascades FrameSplit::cut(const scene::Camera& camera, const scene::Frustum& frustum,
@@ -14,10 +11,7 @@ depth::Cascades FrameSplit::cut(const scene::Camera& camera, const scene::Frustu
             visibility::appendIntervals(*seen, m_intervals);
         }
     }
-    // What no camera sees must not make cascades finer: the thinnest interval decides how fine they are.
-    std::ranges::copy_if(occupied, std::back_inserter(m_intervals), [&](const depth::Interval& interval) {
-        return interval.farView >= camera.nearView && interval.nearView <= camera.farView;
-    });
+    m_intervals.insert(m_intervals.end(), occupied.begin(), occupied.end());
     depth::Cascades made =
         depth::makeCascades(m_technique.split, {.nearView = camera.nearView,
                                                 .farView = camera.farView,

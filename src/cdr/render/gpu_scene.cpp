@@ -464,9 +464,8 @@ void GpuScene::State::updateInstances() {
 
 const visibility::InstanceCells& GpuScene::State::cells(platform::WorkerPool& workers) {
     const std::scoped_lock lock(m_culled.mutex);
-    if (!m_culled.isMade) {
+    if (!std::exchange(m_culled.isMade, false)) { // nor after an error, which leaves them half made
         m_culled.cells.build(*m_scene, workers);
-        m_culled.isMade = true;
     } else if (m_culled.readings != m_readings || m_culled.instances != m_followed.instances) {
         const auto changed = m_world->changes().instances.since(m_culled.instances);
         if (changed && m_culled.readings == m_readings) {
@@ -477,6 +476,7 @@ const visibility::InstanceCells& GpuScene::State::cells(platform::WorkerPool& wo
             m_culled.cells.update(*m_scene, all, workers);
         }
     }
+    m_culled.isMade = true;
     m_culled.instances = m_followed.instances;
     m_culled.readings = m_readings;
     return m_culled.cells;

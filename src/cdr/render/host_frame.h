@@ -25,7 +25,8 @@ struct HostDepth {
 
 /// One cascade while it is drawn, for the host to draw its own objects into.
 struct HostCascade {
-    /// Recording, inside the rendering scope of the cascade. Viewport and scissor are set.
+    /// Recording, inside the rendering scope of the cascade: a secondary with Submission::secondaries, else a primary.
+    /// Viewport and scissor are set.
     VkCommandBuffer commands = VK_NULL_HANDLE;
     std::uint32_t index = 0; ///< the nearest cascade has 0; what cdrGBufferTexel() takes
     /// View distances that the cascade draws: objects that meet it belong here, and clip distances cut them.
@@ -47,8 +48,8 @@ struct HostCascade {
 
 /// What a frame is recorded into. All of it is the host's.
 struct HostFrame {
-    /// A primary of the family of the device's queue that is recording, outside a rendering scope, an occlusion query and
-    /// conditional rendering. What the host bound before is not bound afterwards.
+    /// A primary of the family of the device's queue that is recording, outside a rendering scope, an occlusion query, a query
+    /// of pipeline statistics and conditional rendering. What the host bound before is not bound afterwards.
     VkCommandBuffer commands = VK_NULL_HANDLE;
     /// A timeline semaphore that reaches `doneValue` once the device has run `commands`. Signalled by the submission
     /// that they are in. The renderer waits for it before it takes back what the frame reads, in its destructor too. So it must
@@ -65,7 +66,8 @@ struct HostFrame {
     std::optional<SurfaceImage> linear{};
     std::optional<HostDepth> depth{}; ///< where the depth of the host's own camera goes; empty: nowhere
     /// Where motion goes, with RenderOptions::motion: as `color`, in VK_FORMAT_R32G32_SFLOAT or another format of signed
-    /// floats. What blends is seen through.
+    /// floats. What blends is seen through. What `draw` draws has the motion of the scene's object with its id; where there is
+    /// none, that of an object that stands still.
     std::optional<SurfaceImage> motion{};
     /// Called for each cascade, the nearest or the farthest first, on the caller's thread. Empty: the host draws nothing
     /// inside cascades. A surface writes a texel by cdr_gbuffer.glsl and is lit as cdr's own are. They hide

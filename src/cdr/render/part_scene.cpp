@@ -64,6 +64,7 @@ void dropOtherParts(scene::Scene& scene, const RenderOptions& options, std::span
             scene.meshes[mesh].details = {};
             scene.meshes[mesh].indices = {};
             scene.meshes[mesh].levels = {};
+            scene.meshes[mesh].clusters = {};
         }
     }
     for (std::size_t texture = 0; texture < usesTexture.size(); ++texture) {

@@ -232,6 +232,7 @@ void InstanceCells::update(const scene::Scene& scene, std::span<const std::uint3
     const bool mayBlend = std::ranges::any_of(scene.materials, [](const scene::Material& material) {
         return material.alphaMode == scene::AlphaMode::blend;
     });
+    const std::size_t looseBefore = m_loose;
     for (std::size_t i = 0; i < changed.size(); ++i) {
         // Neighbours in the scene lie scattered over the cells, where the hardware foresees nothing.
         const std::uint32_t soon = m_slotOf[changed[std::min(i + kPrefetched, changed.size() - 1)]];
@@ -247,8 +248,12 @@ void InstanceCells::update(const scene::Scene& scene, std::span<const std::uint3
         }
     }
     m_debt += m_loose;
-    if (m_debt > kDebtPerInstance * m_slotOf.size()) {
+    m_massWait -= std::min<std::uint64_t>(m_massWait, 1);
+    // No edit may follow that adds to the debt.
+    const bool isMass = m_loose - looseBefore > m_slotOf.size() / 2;
+    if ((isMass && m_massWait == 0) || m_debt > kDebtPerInstance * m_slotOf.size()) {
         build(scene, workers);
+        m_massWait = kDebtPerInstance;
         return;
     }
     refreshBoxes();

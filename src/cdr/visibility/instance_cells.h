@@ -31,7 +31,8 @@ class InstanceCells {
     /// Forgets what it held. Blended instances, and places without one, are left out.
     void build(const scene::Scene& scene, platform::WorkerPool& workers);
     /// Updates instances that changed, were added or were removed; any may be named twice. The time is proportional to
-    /// their number. But all is built again once so many have left their cells for so long that this takes less time.
+    /// their number. But all is built again once so many have left their cells for so long that this takes less time, and
+    /// where most left theirs at once after updates in which they did not.
     void update(const scene::Scene& scene, std::span<const std::uint32_t> changed,
                 platform::WorkerPool& workers);
 
@@ -115,7 +116,8 @@ class InstanceCells {
     std::vector<Mark> m_marks;          ///< by cell
     std::size_t m_loose = 0; ///< slots taken so far by what left its cell; they are in the last cells
     std::size_t m_builtCells = 0;
-    std::uint64_t m_debt = 0; ///< loose slots that were followed, summed over updates
+    std::uint64_t m_debt = 0;     ///< loose slots that were followed, summed over updates
+    std::uint64_t m_massWait = 0; ///< updates after which most may leave their cells and all is built at once
 };
 
 } // namespace cdr::visibility

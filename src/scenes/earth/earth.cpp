@@ -84,10 +84,11 @@ addPaintedGround(SceneBuilder& builder, const GroundPainter& painter, const Eart
     };
 }
 
+/// The last of a name: the airport's come after those of a model of a file.
 scene::Material& materialOf(scene::Scene& scene, std::string_view name) {
-    const auto found = std::find_if(scene.materials.begin(), scene.materials.end(),
+    const auto found = std::find_if(scene.materials.rbegin(), scene.materials.rend(),
                                     [&](const scene::Material& material) { return material.name == name; });
-    if (found == scene.materials.end()) {
+    if (found == scene.materials.rend()) {
         throw std::logic_error("the airport has no material of this name");
     }
     return *found;

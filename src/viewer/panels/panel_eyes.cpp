@@ -21,12 +21,13 @@ std::string_view eyesName(const std::optional<options::StereoPicture>& picture) 
 void drawEyesPanel(const Widgets& widgets, ViewerModel& model) {
     widgets.heading("Eyes");
     ViewSettings& settings = model.settings;
+    const LookedAt at{.surfaceView = model.camera.surfaceView, .fovY = model.camera.now.fovY};
     const auto now = stereoPictureOf(settings);
     const std::size_t chosen =
         widgets.combo("eyes", eyesName(now), kEyesNames.size(), [](std::size_t i) { return kEyesNames[i]; });
     if (chosen < kEyesNames.size()) {
         const auto wanted = chosen == 0 ? std::nullopt : std::optional(options::kStereoPictures[chosen - 1]);
-        settings = withStereo(std::move(settings), wanted, model.camera.surfaceView);
+        settings = withStereo(std::move(settings), wanted, at);
     }
     widgets.sentence(explanationOf(stereoPictureOf(settings)));
     if (!stereoPictureOf(settings)) {
@@ -37,12 +38,12 @@ void drawEyesPanel(const Widgets& widgets, ViewerModel& model) {
             widgets.beside();
         }
         if (widgets.toggle(nameOf(mode), onIf(settings.views.stereo == mode))) {
-            settings.views.stereo = mode;
+            settings = withEyes(std::move(settings), mode, at);
         }
     }
     widgets.beside();
     if (widgets.button("fit to what is looked at")) {
-        fitEyes(settings, model.camera.surfaceView);
+        fitEyes(settings, at);
     }
     const base::LengthUnit unit = model.interface.unit;
     widgets.value("apart", base::quantityText(settings.views.eyeDistance.value_or(0.0), unit));

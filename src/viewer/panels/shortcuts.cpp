@@ -37,6 +37,7 @@ void toggleAnimation(ViewerModel& model, const Pressed&) {
     const scene::OpenedScene& scene = *model.picture.shown->scene;
     if (!model.settings.choice.framesPerSecond) {
         model.settings.choice = withAnimation(model.settings.choice, scene, 0);
+        playback.seconds = 0.0; // not where another file's was paused
     }
     playback.toggle(playableSeconds(model.settings.choice, scene));
 }
@@ -72,8 +73,9 @@ void toggleOrbit(ViewerModel& model, const Pressed&) {
 }
 
 void chooseEyes(ViewerModel& model, const Pressed& pressed) {
-    model.settings = pressed.shift ? withOtherEyes(std::move(model.settings))
-                                   : withNextStereo(std::move(model.settings), model.camera.surfaceView);
+    const LookedAt at{.surfaceView = model.camera.surfaceView, .fovY = model.camera.now.fovY};
+    model.settings = pressed.shift ? withOtherEyes(std::move(model.settings), at)
+                                   : withNextStereo(std::move(model.settings), at);
 }
 
 /// Gives the keys of a panel back, or else closes what lies over the picture.

@@ -196,11 +196,17 @@ void Application::present(image::ImageRgba8* capture, ImDrawData* drawn) {
     m_model.performance.presentMs = 1000.0 * secondsSince(begin);
 }
 
-void Application::saveWindow(const image::ImageRgba8& pixels) {
+void Application::presentAndSave(ImDrawData* drawn) {
     m_unsaved.reset();
+    image::ImageRgba8 pixels;
     try {
-        image::writeImage(*std::exchange(m_capture, std::nullopt), pixels);
-    } catch (const base::RunError& error) {
+        present(&pixels, drawn);
+        if (!pixels.pixels.empty()) {
+            image::writeImage(*std::exchange(m_capture, std::nullopt), pixels);
+        }
+    } catch (const base::RunError&
+                 error) { // there was no memory to read the window into, or no place for the file
+        m_capture.reset();
         m_unsaved = error.what();
         m_model.interface.sayProblem(error.what());
     }
@@ -222,10 +228,10 @@ void Application::drawFrame() {
                       m_model.interface.panelKeys ? ArrowKeys::choose : ArrowKeys::fly);
     layOut();
     ImDrawData* drawn = m_interface.end();
-    image::ImageRgba8 pixels;
-    present(m_capture ? &pixels : nullptr, drawn);
-    if (m_capture && !pixels.pixels.empty()) {
-        saveWindow(pixels);
+    if (m_capture) {
+        presentAndSave(drawn);
+    } else {
+        present(nullptr, drawn);
     }
     m_model.performance.uiFrameMs = 1000.0 * secondsSince(begin);
     m_redraws = std::max(m_redraws - 1, 0);

@@ -61,7 +61,6 @@ class Application {
     void recordVideo(double seconds);
     void copyCommandLines();
     void captureWindow();
-    void saveWindow(const image::ImageRgba8& pixels);
     void frameSelected();
     void toggleTour();
     void goHome();
@@ -73,6 +72,8 @@ class Application {
     void drawFrame();
     void layOut();
     void present(image::ImageRgba8* capture, ImDrawData* drawn);
+    /// The same, with the window into the file that was asked for. Where that fails, the interface says why.
+    void presentAndSave(ImDrawData* drawn);
     void savePicture(const std::filesystem::path& file);
     void saveScreenshot();
     /// What run() does until the window closes.

@@ -167,6 +167,14 @@ RenderRequest Session::wantedRequest(const PictureArea& area) const {
     return request;
 }
 
+void Session::recordCamera(double seconds) {
+    PathRecorder& recorder = m_model.camera.recorder;
+    if (recorder.isRecording() && (recorder.recording().scene != m_model.picture.shown->sceneName ||
+                                   !recorder.add(seconds, m_model.camera.now))) {
+        m_model.actions.push_back(Action::record); // another scene is shown, or it is full
+    }
+}
+
 void Session::update(const SessionInput& input) {
     while (!m_pending.empty() && m_pending.front().serial <= m_shownSerial) {
         m_pending.pop_front();
@@ -178,15 +186,12 @@ void Session::update(const SessionInput& input) {
         pickOrAsk();
     }
     if (m_click) {
+        recordCamera(input.seconds);
         return; // the picture that was clicked on comes first
     }
     followPath(input.seconds);
     followAnimation(input.seconds);
-    PathRecorder& recorder = m_model.camera.recorder;
-    if (recorder.isRecording() && (recorder.recording().scene != m_model.picture.shown->sceneName ||
-                                   !recorder.add(input.seconds, m_model.camera.now))) {
-        m_model.actions.push_back(Action::record); // another scene is shown, or it is full
-    }
+    recordCamera(input.seconds);
     readCursor(input.area, input.cursor);
     const auto now = Clock::now();
     RenderRequest request = wantedRequest(input.area);
@@ -249,10 +254,16 @@ bool Session::takeResult() {
         adopt(std::move(*result));
         return true;
     }
-    if (m_model.picture.shown == nullptr) {
+    const bool isFirst = m_model.picture.shown == nullptr;
+    const bool isWanted = m_model.settings.scene == result->settings.scene &&
+                          m_model.settings.openings == result->settings.openings;
+    if (isFirst && isWanted) {
         std::rethrow_exception(result->failure->error);
     }
     m_model.interface.sayProblem(result->failure->message);
+    if (isFirst) {
+        return false; // another scene was asked for meanwhile
+    }
     if (m_model.camera.motion == Motion::tour && result->settings.scene == kTourScene) {
         m_model.camera.motion = Motion::free; // it would fail again
     }

@@ -64,6 +64,8 @@ class Session {
     void followPath(double seconds);
     void followTour();
     void followAnimation(double seconds);
+    /// Adds the camera to what is recorded, if anything is.
+    void recordCamera(double seconds);
     /// Whether an animation moves the scene's own camera, so that the frames of its path are moments of it.
     bool isAnimated() const;
     void playAnimation();

@@ -52,7 +52,7 @@ UiDevice::UiDevice(const WindowSystem& system, const Window& window, const Optio
     }
     for (const std::uint32_t index : order) {
         const auto family = presentingFamily(devices[index], *m_surface);
-        if (!family || devices[index].getProperties().apiVersion < VK_API_VERSION_1_3) {
+        if (!family || !gpu::describe(devices[index], index).missing.empty()) {
             continue;
         }
         m_owned = makeDevice(devices[index], *family);

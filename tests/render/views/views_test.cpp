@@ -232,6 +232,7 @@ TEST_F(ViewsTest, FramesInFlightResizeAndForget) {
         renderer.submit(cameras);
     }
     renderer.finish();
+    EXPECT_GT(renderer.lastStats(1).draws, 0u);
     EXPECT_EQ(renderer.surfaces(1).color.extent.width, kViewsWidth);
     EXPECT_NE(renderer.surfaces(0).color.image, renderer.surfaces(1).color.image);
     EXPECT_THROW(renderer.resize(0, 10), base::InputError);

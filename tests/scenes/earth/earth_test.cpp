@@ -51,6 +51,21 @@ TEST_F(EarthScene, WallsBehindCladdingHaveItsColor) {
     EXPECT_NE(colorOf(m_orbit.scene, kHangarWall), colorOf(m_orbit.scene, kCladding)) << "it is measured";
 }
 
+TEST_F(EarthScene, AModelKeepsMaterialsThatHaveTheAirportsNames) {
+    scene::Scene model;
+    model.meshes = {scene::makeBox(glm::vec3(1.0f))};
+    const glm::vec4 paint(0.25f, 0.5f, 0.75f, 1.0f);
+    for (const char* name : {kConcrete, kCladding, kHangarWall}) {
+        model.materials.push_back({.name = name, .baseColorFactor = paint});
+    }
+    scene::addInstance(model, 0, 0, 0, glm::dvec3(0.0), glm::mat3(1.0f));
+    const scene::SceneSetup setup = makeEarth(m_maps, &model, {.blockTexels = 32});
+    const auto painted = std::ranges::count_if(setup.scene.materials, [&](const scene::Material& material) {
+        return material.baseColorFactor == paint && !material.baseColorTexture;
+    });
+    EXPECT_EQ(painted, 3);
+}
+
 /// A texture begins and ends within its block, so no tile shows a smeared edge.
 TEST_F(EarthScene, EachTileLiesOnItsTexture) {
     const scene::Scene& earth = m_earth.scene;

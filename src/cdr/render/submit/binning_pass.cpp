@@ -171,7 +171,9 @@ void BinningPass::readInstance(std::size_t i) {
 bool BinningPass::readChanged(std::vector<std::uint32_t>& changed) {
     const GpuScene& gpuScene = m_drawn.uploaded;
     const auto places = gpuScene.instanceChanges().since(m_followed);
-    if (!places || m_tables != gpuScene.tablesRevision() || gpuScene.sources().size() < m_spheres.size()) {
+    const bool isCut = m_kinds.size() != m_spheres.size(); // there was no memory for the last ones
+    if (!places || isCut || m_tables != gpuScene.tablesRevision() ||
+        gpuScene.sources().size() < m_spheres.size()) {
         return false;
     }
     changed.assign(places->begin(), places->end());

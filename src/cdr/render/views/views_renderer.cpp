@@ -322,6 +322,11 @@ Surfaces ViewsRenderer::surfaces(std::size_t view) const {
     return surfacesOf(frames.passes(), frames.slots().last());
 }
 
+FrameStats ViewsRenderer::lastStats(std::size_t view) const {
+    const FrameSlot* last = m_views[view]->slots().last();
+    return last != nullptr ? last->stats : FrameStats();
+}
+
 void ViewsRenderer::resize(std::uint32_t width, std::uint32_t height) {
     finish();
     std::vector<FrameEquipment::Made> made; // of all views first, since this may throw

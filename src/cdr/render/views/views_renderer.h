@@ -78,6 +78,10 @@ class CDR_EXPORT ViewsRenderer {
     /// @param view below views()
     /// @lifetime As of Renderer::surfaces().
     Surfaces surfaces(std::size_t view) const;
+    /// Statistics of the last frame of a view, as Renderer::lastStats().
+    /// @param view below views()
+    /// @errors None.
+    FrameStats lastStats(std::size_t view) const;
     /// Makes pictures of another size, as Renderer::resize().
     /// @param width of each in pixels. @param height the same.
     /// @errors base::InputError, base::RunError and std::system_error as the constructor; all sizes are then as they were.

@@ -11,11 +11,17 @@ namespace cdr::viewer {
 
 namespace {
 
-constexpr double kEyeShare = 1.0 / 30.0;
+constexpr double kEyeShare = 1.0 / 30.0; ///< of the distance that is looked at
+constexpr double kMostEyeShare = 0.1;    ///< of half the picture's height at that distance
 
 /// So that a copied command line is short.
 double threeDigits(double value) {
     return std::strtod(fmt::format("{:.3g}", value).c_str(), nullptr);
+}
+
+double convergenceAt(const LookedAt& at) {
+    const bool isUsable = std::isfinite(at.surfaceView) && at.surfaceView > 0.0;
+    return threeDigits(isUsable ? at.surfaceView : 1.0);
 }
 
 } // namespace
@@ -24,15 +30,15 @@ std::optional<options::StereoPicture> stereoPictureOf(const ViewSettings& settin
     return settings.views.stereo ? std::optional(settings.views.picture) : std::nullopt;
 }
 
-void fitEyes(ViewSettings& settings, double surfaceView) {
-    const bool isUsable = std::isfinite(surfaceView) && surfaceView > 0.0;
-    settings.views.converge = threeDigits(isUsable ? surfaceView : 1.0);
-    settings.views.eyeDistance = threeDigits(*settings.views.converge * kEyeShare);
+void fitEyes(ViewSettings& settings, const LookedAt& at) {
+    const double share = std::min(kEyeShare, kMostEyeShare * std::tan(0.5 * at.fovY));
+    settings.views.converge = convergenceAt(at);
+    settings.views.eyeDistance = threeDigits(*settings.views.converge * share);
     settings.givenEyes = {};
 }
 
 ViewSettings withStereo(ViewSettings settings, std::optional<options::StereoPicture> picture,
-                        double surfaceView) {
+                        const LookedAt& at) {
     if (!picture) {
         settings.views = {};
         return settings;
@@ -42,20 +48,20 @@ ViewSettings withStereo(ViewSettings settings, std::optional<options::StereoPict
     }
     if (!stereoPictureOf(settings)) {
         settings.views.stereo = scene::StereoMode::parallel;
-        fitEyes(settings, surfaceView);
+        fitEyes(settings, at);
     }
     settings.views.picture = *picture;
     return settings;
 }
 
-ViewSettings withNextStereo(ViewSettings settings, double surfaceView) {
+ViewSettings withNextStereo(ViewSettings settings, const LookedAt& at) {
     using options::StereoPicture;
     const std::optional<StereoPicture> now = stereoPictureOf(settings);
     const std::optional<StereoPicture> next = !now ? StereoPicture::sideBySide
                                               : *now == StereoPicture::sideBySide
                                                   ? std::optional(StereoPicture::anaglyph)
                                                   : std::nullopt;
-    return withStereo(std::move(settings), next, surfaceView);
+    return withStereo(std::move(settings), next, at);
 }
 
 PictureExtent extentOfEye(const ViewSettings& settings, const PictureExtent& picture) {
@@ -90,13 +96,21 @@ std::string_view explanationOf(std::optional<options::StereoPicture> picture) {
                : "Two eyes side by side, the left one at the left: look through the window until they meet.";
 }
 
-ViewSettings withOtherEyes(ViewSettings settings) {
-    if (settings.views.stereo) {
-        const auto& modes = scene::kStereoModes;
-        const auto now = std::find(modes.begin(), modes.end(), *settings.views.stereo);
-        settings.views.stereo = now + 1 == modes.end() ? modes.front() : *(now + 1);
+ViewSettings withEyes(ViewSettings settings, scene::StereoMode mode, const LookedAt& at) {
+    settings.views.stereo = mode;
+    if (mode != scene::StereoMode::parallel && !settings.views.converge) {
+        settings.views.converge = convergenceAt(at);
     }
     return settings;
+}
+
+ViewSettings withOtherEyes(ViewSettings settings, const LookedAt& at) {
+    if (!settings.views.stereo) {
+        return settings;
+    }
+    const auto& modes = scene::kStereoModes;
+    const auto next = std::find(modes.begin(), modes.end(), *settings.views.stereo) + 1;
+    return withEyes(std::move(settings), next == modes.end() ? modes.front() : *next, at);
 }
 
 } // namespace cdr::viewer

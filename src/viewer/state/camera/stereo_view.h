@@ -10,18 +10,26 @@ namespace cdr::viewer {
 /// How two eyes are shown; empty where there is one.
 std::optional<options::StereoPicture> stereoPictureOf(const ViewSettings& settings);
 
+/// What two eyes are fitted to.
+struct LookedAt {
+    double surfaceView = 0.0;           ///< of what is looked at; where nothing is, eyes are fitted to 1 unit
+    double fovY = scene::Camera{}.fovY; ///< of the lens, radians
+};
+
 /// The settings with two eyes shown so, or with one. Eyes that were not there before are those of the command line, or else
-/// fitted to a distance by fitEyes().
-/// @param surfaceView view distance of what is looked at; where nothing is, eyes are fitted to 1 unit.
+/// fitted by fitEyes().
 ViewSettings withStereo(ViewSettings settings, std::optional<options::StereoPicture> picture,
-                        double surfaceView);
+                        const LookedAt& at);
 /// One eye, two side by side, an anaglyph, one eye.
-ViewSettings withNextStereo(ViewSettings settings, double surfaceView);
-/// Toed-in eyes become parallel and the other way round. Nothing with one eye.
-ViewSettings withOtherEyes(ViewSettings settings);
-/// Pictures of the eyes coincide at that distance. The eyes are a thirtieth of it apart, to three digits, at which most
-/// people see one picture. They take the place of those of the command line.
-void fitEyes(ViewSettings& settings, double surfaceView);
+ViewSettings withNextStereo(ViewSettings settings, const LookedAt& at);
+/// Two eyes that are turned so. Their pictures coincide at what is looked at where they need a distance and have none.
+ViewSettings withEyes(ViewSettings settings, scene::StereoMode mode, const LookedAt& at);
+/// The same with the mode that follows. Nothing with one eye.
+ViewSettings withOtherEyes(ViewSettings settings, const LookedAt& at);
+/// Pictures of the eyes coincide at what is looked at. The eyes are a thirtieth of that distance apart, to three digits, at
+/// which most people see one picture. With a narrow lens they are nearer, so that both see it. They take the place of those
+/// of the command line.
+void fitEyes(ViewSettings& settings, const LookedAt& at);
 
 /// What one eye has of a picture: half of its width where two stand beside each other.
 PictureExtent extentOfEye(const ViewSettings& settings, const PictureExtent& picture);
