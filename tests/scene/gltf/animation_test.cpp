@@ -197,6 +197,21 @@ TEST_F(GltfAnimation, OneThatGrowsBeyondWhatCanBeDrawnIsRefused) {
     }
 }
 
+/// Exporters write splines of one keyframe for what does not move.
+TEST_F(GltfAnimation, ASplineOfOneKeyframeIsItsValue) {
+    Document document = moving();
+    giveMove(document, 0, {0}, {9, 9, 9, 1, 2, 3, 9, 9, 9});
+    sampler(document)["interpolation"] = "CUBICSPLINE";
+    const std::filesystem::path path = write("a.glb", document.glb());
+    for (const double seconds : {0.0, 0.5}) {
+        GltfChoice choice;
+        choice.animation = "0";
+        choice.seconds = seconds;
+        // Of the square's middle, which is (1, 2, 0) from the node.
+        EXPECT_EQ(openGltf(path, choice).setup.scene.instances.position(0), glm::dvec3(2, 4, 3)) << seconds;
+    }
+}
+
 TEST_F(GltfAnimation, UnsoundOnesAreRefused) {
     const auto with = [&](auto change) {
         Document document = moving();

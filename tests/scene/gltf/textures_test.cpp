@@ -104,6 +104,20 @@ TEST_F(GltfTextures, TheFirstDamagedOneIsNamedForAnyNumberOfThreads) {
     }
 }
 
+/// Else a small file whose levels are left out keeps the importer decoding for hours.
+TEST_F(GltfTextures, MoreTexelsThanCanBeDecodedInMinutesAreRefused) {
+    std::vector<Bytes> pictures(1'025);
+    const Bytes large = image::encodePng(image::ImageRgba8(8'192, 8'192));
+    std::fill(pictures.begin(), pictures.end(), Bytes(image::encodePng(picture(1, 1))));
+    pictures[0] = large;
+    Document document = with(pictures);
+    for (json& sharing : document.root["images"]) {
+        sharing["bufferView"] = document.root["images"][0]["bufferView"];
+    }
+    expectSays(refusalOf(document, {.textureMemory = 1u << 20u}),
+               "its pictures have 68786 million texels, over the limit of 68719");
+}
+
 TEST_F(GltfTextures, OnePictureReadInTwoWaysIsDecodedForBoth) {
     Document document = with({image::encodePng(picture(4, 4))});
     document.root["materials"][0]["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}};

@@ -36,7 +36,7 @@ Strided locate(const Buffers& buffers, const BufferView& view, std::size_t offse
 
 } // namespace
 
-Accessor::Accessor(const json& root, const Buffers& buffers, int index) {
+Accessor::Accessor(const json& root, const Buffers& buffers, int index, Increasing& increasing) {
     const json& accessor = itemAt(root, "accessors", index, "accessor");
     const std::string where = fmt::format("accessor {}", index);
     m_components = componentsOf(stringMember(accessor, "type").value_or(""), where);
@@ -50,7 +50,7 @@ Accessor::Accessor(const json& root, const Buffers& buffers, int index) {
                             view.stride == 0 ? m_elementBytes : view.stride, m_elementBytes, m_count, index);
     }
     if (member(accessor, "sparse") != nullptr) {
-        readSparse(objectMember(accessor, "sparse", where), buffers, index);
+        readSparse(objectMember(accessor, "sparse", where), buffers, index, increasing);
     }
 }
 
@@ -58,7 +58,7 @@ Accessor::Accessor(const Accessor& declared, Strided elements) : Accessor(declar
     m_elements = elements;
 }
 
-void Accessor::readSparse(const json& sparse, const Buffers& buffers, int index) {
+void Accessor::readSparse(const json& sparse, const Buffers& buffers, int index, Increasing& increasing) {
     const std::string where = fmt::format("accessor {}: its sparse part", index);
     const json& indices = objectMember(sparse, "indices", where);
     const json& values = objectMember(sparse, "values", where);
@@ -74,15 +74,26 @@ void Accessor::readSparse(const json& sparse, const Buffers& buffers, int index)
     };
     m_sparseIndices = packed(indices, componentBytes(m_sparseIndexType));
     m_sparseElements = packed(values, m_elementBytes);
-    std::uint32_t before = 0;
-    for (std::size_t i = 0; i < m_sparseCount; ++i) {
-        const std::uint32_t current = sparseIndex(i);
-        if (current >= m_count || (i > 0 && current <= before)) {
-            refuse("accessor {}: its sparse indices do not increase or exceed its {} elements", index,
-                   m_count);
-        }
-        before = current;
+    const std::array list{static_cast<std::size_t>(requiredIndex(indices, "bufferView", where)),
+                          byteOffset(indices), static_cast<std::size_t>(m_sparseIndexType), m_sparseCount};
+    const auto known = increasing.find(list);
+    const std::optional<std::uint32_t> last = known != increasing.end() ? known->second : lastIncreasing();
+    if (!last || *last >= m_count) {
+        refuse("accessor {}: its sparse indices do not increase or exceed its {} elements", index, m_count);
     }
+    increasing.emplace(list, *last);
+}
+
+std::optional<std::uint32_t> Accessor::lastIncreasing() const {
+    std::uint32_t last = sparseIndex(0);
+    for (std::size_t i = 1; i < m_sparseCount; ++i) {
+        const std::uint32_t current = sparseIndex(i);
+        if (current <= last) {
+            return std::nullopt;
+        }
+        last = current;
+    }
+    return last;
 }
 
 std::uint32_t Accessor::sparseIndex(std::size_t i) const {
@@ -150,7 +161,7 @@ const Accessor& Accessors::at(int index) {
     const auto found = m_checked.find(index);
     return found != m_checked.end()
                ? found->second
-               : m_checked.emplace(index, Accessor(m_root, m_buffers, index)).first->second;
+               : m_checked.emplace(index, Accessor(m_root, m_buffers, index, m_increasing)).first->second;
 }
 
 } // namespace cdr::scene::gltf

@@ -5,10 +5,12 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <map>
+#include <optional>
 
 namespace cdr::scene::gltf {
 
@@ -48,8 +50,13 @@ class Strided {
 /// asked for, so one thread reads at a time.
 class Accessor {
   public:
+    /// Lists of sparse indices that were found to increase, each with its last index. Many accessors may have one list.
+    /// By buffer view, first byte, component type and count.
+    using Increasing = std::map<std::array<std::size_t, 4>, std::uint32_t>;
+
     /// @param root of the document.
-    Accessor(const nlohmann::json& root, const Buffers& buffers, int index);
+    /// @param increasing lists of this document; the accessor's own is added.
+    Accessor(const nlohmann::json& root, const Buffers& buffers, int index, Increasing& increasing);
 
     /// The same, with elements that are elsewhere, of its type and count.
     Accessor(const Accessor& declared, Strided elements);
@@ -77,7 +84,9 @@ class Accessor {
     void requireIndices(int index) const;
 
   private:
-    void readSparse(const nlohmann::json& sparse, const Buffers& buffers, int index);
+    void readSparse(const nlohmann::json& sparse, const Buffers& buffers, int index, Increasing& increasing);
+    /// The last of the sparse indices; none where they do not increase.
+    std::optional<std::uint32_t> lastIncreasing() const;
     const std::uint8_t* element(std::size_t i) const;
     std::uint32_t sparseIndex(std::size_t i) const;
 
@@ -107,6 +116,7 @@ class Accessors {
     const nlohmann::json& m_root;
     const Buffers& m_buffers;
     std::map<int, Accessor> m_checked; ///< by index
+    Accessor::Increasing m_increasing;
 };
 
 } // namespace cdr::scene::gltf

@@ -86,9 +86,12 @@ std::optional<SourcePrimitive> MeshImporter::read(const Primitive& primitive, co
     if (primitive.mode < kModePoints || primitive.mode > kModeTriangleFan) {
         refuse("{}: mode {} does not exist", where, primitive.mode);
     }
-    // glTF: such a primitive should not be drawn. An extension may have its positions.
-    if (!primitive.attributes.contains("POSITION") && primitive.extension.empty()) {
-        m_notes.add("not drawn, because it has no positions", where);
+    // glTF: such a primitive should not be drawn. What has no data is all zeros, unless an extension has it.
+    const Accessor* position = attributeOf(primitive, "POSITION", m_accessors);
+    if (position == nullptr || (primitive.hasExtensions && !position->hasData() && !position->isSparse())) {
+        m_notes.add(primitive.hasExtensions ? "not drawn, because no positions of it can be read"
+                                            : "not drawn, because it has no positions",
+                    where);
         return std::nullopt;
     }
     return groundOf(primitive) == Ground::surface ? readTriangles(primitive, uv, where)
@@ -241,11 +244,6 @@ MeshImporter::Attributes MeshImporter::findAttributes(const Primitive& primitive
     // glTF: without normals, tangents do not count.
     if (uv.tangents != UvPlaces::Tangents::none && attributes.normal != nullptr) {
         attributes.tangent = find("TANGENT", 4, 4);
-    }
-    // What has no data is all zeros, unless an extension has it.
-    if (attributes.position == nullptr || (!primitive.extension.empty() && !attributes.position->hasData() &&
-                                           !attributes.position->isSparse())) {
-        refuse("{}: has no positions, or only compressed ones: {}", where, primitive.extension);
     }
     for (const Accessor* accessor :
          {attributes.normal, attributes.uv, attributes.color, attributes.secondUv, attributes.tangent}) {

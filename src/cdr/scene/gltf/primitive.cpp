@@ -27,10 +27,7 @@ Primitive readPrimitive(const json& root, const json& source, const std::string&
         refuse("{}: has no 'attributes'", where);
     }
     primitive.attributes = indicesByName(objectMember(source, "attributes", where));
-    const json& extensions = objectMember(source, "extensions", where);
-    if (!extensions.empty()) {
-        primitive.extension = extensions.begin().key();
-    }
+    primitive.hasExtensions = !objectMember(source, "extensions", where).empty();
     return primitive;
 }
 

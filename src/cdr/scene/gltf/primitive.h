@@ -32,7 +32,7 @@ struct Primitive {
     int material = -1;
     std::map<std::string, int> attributes;           ///< accessors
     std::vector<std::map<std::string, int>> targets; ///< of morph targets: their accessors
-    std::string extension;                           ///< the first one it has, empty without
+    bool hasExtensions = false;
     std::optional<DracoPrimitive> draco;             ///< where it has to be decoded
     std::shared_ptr<const DecodedPrimitive> decoded; ///< null until it is (draco/decompressor.h)
 };

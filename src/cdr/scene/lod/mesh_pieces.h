@@ -48,7 +48,7 @@ inline constexpr double kPieceRadius = 512.0;
 
 /// Cuts a mesh into pieces of about `radius`, each with vertices relative to its own origin. So float32 rounds
 /// them to 2^-25 of the piece and not of the mesh. There are at most kMaxPieces, and at most one per eight
-/// triangles; if more would be needed, pieces are larger. One piece where the mesh is no wider. Triangles are
+/// triangles, or two; if more would be needed, pieces are larger. One piece where the mesh is no wider. Triangles are
 /// not cut. One that is larger than `radius` goes to a piece by its centre. That piece is then as large as the
 /// triangle, and the renderer's wide draws take it.
 ///

@@ -129,9 +129,6 @@ std::size_t AnimationReader::keyframesOf(int index, AnimatedPath path, std::size
     keyframes.interpolation = interpolationOf(sampler, where);
     keyframes.width = width;
     keyframes.times = timesOf(sampler, where);
-    if (keyframes.interpolation == Interpolation::cubicSpline && keyframes.times.size() < 2) {
-        refuse("{}: a cubic spline needs two keyframes", where);
-    }
     keyframes.values = valuesOf(sampler, keyframes, path, where);
     m_animation.seconds = std::max(m_animation.seconds, static_cast<double>(keyframes.times.back()));
     m_animation.keyframes.push_back(std::move(keyframes));

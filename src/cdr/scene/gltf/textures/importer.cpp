@@ -20,6 +20,10 @@ using nlohmann::json;
 /// Most that all textures of one file take with their levels, where nothing else is said: 1 GiB and a third of it.
 constexpr std::uint64_t kMaxTextureBytes = 1366ull << 20;
 
+/// Most texels that all pictures of one file have before levels are left out, 1024 pictures of 8192x8192. Decoding them takes
+/// minutes.
+constexpr std::uint64_t kMaxDecodedTexels = 1ull << 36;
+
 /// glTF's numbers for how a texture goes on beyond its edge.
 enum GltfWrap { kClampToEdge = 33071, kMirroredRepeat = 33648, kRepeat = 10497 };
 
@@ -153,6 +157,14 @@ std::vector<std::uint32_t> TextureImporter::dropLevels(const std::optional<std::
 
 void TextureImporter::decode(const GltfLimits& limits, ReadProgress& progress) {
     const std::vector<std::uint32_t> dropped = dropLevels(limits.textureMemory);
+    std::uint64_t texels = 0;
+    for (const Shown& shown : m_shown) {
+        texels += std::uint64_t{shown.source.size.width} * shown.source.size.height;
+    }
+    if (texels > kMaxDecodedTexels) {
+        refuse("its pictures have {} million texels, over the limit of {}", texels / 1'000'000,
+               kMaxDecodedTexels / 1'000'000);
+    }
     const std::size_t most =
         limits.threads != 0 ? limits.threads : std::max(1u, std::thread::hardware_concurrency());
     platform::WorkerPool workers(
