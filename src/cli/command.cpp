@@ -223,6 +223,13 @@ nlohmann::ordered_json Command::makeDocument(nlohmann::ordered_json options) con
         {"options", std::move(options)},
         {"results", nlohmann::ordered_json::array()},
         {"given", givenOptions(m_app)}};
+    // Options of the program, which change what is drawn.
+    if (m_global.textureMiB) {
+        document["given"]["texture-memory"] = std::vector{std::to_string(*m_global.textureMiB)};
+    }
+    if (m_global.pointRadius) {
+        document["given"]["points"] = std::vector{fmt::format("{}", *m_global.pointRadius)};
+    }
     if (m_global.hostCpus != 0) {
         document["host"]["cpus"] = m_measuresTime ? platform::allowedCpus().size() : m_global.hostCpus;
     }

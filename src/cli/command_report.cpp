@@ -3,7 +3,6 @@
 #include "forecast.h"
 #include "report_sections.h"
 
-#include <cdr/base/enum_names.h>
 #include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 #include <report/folder.h>
@@ -67,16 +66,17 @@ nlohmann::ordered_json describe(const report::Section& section, const output::Js
             {"failure", outcome.at("failure")}};
 }
 
-constexpr base::EnumNames<report::Effort, 3> kEfforts{"effort", {"smallest", "quick", "full"}};
-
 nlohmann::ordered_json makeManifest(const Command& command, const report::PlanOptions& options) {
-    nlohmann::ordered_json manifest = command.makeDocument({{"effort", kEfforts.nameOf(options.effort)},
-                                                            {"threads", options.threads},
-                                                            {"seed", options.seed},
-                                                            {"sections", options.sections}});
-    if (const std::string& device = command.global().device; !device.empty()) {
+    nlohmann::ordered_json manifest =
+        command.makeDocument({{"effort", report::kEfforts.nameOf(options.effort)},
+                              {"threads", options.threads},
+                              {"seed", options.seed},
+                              {"sections", options.sections}});
+    const std::string& device = command.global().device;
+    if (!device.empty()) {
         manifest["options"]["device"] = device;
     }
+    manifest["command_line"] = report::commandLine(options, device);
     manifest["videos"] = options.videos;
     manifest["made_at"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
     return manifest;

@@ -62,7 +62,8 @@ function keepAskedFor({ report, sections }) {
             removeSection(section);
         }
     }
-    const judged = verdicts(sections).filter((verdict) => parts.has(verdict.section));
+    const asked = new Set(report.results.map((row) => row.section)); // a part that is there may lack the result to judge
+    const judged = verdicts(sections).filter((verdict) => asked.has(verdict.section));
     if (judged.length === 0) {
         removeSection(document.getElementById("verdicts"));
     }

@@ -120,8 +120,11 @@ int ChildProcess::wait() {
 }
 
 std::string ChildProcess::lastWords() const {
-    std::string said(400, '\0');
-    std::rewind(m_errors.get());
+    constexpr long kMost = 400;
+    std::string said(kMost, '\0');
+    if (std::fseek(m_errors.get(), -kMost, SEEK_END) != 0) {
+        std::rewind(m_errors.get()); // it is shorter
+    }
     said.resize(std::fread(said.data(), 1, said.size(), m_errors.get()));
     while (!said.empty() && said.back() == '\n') {
         said.pop_back();

@@ -15,6 +15,18 @@ namespace cdr::report {
 
 namespace {
 
+/// A command of this program, as a shell takes it.
+std::string lineOf(const std::vector<std::string>& words, std::string_view device) {
+    std::string line = "cdr";
+    if (!device.empty()) {
+        line += " --device " + program::shellQuoted(device);
+    }
+    for (const std::string& word : words) {
+        line += " " + program::shellQuoted(word);
+    }
+    return line;
+}
+
 /// An option's value; nothing where it is a flag.
 std::optional<std::string> valueOf(const PlanOption& option, const PlanOptions& plan) {
     if (option.values.empty()) {
@@ -107,14 +119,17 @@ std::vector<Section> makePlan(const PlanOptions& options) {
 }
 
 std::string commandLine(const Section& section, std::string_view device) {
-    std::string line = "cdr";
-    if (!device.empty()) {
-        line += " --device " + program::shellQuoted(device);
+    return lineOf(section.commandIn(""), device);
+}
+
+std::string commandLine(const PlanOptions& options, std::string_view device) {
+    std::vector<std::string> words{"report", fmt::format("--{}", kEfforts.nameOf(options.effort))};
+    if (!options.sections.empty()) {
+        words.insert(words.end(), {"--sections", fmt::format("{}", fmt::join(options.sections, ","))});
     }
-    for (const std::string& argument : section.commandIn("")) {
-        line += " " + program::shellQuoted(argument);
-    }
-    return line;
+    words.insert(words.end(), {"--threads", std::to_string(options.threads), "--seed",
+                               std::to_string(options.seed), "-o", "."});
+    return lineOf(words, device);
 }
 
 } // namespace cdr::report

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/base/enum_names.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -15,6 +17,8 @@ enum class Effort : std::uint8_t {
     quick,    ///< a few frames of each experiment: under five minutes on two unloaded cores
     full,     ///< the thesis' own numbers of frames: hours
 };
+
+inline constexpr base::EnumNames<Effort, 3> kEfforts{"effort", {"smallest", "quick", "full"}};
 
 /// One experiment of a report: a command of this program and where its results go.
 struct Section {
@@ -48,5 +52,7 @@ std::vector<Section> makePlan(const PlanOptions& options);
 /// The command as one would type it, in the report's folder.
 /// @param device of --device; empty for the best.
 std::string commandLine(const Section& section, std::string_view device);
+/// The same of the whole report.
+std::string commandLine(const PlanOptions& options, std::string_view device);
 
 } // namespace cdr::report

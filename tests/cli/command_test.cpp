@@ -85,10 +85,11 @@ TEST_F(Commands, DevicesFindsPortabilityDrivers) {
 }
 
 TEST_F(Commands, PrecisionReproducesAll16CellsOfTable41) {
-    const ProgramResult result = succeed("precision --json --curve c.csv");
+    const ProgramResult result = succeed("--points 0.02 precision --texture-memory 64 --json --curve c.csv");
     const json document = json::parse(result.out);
     expectEnvelope(document, "precision");
-    EXPECT_EQ(document.at("given"), json::object()) << "where results go";
+    EXPECT_EQ(document.at("given"), (json{{"texture-memory", {"64"}}, {"points", {"0.02"}}}))
+        << "not where results go";
     int cells = 0;
     for (const json& cell : document["results"]) {
         if (cell.contains("thesis")) {

@@ -142,12 +142,13 @@ TEST_F(TimingCommand, TimesTrafficThatMoves) {
 TEST_F(TimingCommand, RunsTwoBuildsInTurns) {
     // Whatever others left in the folder for temporary files.
     std::filesystem::create_directory(at("cdr-timing.json"));
-    succeed("timing --against '" CDR_PROGRAM
+    succeed("--validate timing --against '" CDR_PROGRAM
             "' --rounds 2 --frames 2 --size 64x36 --modes log,cdr-2 --json a.json",
             "TMPDIR=.");
     const json document = jsonIn("a.json");
     EXPECT_EQ(document.at("options").at("rounds"), 2);
     EXPECT_EQ(document.at("options").at("against_commit"), document.at("commit"));
+    EXPECT_EQ(document.at("options").at("arguments").at(1), "--validate");
     EXPECT_NE(document.at("device").at("driver"), "");
     EXPECT_TRUE(document.at("machine").contains("governor"));
     EXPECT_TRUE(document.at("machine").contains("load"));

@@ -270,13 +270,18 @@ TEST_F(RanksCommand, WhatMeasuresTimeSharesNoMachineUnlessTold) {
                                   " measures time, and 2 ranks share this machine: start one on each, or add "
                                   "--share-machine\n");
     }
-    for (const std::string name : {"inspect cubes", "timing --memory", "timing --against x", "view cubes"}) {
+    for (const std::string name : {"inspect cubes", "timing --memory", "view cubes"}) {
         const ProgramResult result = runAsRanks(2, "--share-machine " + name, folder());
         EXPECT_EQ(result.status, 2) << name;
         EXPECT_NE(result.err.find(" runs in one process, and not as 2 ranks: start it without mpirun\n"),
                   std::string::npos)
             << result.err;
     }
+    // The launcher's variables are there for one rank, too.
+    const ProgramResult one = runAsRanks(1, "timing --against '" CDR_PROGRAM "'", folder());
+    EXPECT_EQ(one.status, 2);
+    EXPECT_EQ(one.err, "cdr: timing --against starts programs that would join this run of ranks: start it "
+                       "without mpirun\n");
     EXPECT_TRUE(folderIsEmpty());
 }
 

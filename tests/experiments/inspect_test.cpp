@@ -1,9 +1,11 @@
 #include "../support/shared_device.h"
 
 #include <experiments/inspect/inspect.h>
+#include <experiments/inspect/views.h>
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <utility>
 
 namespace cdr::experiments_test {
@@ -77,6 +79,23 @@ TEST_F(InspectTest, RoundedVerticesCountInHowFarFacesAreToBeMoved) {
     options.drawing.snapping = render::Snapping::inPlane;
     const Inspection kept = inspect(device(), squares(0.0), options);
     EXPECT_LT(kept.techniques.back().apart.at({0, 1}), 0.1 * inPlane.techniques.back().apart.at({0, 1}));
+}
+
+TEST(InspectViews, HaveTheUpThatIsGiven) {
+    const scene::Scene scene = squares(1.0);
+    const scene::Camera own{.position = {3.0, -60.0, -20.0}};
+    const glm::dvec3 z(0.0, 0.0, 1.0);
+    const auto level = viewsAround(scene, own, 6, std::nullopt);
+    const auto upright = viewsAround(scene, own, 6, z);
+    ASSERT_EQ(upright.size(), 6u);
+    EXPECT_EQ(upright[0], own);
+    for (std::size_t i = 1; i < upright.size(); ++i) {
+        EXPECT_NEAR(upright[i].right.z, 0.0, 1e-12) << i;
+        EXPECT_GT(upright[i].up.z, 0.0) << i;
+        EXPECT_NEAR(level[i].right.y, 0.0, 1e-12) << i;
+        EXPECT_EQ(upright[i].position, level[i].position) << i;
+        EXPECT_LT(glm::length(upright[i].back - level[i].back), 1e-12) << i;
+    }
 }
 
 /// The step of 16 bits is twenty times the gap.

@@ -102,6 +102,7 @@ TEST(TimingModes, APlotLeavesOutIntervalsThatDoNotExist) {
     EXPECT_NE(without.find("2 \"log\" 5 NaN NaN NaN\n"), std::string::npos) << without;
     EXPECT_EQ(without.find("rectangle"), std::string::npos);
     EXPECT_EQ(without.find("noise"), std::string::npos);
+    EXPECT_NE(without.find("set yrange [*<0:0<*]\n"), std::string::npos) << "bars begin at 0";
     results[1].overheadPercent95 = {.low = -1.0, .high = 1.5};
     results[2].overheadPercent95 = {.low = 4.0, .high = 6.5};
     const std::string with = timingPlot(results, "a device");

@@ -96,6 +96,13 @@ TEST_F(ChildProcessTest, FailureIsReportedInItsOwnWords) {
     EXPECT_NE(whatOf([&] { failing.finish(); }).find("nowhere-at-all"), std::string::npos);
 }
 
+TEST_F(ChildProcessTest, TheEndOfALongErrorIsQuoted) {
+    ChildProcess failing({"sh", "-c", "printf '%01000d\\n' 0 >&2; echo cause >&2; exit 1"}, {});
+    const std::string said = whatOf([&] { failing.finish(); });
+    EXPECT_TRUE(said.ends_with("0\ncause")) << said;
+    EXPECT_LT(said.size(), 500u);
+}
+
 TEST_F(ChildProcessTest, WritingToOneThatHasEndedIsAnError) {
     ChildProcess ended({"true"}, {});
     const platform::Bytes block(1 << 16);

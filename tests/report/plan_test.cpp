@@ -50,6 +50,17 @@ TEST(Plan, CommandsDifferByEffort) {
     EXPECT_EQ(lineOf({}, "precision"), "cdr precision --json data/precision.json");
 }
 
+/// A number of JavaScript has 53 bits, so the page takes the seed as text.
+TEST(Plan, TheCommandOfTheWholeReportHasWhatItWasMadeWith) {
+    EXPECT_EQ(commandLine(PlanOptions{.threads = 4}, ""), "cdr report --quick --threads 4 --seed 2013 -o .");
+    EXPECT_EQ(commandLine(PlanOptions{.effort = Effort::full,
+                                      .seed = 18446744073709551615u,
+                                      .sections = {"probe", "detail"}},
+                          "John's GPU"),
+              "cdr --device 'John'\\''s GPU' report --full --sections probe,detail --threads 1 --seed "
+              "18446744073709551615 -o .");
+}
+
 /// A row for each scene; the page shows the pictures of one.
 TEST(Plan, ShadowsAndCertificatesAreOfEachScene) {
     EXPECT_EQ(lineOf({}, "shadows-alley"),

@@ -61,8 +61,8 @@ std::vector<scene::Camera> camerasOf(const scene::SceneSetup& setup, const Inspe
     }
     const bool isStill = options.eye || options.target || options.direction || arguments.choice.camera;
     if (!isStill && own.frames == 1) {
-        return experiments::viewsAround(setup.scene, options::overridden(own.at(0), options),
-                                        arguments.views);
+        return experiments::viewsAround(setup.scene, options::overridden(own.at(0), options), arguments.views,
+                                        options.up);
     }
     for (const std::uint32_t frame : experiments::zoomFrames(own.frames, isStill ? 1 : arguments.views)) {
         cameras.push_back(options::overridden(own.at(isStill ? 0 : frame), options));

@@ -8,7 +8,7 @@
 namespace cdr::experiments {
 
 std::vector<scene::Camera> viewsAround(const scene::Scene& scene, const scene::Camera& own,
-                                       std::uint32_t count) {
+                                       std::uint32_t count, const std::optional<glm::dvec3>& up) {
     std::vector<scene::Camera> views{own};
     const scene::Sphere all = scene::sphereAround(scene.instances);
     const glm::dvec3 middle = all.centre;
@@ -22,7 +22,8 @@ std::vector<scene::Camera> viewsAround(const scene::Scene& scene, const scene::C
         const double height = 1.0 - (2.0 * i - 1.0) / (count - 1.0);
         const double across = std::sqrt(1.0 - height * height);
         const glm::dvec3 side(across * std::sin(turn * i), height, across * std::cos(turn * i));
-        views.push_back(scene::lookAt(own, middle + distance * side, middle));
+        const glm::dvec3 eye = middle + distance * side;
+        views.push_back(up ? scene::lookAlong(own, eye, middle - eye, *up) : scene::lookAt(own, eye, middle));
     }
     return views;
 }

@@ -20,6 +20,9 @@ std::vector<std::string> runArguments(const Command& command, const TimingArgume
     if (const std::string& device = command.global().device; !device.empty()) {
         all.insert(all.end(), {"--device", device});
     }
+    if (command.global().validate) {
+        all.emplace_back("--validate");
+    }
     all.insert(all.end(),
                {"timing", "--frames", std::to_string(arguments.frames.value_or(kRunFrames)), "--size",
                 fmt::format("{}x{}", options.width, options.height), "--threads",

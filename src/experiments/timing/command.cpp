@@ -15,8 +15,12 @@ namespace {
 
 /// What can be wrong with the arguments, before anything is made.
 void checkArguments(TimingArguments& arguments, CommandFiles& files, const ranks::Ranks& ranks) {
-    if (!arguments.against.empty() || arguments.memory) {
-        requireAlone(ranks, arguments.memory ? "timing --memory" : "timing --against");
+    if (arguments.memory) {
+        requireAlone(ranks, "timing --memory");
+    }
+    if (!arguments.against.empty() && ranks.place().node) {
+        throw base::InputError(
+            "timing --against starts programs that would join this run of ranks: start it without mpirun");
     }
     const bool isPlain = arguments.against.empty() && !arguments.stages && !arguments.memory;
     if (!isPlain && (!arguments.csv.empty() || !arguments.trace.empty())) {

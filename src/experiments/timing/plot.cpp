@@ -50,6 +50,7 @@ std::string timingPlot(const std::vector<TimingResult>& results, const std::stri
         "set grid ytics lc rgb '#dddddd'\n"
         "set key top left\n"
         "set xrange [0.3:{}]\n"
+        "set yrange [*<0:0<*]\n" // without intervals gnuplot begins at the smallest bar
         "set xzeroaxis lt -1\n"
         "{}"
         "$data << END\n{}END\n"

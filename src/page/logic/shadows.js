@@ -2,7 +2,10 @@
 
 import { median } from "./statistics.js";
 
-/** A row for each scene and method, over its frames and lights. `flips` and `flipsPerThousand` are null after one frame. */
+/**
+ * A row for each scene and method, over its frames and lights. `flips` and `flipsPerThousand` are null after one frame, and
+ * `wrongFraction` where no pixel counts.
+ */
 export function shadowRows(documents) {
     return documents.flatMap(({ options, results }) => [...new Set(results.map((row) => row.method))].map((method) =>
         ({ scene: options.scene, method, ...summed(results.filter((row) => row.method === method)) })));
@@ -16,7 +19,7 @@ function summed(rows) {
     return {
         pixels: sum("pixels"),
         wrong: sum("wrong"),
-        wrongFraction: sum("pixels") > 0 ? sum("wrong") / sum("pixels") : 0,
+        wrongFraction: sum("pixels") > 0 ? sum("wrong") / sum("pixels") : null,
         edgeWrong: sum("edge_wrong"),
         flips: hasFlips ? sum("flips") : null,
         flipsPerThousand: hasFlips && compared > 0 ? 1000 * sum("flips") / compared : null,

@@ -49,16 +49,3 @@ export const pairs = [
 
 /** Table 6.2: how often each was chosen, of 36. */
 export const table62 = { standard: 2, cdr: 10, log: 25, logcdr: 35 };
-
-/** Figure 6.4's overhead over standard in percent, as section 6.2 gives it, by the mode's name here. */
-export const figure64 = {
-    "cdr-2": 3.4,
-    "cdr-3": 4.6,
-    "cdr-4": 5.7,
-    "cdr-5": 7.1,
-    log: 4.4,
-    "logcdr-2": 8.0,
-    "logcdr-3": 8.2,
-    "logcdr-4": 8.4,
-    "logcdr-5": 10.4,
-};
