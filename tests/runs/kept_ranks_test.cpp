@@ -62,10 +62,12 @@ class KeptRun : public testing::Test {
             };
             forEachUnit(
                 kept, 3, [&](std::size_t unit) { return make("a" + std::to_string(unit)); }, take);
-            forEachUnitOnFirst(
-                kept, 2, [&](std::size_t unit) { return make("b" + std::to_string(unit)); }, take);
-            forEachUnitTogether(
-                kept, 2, [&](std::size_t unit) { return make("c" + std::to_string(unit)); }, take);
+            forEachUnit(
+                kept, 2, [&](std::size_t unit) { return make("b" + std::to_string(unit)); }, take,
+                &ranks::Ranks::forEachUnitOnFirst);
+            forEachUnit(
+                kept, 2, [&](std::size_t unit) { return make("c" + std::to_string(unit)); }, take,
+                &ranks::Ranks::forEachUnitTogether);
         } catch (const std::exception& error) {
             start.error = error.what();
         }
