@@ -26,23 +26,11 @@
 namespace cdr::cli {
 
 void addExperiments(CLI::App& program, const GlobalOptions& global) {
-    addPrecision(program, global);
-    addPictures(program, global);
-    addFlicker(program, global);
-    addProbe(program, global);
-    addAdvise(program, global);
-    addTiming(program, global);
-    addScaling(program, global);
-    addDetail(program, global);
-    addCoplanar(program, global);
-    addTranslucency(program, global);
-    addShadows(program, global);
-    addEffects(program, global);
-    addFocus(program, global);
-    addOrbit(program, global);
-    addInspect(program, global);
-    addModels(program, global);
-    addRivals(program, global);
+    for (AddCommand* add : {addPrecision, addPictures, addFlicker, addProbe, addAdvise, addTiming, addScaling,
+                            addDetail, addCoplanar, addTranslucency, addShadows, addEffects, addFocus,
+                            addOrbit, addInspect, addModels, addRivals}) {
+        add(program, global);
+    }
 }
 
 namespace {

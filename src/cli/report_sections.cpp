@@ -122,7 +122,8 @@ void SectionRunner::runAll(const std::function<void()>& keep) {
         (m_plan[i].isTimed ? timed : shared).push_back(i);
     }
     runs::forEachUnit(m_command.ranks(), shared.size(), runOf(shared), addOf(shared));
-    runs::forEachUnitOnFirst(m_command.ranks(), timed.size(), runOf(timed), addOf(timed));
+    runs::forEachUnit(m_command.ranks(), timed.size(), runOf(timed), addOf(timed),
+                      &ranks::Ranks::forEachUnitOnFirst);
 }
 
 Json SectionRunner::run(std::size_t section) {

@@ -74,14 +74,20 @@ inline Json jsonOf(const std::optional<measure::Interval>& interval) {
     return interval ? Json{interval->low, interval->high} : Json(nullptr);
 }
 
+/// What a column of intervals is called, and how the table writes one.
+struct IntervalTexts {
+    std::string key = "ci95";
+    std::string heading = "95 % interval";
+    std::string pattern = "{} to {}";
+};
+
 /// A bootstrap interval of 95 %, in JSON and in the table. Where a row has none: null and "-".
 template <typename Row>
-Column<Row> intervalColumn(std::optional<measure::Interval> Row::*interval,
-                           const std::string& pattern = "{} to {}") {
-    return {.key = "ci95",
+Column<Row> intervalColumn(std::optional<measure::Interval> Row::*interval, const IntervalTexts& texts = {}) {
+    return {.key = texts.key,
             .value = [interval](const Row& row) { return jsonOf(row.*interval); },
-            .heading = "95 % interval",
-            .format = {.pattern = pattern, .missing = "-"}};
+            .heading = texts.heading,
+            .format = {.pattern = texts.pattern, .missing = "-"}};
 }
 
 /// One cell of a table.
@@ -150,24 +156,7 @@ Table tableOf(const Columns<Row>& columns, const std::vector<Row>& rows) {
     return table;
 }
 
-/// The columns of a part of a row as columns of the row.
-template <typename Row, typename Part>
-Columns<Row> columnsOf(Part Row::*part, const Columns<Part>& columns) {
-    Columns<Row> result;
-    for (const Column<Part>& column : columns) {
-        result.push_back({.key = column.key,
-                          .value = [part, value = column.value](const Row& row) { return value(row.*part); },
-                          .heading = column.heading,
-                          .format = column.format,
-                          .before = column.before});
-        if (column.text) {
-            result.back().text = [part, text = column.text](const Row& row) { return text(row.*part); };
-        }
-    }
-    return result;
-}
-
-/// The same of a part that a row may lack. Then its values are absent.
+/// The columns of a part of a row as columns of the row. A row may lack the part; then its values are absent.
 /// @param part gives a row's std::optional, or a pointer.
 template <typename Row, typename Get, typename Part>
 Columns<Row> columnsOf(Get part, const Columns<Part>& columns) {
@@ -189,6 +178,12 @@ Columns<Row> columnsOf(Get part, const Columns<Part>& columns) {
         }
     }
     return result;
+}
+
+/// The same of a part that each row has.
+template <typename Row, typename Part>
+Columns<Row> columnsOf(Part Row::*part, const Columns<Part>& columns) {
+    return columnsOf<Row>([part](const Row& row) { return &(row.*part); }, columns);
 }
 
 /// Lists of columns, one after the other.

@@ -52,6 +52,8 @@ class Ranks {
     /// The result of a unit.
     using Make = std::function<platform::Bytes(std::size_t unit)>;
     using Take = std::function<void(std::size_t unit, const platform::Bytes& made)>;
+    /// forEachUnit(), forEachUnitOnFirst() or forEachUnitTogether().
+    using ForEach = void (Ranks::*)(std::size_t count, const Make& make, const Take& take);
 
     explicit Ranks(const Place& place) : m_place(place) {}
     virtual ~Ranks() = default;

@@ -6,17 +6,9 @@
 #include <cdr/base/format_error.h>
 #include <cdr/platform/base64.h>
 
-#include <limits>
 #include <stdexcept>
 
 namespace cdr::runs {
-
-namespace {
-
-/// Only the commands know how many units a run has.
-constexpr std::size_t kAnyCount = std::numeric_limits<std::size_t>::max();
-
-} // namespace
 
 /// What is read has the right sums, and may be of another shape all the same.
 template <typename Action>
@@ -37,7 +29,7 @@ KeptRanks::KeptRanks(ranks::Ranks& ranks, const std::filesystem::path& path, std
     if (!isFirst()) {
         return;
     }
-    m_file.emplace(path, UnitRun{.digest = std::move(digest), .units = kAnyCount});
+    m_file.emplace(path, std::move(digest));
     for (auto& [unit, made] : std::exchange(m_file->made(), {})) {
         m_kept[unit] = reading([&made = made] {
             auto bytes = platform::fromBase64(made.get_ref<const std::string&>());

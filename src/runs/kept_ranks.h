@@ -41,7 +41,6 @@ class KeptRanks final : public ranks::Ranks {
 
   private:
     using Units = std::vector<std::size_t>;
-    using ForEach = void (Ranks::*)(std::size_t count, const Make& make, const Take& take);
     /// Of the next so many units of the run. Those that are missing are made by ranks, the others come from the file.
     void handOver(ForEach forEach, const Units& missing, std::size_t count, const Make& make,
                   const Take& take);

@@ -27,25 +27,25 @@ bool isThere(const std::filesystem::path& path) {
 }
 
 /// A line of stateLineOf(), without its end.
-void readLine(std::string_view line, const UnitRun& run, UnitState& state) {
+void readLine(std::string_view line, UnitState& state) {
     const std::string_view json = line.substr(std::min(line.size(), kDigits + 1));
     if (json.empty() || line.substr(0, kDigits + 1) != program::sha256Of(json) + " ") {
         throw base::InputError("is damaged");
     }
     auto record = platform::parseShallow<output::Json>(json, kDeepest, "is damaged");
     const output::Json& unit = record.at("unit");
-    if (!unit.is_number_unsigned() || unit.get<std::uint64_t>() >= run.units) {
+    if (!unit.is_number_unsigned()) {
         throw base::InputError("holds a result that is not part of this run");
     }
     state.made[unit.get<std::size_t>()] = std::move(record.at("made"));
 }
 
-UnitState parseState(std::string_view text, const UnitRun& run) {
+UnitState parseState(std::string_view text, std::string_view digest) {
     UnitState state;
     if (text.empty()) {
         return state;
     }
-    const std::string head = stateHeadOf(run);
+    const std::string head = stateHeadOf(digest);
     if (!text.starts_with(kStateName)) {
         throw base::InputError("is no state");
     }
@@ -56,15 +56,15 @@ UnitState parseState(std::string_view text, const UnitRun& run) {
     state.bytes = head.size();
     for (std::size_t end = 0; (end = text.find('\n', state.bytes)) != std::string_view::npos;
          state.bytes = end + 1) {
-        readLine(text.substr(state.bytes, end - state.bytes), run, state);
+        readLine(text.substr(state.bytes, end - state.bytes), state);
     }
     return state;
 }
 
 } // namespace
 
-std::string stateHeadOf(const UnitRun& run) {
-    return fmt::format("{}{}\n", kStateName, run.digest);
+std::string stateHeadOf(std::string_view digest) {
+    return fmt::format("{}{}\n", kStateName, digest);
 }
 
 std::string stateLineOf(std::size_t unit, const output::Json& made) {
@@ -77,10 +77,10 @@ std::string summed(std::string_view text) {
     return fmt::format("{} {}\n", program::sha256Of(text), text);
 }
 
-UnitState readUnitState(std::string_view text, const UnitRun& run, const std::string& name) {
+UnitState readUnitState(std::string_view text, std::string_view digest, const std::string& name) {
     std::string what;
     try {
-        return parseState(text, run);
+        return parseState(text, digest);
     } catch (const nlohmann::json::exception&) {
         what = "is damaged";
     } catch (const base::InputError& error) {
@@ -89,12 +89,12 @@ UnitState readUnitState(std::string_view text, const UnitRun& run, const std::st
     throw base::inputError("{}: {}; remove it or name another file", name, what);
 }
 
-UnitStateFile::UnitStateFile(std::filesystem::path path, UnitRun run)
+UnitStateFile::UnitStateFile(std::filesystem::path path, std::string digest)
     : m_path(std::move(path)),
-      m_run(std::move(run)) {
+      m_digest(std::move(digest)) {
     if (isThere(m_path)) {
         const platform::Bytes bytes = platform::readFile(m_path, kMaxStateBytes);
-        m_state = readUnitState({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, m_run,
+        m_state = readUnitState({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, m_digest,
                                 m_path.string());
     }
     if (m_state.bytes == 0) { // begin() writes a whole file
@@ -113,7 +113,7 @@ void UnitStateFile::keep(std::size_t unit, const output::Json& result) {
 
 void UnitStateFile::begin() {
     if (m_state.bytes == 0) {
-        platform::writeText(m_path, stateHeadOf(m_run)); // whole, so that a head is never cut off
+        platform::writeText(m_path, stateHeadOf(m_digest)); // whole, so that a head is never cut off
         return;
     }
     std::error_code error;

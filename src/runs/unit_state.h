@@ -11,20 +11,15 @@
 
 namespace cdr::runs {
 
-/// The run that a state belongs to.
-struct UnitRun {
-    std::string digest; ///< of everything that results depend on
-    std::size_t units = 0;
-};
-
 /// What a state holds.
 struct UnitState {
     std::map<std::size_t, output::Json> made{}; ///< results by unit
     std::uintmax_t bytes = 0; ///< of the text; behind them lies what was cut off as it was written
 };
 
-// A state is lines of text. One says of which run it is. There is one for each result, which begins with its SHA-256.
-std::string stateHeadOf(const UnitRun& run);
+// A state is lines of text. One says of which run it is, by a digest of everything that results depend on. There is one for each
+// result, which begins with its SHA-256.
+std::string stateHeadOf(std::string_view digest);
 std::string stateLineOf(std::size_t unit, const output::Json& made);
 /// A line of that text.
 std::string summed(std::string_view text);
@@ -32,13 +27,13 @@ std::string summed(std::string_view text);
 /// The state that a text holds; an empty text holds none of any run.
 /// @param name of the file, which a message begins with.
 /// base::InputError, in one line, for a damaged text or one of another run.
-UnitState readUnitState(std::string_view text, const UnitRun& run, const std::string& name);
+UnitState readUnitState(std::string_view text, std::string_view digest, const std::string& name);
 
 /// Keeps results of a run's units in a file, each as soon as it is there.
 class UnitStateFile {
   public:
     /// Takes up what an earlier run left. base::InputError as readUnitState(), and where the file cannot be read or written.
-    UnitStateFile(std::filesystem::path path, UnitRun run);
+    UnitStateFile(std::filesystem::path path, std::string digest);
 
     /// Those of earlier runs.
     std::map<std::size_t, output::Json>& made() { return m_state.made; }
@@ -49,7 +44,7 @@ class UnitStateFile {
     void begin();
 
     std::filesystem::path m_path;
-    UnitRun m_run;
+    std::string m_digest;
     UnitState m_state;
     bool m_hasBegun = false; ///< to write
 };

@@ -14,20 +14,11 @@
 
 namespace cdr::runs {
 
-/// ranks::Ranks::forEachUnit() of results that are JSON, which may hold binary values.
+/// A function of ranks::Ranks, with results that are JSON, which may hold binary values.
 void forEachUnit(ranks::Ranks& ranks, std::size_t count,
                  const std::function<output::Json(std::size_t unit)>& make,
-                 const std::function<void(std::size_t unit, output::Json made)>& take);
-
-/// The same of ranks::Ranks::forEachUnitOnFirst().
-void forEachUnitOnFirst(ranks::Ranks& ranks, std::size_t count,
-                        const std::function<output::Json(std::size_t unit)>& make,
-                        const std::function<void(std::size_t unit, output::Json made)>& take);
-
-/// The same of ranks::Ranks::forEachUnitTogether().
-void forEachUnitTogether(ranks::Ranks& ranks, std::size_t count,
-                         const std::function<output::Json(std::size_t unit)>& make,
-                         const std::function<void(std::size_t unit, output::Json made)>& take);
+                 const std::function<void(std::size_t unit, output::Json made)>& take,
+                 ranks::Ranks::ForEach forEach = &ranks::Ranks::forEachUnit);
 
 /// Values without pointers as one binary value, which another rank of the same program unpacks.
 template <typename Value>

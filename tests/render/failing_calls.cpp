@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <iterator>
 #include <optional>
 #include <string>
+#include <type_traits>
 
 namespace cdr::render_test {
 
@@ -61,29 +63,6 @@ struct Failable<name, VkResult(VKAPI_PTR*)(Parameters...)> {
         return reinterpret_cast<PFN_vkVoidFunction>(&call);
     }
 };
-
-/// The same for any of them; what was found itself where the name is another's.
-PFN_vkVoidFunction failableOf(std::string_view name, PFN_vkVoidFunction found) {
-    struct Call {
-        std::string_view name;
-        PFN_vkVoidFunction (*standIn)(PFN_vkVoidFunction);
-    };
-    static constexpr Call kCalls[] = {
-        {kAllocateDescriptorSets, Failable<kAllocateDescriptorSets, PFN_vkAllocateDescriptorSets>::standIn},
-        {kCreateBuffer, Failable<kCreateBuffer, PFN_vkCreateBuffer>::standIn},
-        {kCreateDescriptorPool, Failable<kCreateDescriptorPool, PFN_vkCreateDescriptorPool>::standIn},
-        {kCreateFence, Failable<kCreateFence, PFN_vkCreateFence>::standIn},
-        {kCreateSampler, Failable<kCreateSampler, PFN_vkCreateSampler>::standIn},
-        {kQueueSubmit2, Failable<kQueueSubmit2, PFN_vkQueueSubmit2>::standIn},
-        {kGetQueryPoolResults, Failable<kGetQueryPoolResults, PFN_vkGetQueryPoolResults>::standIn},
-    };
-    for (const Call& call : kCalls) {
-        if (name == call.name) {
-            return call.standIn(found);
-        }
-    }
-    return found;
-}
 
 /// What Vulkan says in the place of what it would say.
 struct Said {
@@ -186,48 +165,53 @@ void VKAPI_PTR seenDrawIndexed(VkCommandBuffer commands, std::uint32_t indices, 
 
 PFN_vkGetDeviceProcAddr realDeviceLoader = nullptr;
 
+PFN_vkVoidFunction VKAPI_PTR failableDeviceLoader(VkDevice device, const char* name);
+
+/// The function to call in the place of what was found. It calls what was found last.
+template <auto* real, auto* call>
+PFN_vkVoidFunction standIn(PFN_vkVoidFunction found) {
+    *real = reinterpret_cast<std::remove_pointer_t<decltype(real)>>(found);
+    return reinterpret_cast<PFN_vkVoidFunction>(call);
+}
+
+struct Call {
+    std::string_view name;
+    PFN_vkVoidFunction (*standIn)(PFN_vkVoidFunction found);
+    bool canFail = false; ///< only these are replaced where a device is asked for them too
+};
+
+constexpr Call kCalls[] = {
+    {kAllocateDescriptorSets, Failable<kAllocateDescriptorSets, PFN_vkAllocateDescriptorSets>::standIn, true},
+    {kCreateBuffer, Failable<kCreateBuffer, PFN_vkCreateBuffer>::standIn, true},
+    {kCreateDescriptorPool, Failable<kCreateDescriptorPool, PFN_vkCreateDescriptorPool>::standIn, true},
+    {kCreateFence, Failable<kCreateFence, PFN_vkCreateFence>::standIn, true},
+    {kCreateSampler, Failable<kCreateSampler, PFN_vkCreateSampler>::standIn, true},
+    {kQueueSubmit2, Failable<kQueueSubmit2, PFN_vkQueueSubmit2>::standIn, true},
+    {kGetQueryPoolResults, Failable<kGetQueryPoolResults, PFN_vkGetQueryPoolResults>::standIn, true},
+    // By which memory is allocated.
+    {"vkGetDeviceProcAddr", standIn<&realDeviceLoader, &failableDeviceLoader>},
+    {"vkGetPhysicalDeviceMemoryProperties", standIn<&realMemory, &memoryOf>},
+    {"vkGetPhysicalDeviceProperties", standIn<&realProperties, &propertiesOf>},
+    {"vkGetPhysicalDeviceProperties2", standIn<&realProperties2, &properties2Of>},
+    {"vkGetPhysicalDeviceFormatProperties", standIn<&realFormat, &formatOf>},
+    {"vkCmdFillBuffer", standIn<&realFill, &fillFrom>},
+    {"vkCmdPipelineBarrier2", standIn<&realBarrier, &seenBarrier>},
+    {"vkCmdDrawIndexed", standIn<&realDrawIndexed, &seenDrawIndexed>},
+};
+
+/// What stands in for a function that was found; itself where nothing does.
+PFN_vkVoidFunction inPlaceOf(PFN_vkVoidFunction found, std::string_view name, bool isOfDevice) {
+    const auto* call = std::ranges::find(kCalls, name, &Call::name);
+    const bool isReplaced = found != nullptr && call != std::end(kCalls) && (call->canFail || !isOfDevice);
+    return isReplaced ? call->standIn(found) : found;
+}
+
 PFN_vkVoidFunction VKAPI_PTR failableDeviceLoader(VkDevice device, const char* name) {
-    return failableOf(name, realDeviceLoader(device, name));
+    return inPlaceOf(realDeviceLoader(device, name), name, true);
 }
 
 PFN_vkVoidFunction VKAPI_PTR failableLoader(VkInstance instance, const char* name) {
-    const PFN_vkVoidFunction found = test::systemsLoader()(instance, name);
-    if (found == nullptr) {
-        return nullptr;
-    }
-    if (std::string_view(name) == "vkGetDeviceProcAddr") { // by which memory is allocated
-        realDeviceLoader = reinterpret_cast<PFN_vkGetDeviceProcAddr>(found);
-        return reinterpret_cast<PFN_vkVoidFunction>(&failableDeviceLoader);
-    }
-    if (std::string_view(name) == "vkGetPhysicalDeviceMemoryProperties") {
-        realMemory = reinterpret_cast<PFN_vkGetPhysicalDeviceMemoryProperties>(found);
-        return reinterpret_cast<PFN_vkVoidFunction>(&memoryOf);
-    }
-    if (std::string_view(name) == "vkGetPhysicalDeviceProperties") {
-        realProperties = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties>(found);
-        return reinterpret_cast<PFN_vkVoidFunction>(&propertiesOf);
-    }
-    if (std::string_view(name) == "vkGetPhysicalDeviceProperties2") {
-        realProperties2 = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties2>(found);
-        return reinterpret_cast<PFN_vkVoidFunction>(&properties2Of);
-    }
-    if (std::string_view(name) == "vkGetPhysicalDeviceFormatProperties") {
-        realFormat = reinterpret_cast<PFN_vkGetPhysicalDeviceFormatProperties>(found);
-        return reinterpret_cast<PFN_vkVoidFunction>(&formatOf);
-    }
-    if (std::string_view(name) == "vkCmdFillBuffer") {
-        realFill = reinterpret_cast<PFN_vkCmdFillBuffer>(found);
-        return reinterpret_cast<PFN_vkVoidFunction>(&fillFrom);
-    }
-    if (std::string_view(name) == "vkCmdPipelineBarrier2") {
-        realBarrier = reinterpret_cast<PFN_vkCmdPipelineBarrier2>(found);
-        return reinterpret_cast<PFN_vkVoidFunction>(&seenBarrier);
-    }
-    if (std::string_view(name) == "vkCmdDrawIndexed") {
-        realDrawIndexed = reinterpret_cast<PFN_vkCmdDrawIndexed>(found);
-        return reinterpret_cast<PFN_vkVoidFunction>(&seenDrawIndexed);
-    }
-    return failableOf(name, found);
+    return inPlaceOf(test::systemsLoader()(instance, name), name, false);
 }
 
 const testing::Environment* const kBringFailableLoader =

@@ -62,10 +62,12 @@ class KeptRun : public testing::Test {
             };
             forEachUnit(
                 kept, 3, [&](std::size_t unit) { return make("a" + std::to_string(unit)); }, take);
-            forEachUnitOnFirst(
-                kept, 2, [&](std::size_t unit) { return make("b" + std::to_string(unit)); }, take);
-            forEachUnitTogether(
-                kept, 2, [&](std::size_t unit) { return make("c" + std::to_string(unit)); }, take);
+            forEachUnit(
+                kept, 2, [&](std::size_t unit) { return make("b" + std::to_string(unit)); }, take,
+                &ranks::Ranks::forEachUnitOnFirst);
+            forEachUnit(
+                kept, 2, [&](std::size_t unit) { return make("c" + std::to_string(unit)); }, take,
+                &ranks::Ranks::forEachUnitTogether);
         } catch (const std::exception& error) {
             start.error = error.what();
         }
@@ -105,7 +107,7 @@ TEST_F(KeptRun, MakesAgainWhatDoesNotStand) {
 }
 
 TEST_F(KeptRun, RefusesResultsOfAnotherShapeInOneLine) {
-    const UnitRun run{.digest = std::string(64, 'a'), .units = 7};
+    const std::string digest(64, 'a');
     const std::string line =
         state().string() + ": holds results that do not fit this run; remove it or name another file";
     const auto encoded = [](const output::Json& json) {
@@ -119,10 +121,10 @@ TEST_F(KeptRun, RefusesResultsOfAnotherShapeInOneLine) {
           encoded({{"other", 1}}),
           output::Json(repeated(0x81)), // lists in lists, and pieces of pieces of texts
           output::Json(repeated(0x7f)), output::Json(repeated(0x5f))}) {
-        platform::writeText(state(), stateHeadOf(run) + stateLineOf(1, made));
+        platform::writeText(state(), stateHeadOf(digest) + stateLineOf(1, made));
         EXPECT_EQ(start().error, line) << made.dump().substr(0, 80);
     }
-    platform::writeText(state(), stateHeadOf(run) + stateLineOf(1, encoded(output::Json::object())));
+    platform::writeText(state(), stateHeadOf(digest) + stateLineOf(1, encoded(output::Json::object())));
     EXPECT_EQ(start(100, [](std::size_t,
                             const auto& made) { return output::Json::from_cbor(made).at("name") == ""; })
                   .error,

@@ -68,32 +68,21 @@ std::vector<const char*> extensionsOf(vk::PhysicalDevice physical, const DeviceI
     return extensions;
 }
 
-vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFamily, const DeviceInfo& info) {
-    const bool gpuDriven = info.gpuDrivenMissing.empty();
+vk::UniqueDevice makeDevice(const Instance& instance, vk::PhysicalDevice physical, std::uint32_t queueFamily,
+                            const DeviceInfo& info) {
     constexpr float kPriority = 1.0f;
     const vk::DeviceQueueCreateInfo queue{
         .queueFamilyIndex = queueFamily, .queueCount = 1, .pQueuePriorities = &kPriority};
     const std::vector<const char*> extensions = extensionsOf(physical, info);
-    vk::PhysicalDeviceConditionalRenderingFeaturesEXT conditional{.conditionalRendering = true};
-    vk::PhysicalDeviceVulkan13Features v13{.pNext = info.hasConditionalRendering ? &conditional : nullptr,
-                                           .synchronization2 = true,
-                                           .dynamicRendering = true};
+    vk::PhysicalDeviceConditionalRenderingFeaturesEXT conditional;
+    vk::PhysicalDeviceVulkan13Features v13{.pNext = info.hasConditionalRendering ? &conditional : nullptr};
     vk::PhysicalDeviceVulkan12Features v12{.pNext = &v13,
-                                           .drawIndirectCount = gpuDriven,
                                            .shaderBufferInt64Atomics = info.hasInt64Atomics,
                                            // Not for cdr::render, but for who draws beside it.
-                                           .separateDepthStencilLayouts = true,
-                                           .timelineSemaphore = true};
-    const vk::PhysicalDeviceFeatures2 features{
-        .pNext = &v12,
-        .features = {.fullDrawIndexUint32 = physical.getFeatures().fullDrawIndexUint32,
-                     .multiDrawIndirect = gpuDriven,
-                     .drawIndirectFirstInstance = gpuDriven,
-                     .depthClamp = true,
-                     .fragmentStoresAndAtomics = info.hasFragmentStores,
-                     .shaderClipDistance = true,
-                     .shaderFloat64 = info.hasFloat64,
-                     .shaderInt64 = info.hasInt64Atomics}};
+                                           .separateDepthStencilLayouts = true};
+    vk::PhysicalDeviceFeatures2 features{
+        .pNext = &v12, .features = {.shaderFloat64 = info.hasFloat64, .shaderInt64 = info.hasInt64Atomics}};
+    enableFeatures(instance.handle(), physical, features);
     return physical.createDeviceUnique(
         {.pNext = &features,
          .queueCreateInfoCount = 1,
@@ -223,7 +212,7 @@ Device::Device(const Instance& instance, const std::string& choice) : m_handles(
     m_handles->physical = vk::Instance(instance.handle()).enumeratePhysicalDevices()[index];
     m_handles->info = describe(m_handles->physical, index);
     m_handles->queueFamily = findQueueFamily(m_handles->physical).value();
-    m_handles->owned = makeDevice(m_handles->physical, m_handles->queueFamily, m_handles->info);
+    m_handles->owned = makeDevice(instance, m_handles->physical, m_handles->queueFamily, m_handles->info);
     m_handles->device = *m_handles->owned;
     m_handles->queue = m_handles->device.getQueue(m_handles->queueFamily, 0);
     if (instance.hasDebugNames()) {

@@ -2,6 +2,7 @@
 #include "device_query.h"
 
 #include <cdr/base/enum_names.h>
+#include <cdr/gpu/features.h>
 #include <cdr/gpu/vulkan_hpp.h>
 
 #include <fmt/format.h>
@@ -37,63 +38,25 @@ std::string versionText(std::uint32_t version) {
                        VK_API_VERSION_PATCH(version));
 }
 
-/// What a device of Vulkan 1.3 says of itself. Older ones do not know all of these structs.
-struct Told {
-    vk::PhysicalDeviceFeatures features;
-    vk::PhysicalDeviceVulkan12Features features12;
-    vk::PhysicalDeviceVulkan13Features features13;
-    vk::PhysicalDeviceVulkan11Properties properties11;
-    vk::PhysicalDeviceVulkan12Properties properties12;
-    vk::PhysicalDeviceVulkan13Properties properties13;
-};
-
-Told ask(vk::PhysicalDevice physical) {
-    const auto features =
-        physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
-                              vk::PhysicalDeviceVulkan13Features>();
-    const auto properties =
-        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan11Properties,
-                                vk::PhysicalDeviceVulkan12Properties, vk::PhysicalDeviceVulkan13Properties>();
-    return {.features = features.get<vk::PhysicalDeviceFeatures2>().features,
-            .features12 = features.get<vk::PhysicalDeviceVulkan12Features>(),
-            .features13 = features.get<vk::PhysicalDeviceVulkan13Features>(),
-            .properties11 = properties.get<vk::PhysicalDeviceVulkan11Properties>(),
-            .properties12 = properties.get<vk::PhysicalDeviceVulkan12Properties>(),
-            .properties13 = properties.get<vk::PhysicalDeviceVulkan13Properties>()};
-}
-
-std::vector<std::string> missingFrom(vk::PhysicalDevice physical, const Told& told) {
-    const vk::PhysicalDeviceVulkan13Features& v13 = told.features13;
+std::vector<std::string> missingFrom(vk::PhysicalDevice physical, const VkPhysicalDeviceFeatures2& features,
+                                     const vk::PhysicalDeviceVulkan13Features& v13) {
     if (!v13.dynamicRendering && !v13.synchronization2 && !v13.maintenance4) {
         // Vulkan 1.3 demands all three, but an instance of 1.0 is not told of them.
         return {"Vulkan 1.3, for which the instance must be made"};
     }
-    std::vector<std::string> missing = thoseOff({{v13.dynamicRendering, "dynamicRendering"},
-                                                 {v13.synchronization2, "synchronization2"},
-                                                 {told.features.depthClamp, "depthClamp"},
-                                                 {told.features.shaderClipDistance, "shaderClipDistance"}});
+    std::vector<std::string> missing = missingFeatures(features);
     if (!findQueueFamily(physical)) {
         missing.emplace_back("a queue that does graphics and compute");
     }
     return missing;
 }
 
-/// What compute passes need that compute in float64 as the CPU does, to the bit.
-std::vector<std::string> missingForDeforming(const Told& told) {
-    return thoseOff({{told.features.shaderFloat64, "shaderFloat64"},
-                     {told.properties12.shaderRoundingModeRTEFloat32, "shaderRoundingModeRTEFloat32"},
-                     {told.properties12.shaderRoundingModeRTEFloat64, "shaderRoundingModeRTEFloat64"}});
-}
-
-/// Features that only culling and binning on the device needs.
-std::vector<std::string> missingForGpuDriven(const Told& told, const vk::PhysicalDeviceLimits& limits) {
-    std::vector<std::string> missing =
-        thoseOff({{told.features.shaderFloat64, "shaderFloat64"},
-                  {told.features.multiDrawIndirect, "multiDrawIndirect"},
-                  {told.features.drawIndirectFirstInstance, "drawIndirectFirstInstance"},
-                  {told.features12.drawIndirectCount, "drawIndirectCount"},
-                  {told.properties12.shaderRoundingModeRTEFloat32, "shaderRoundingModeRTEFloat32"},
-                  {told.properties12.shaderRoundingModeRTEFloat64, "shaderRoundingModeRTEFloat64"}});
+/// What only culling and binning on the device needs.
+std::vector<std::string> missingForGpuDriven(const VkPhysicalDeviceFeatures2& features,
+                                             const std::vector<std::string>& missingRoundings,
+                                             const vk::PhysicalDeviceLimits& limits) {
+    std::vector<std::string> missing = missingGpuDrivenFeatures(features);
+    missing.insert(missing.end(), missingRoundings.begin(), missingRoundings.end());
     if (limits.maxPerStageDescriptorStorageBuffers < kGpuDrivenStorageBuffers ||
         limits.maxComputeWorkGroupInvocations < kGpuDrivenInvocations ||
         limits.maxComputeWorkGroupSize[0] < kGpuDrivenInvocations) {
@@ -101,6 +64,37 @@ std::vector<std::string> missingForGpuDriven(const Told& told, const vk::Physica
                                       kGpuDrivenStorageBuffers, kGpuDrivenInvocations));
     }
     return missing;
+}
+
+/// What a device of Vulkan 1.3 says of itself. Older ones do not know all of these structs.
+void describeFurther(vk::PhysicalDevice physical, const vk::PhysicalDeviceLimits& limits, DeviceInfo& info) {
+    using Properties11 = vk::PhysicalDeviceVulkan11Properties;
+    using Properties12 = vk::PhysicalDeviceVulkan12Properties;
+    using Properties13 = vk::PhysicalDeviceVulkan13Properties;
+    using Features12 = vk::PhysicalDeviceVulkan12Features;
+    using Features13 = vk::PhysicalDeviceVulkan13Features;
+    const auto chain = physical.getFeatures2<vk::PhysicalDeviceFeatures2, Features12, Features13>();
+    const auto told =
+        physical.getProperties2<vk::PhysicalDeviceProperties2, Properties11, Properties12, Properties13>();
+    const VkPhysicalDeviceFeatures2& features = chain.get<vk::PhysicalDeviceFeatures2>();
+    const auto& v12 = told.get<Properties12>();
+    const auto missingRoundings =
+        thoseOff({{v12.shaderRoundingModeRTEFloat32, "shaderRoundingModeRTEFloat32"},
+                  {v12.shaderRoundingModeRTEFloat64, "shaderRoundingModeRTEFloat64"}});
+    info.missing = missingFrom(physical, features, chain.get<Features13>());
+    info.gpuDrivenMissing = missingForGpuDriven(features, missingRoundings, limits);
+    // Compute passes that deform compute in float64 as the CPU does, to the bit.
+    info.deformMissing = thoseOff({{features.features.shaderFloat64, "shaderFloat64"}});
+    info.deformMissing.insert(info.deformMissing.end(), missingRoundings.begin(), missingRoundings.end());
+    // A buffer lies in one allocation.
+    for (const std::uint64_t most :
+         {told.get<Properties11>().maxMemoryAllocationSize, told.get<Properties13>().maxBufferSize}) {
+        if (most != 0) {
+            info.maxBufferBytes = std::min(info.maxBufferBytes, most);
+        }
+    }
+    info.hasInt64Atomics =
+        features.features.shaderInt64 != 0 && chain.get<Features12>().shaderBufferInt64Atomics != 0;
 }
 
 bool hasConditionalRendering(vk::PhysicalDevice physical) {
@@ -180,18 +174,7 @@ DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {
     if (core.apiVersion < VK_API_VERSION_1_3) {
         info.missing = info.gpuDrivenMissing = info.deformMissing = {"Vulkan 1.3"};
     } else {
-        const Told told = ask(physical);
-        info.missing = missingFrom(physical, told);
-        info.gpuDrivenMissing = missingForGpuDriven(told, core.limits);
-        info.deformMissing = missingForDeforming(told);
-        // A buffer lies in one allocation.
-        for (const std::uint64_t most :
-             {told.properties11.maxMemoryAllocationSize, told.properties13.maxBufferSize}) {
-            if (most != 0) {
-                info.maxBufferBytes = std::min(info.maxBufferBytes, most);
-            }
-        }
-        info.hasInt64Atomics = features.shaderInt64 != 0 && told.features12.shaderBufferInt64Atomics != 0;
+        describeFurther(physical, core.limits, info);
     }
     std::copy_if(depth::kDepthFormats.begin(), depth::kDepthFormats.end(),
                  std::back_inserter(info.depthFormats),

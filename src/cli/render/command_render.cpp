@@ -203,7 +203,8 @@ void drawFrames(Command& command, const RenderArguments& arguments, const Render
             command.ranks(), plan.cameras.frames,
             [&](std::size_t frame) { return describe(frame, draw(frame)); }, take);
     } else {
-        runs::forEachUnitTogether(command.ranks(), plan.cameras.frames, drawMerged, take);
+        runs::forEachUnit(command.ranks(), plan.cameras.frames, drawMerged, take,
+                          &ranks::Ranks::forEachUnitTogether);
     }
     command.endProgress();
 }

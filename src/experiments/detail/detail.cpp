@@ -98,7 +98,7 @@ class DetailComparison {
         }
         ranks.share({});
         bool isTimed = false;
-        runs::forEachUnitOnFirst(
+        runs::forEachUnit(
             ranks, 1,
             [&](std::size_t) {
                 isTimed = true;
@@ -107,7 +107,8 @@ class DetailComparison {
                 });
                 return m_frames.packedSamples();
             },
-            [&](std::size_t, const output::Json& made) { m_frames.takeSamples(made, m_options.frames); });
+            [&](std::size_t, const output::Json& made) { m_frames.takeSamples(made, m_options.frames); },
+            &ranks::Ranks::forEachUnitOnFirst);
         if (ranks.isFirst() && !isTimed) {
             skipTimed();
         }

@@ -7,31 +7,15 @@
 #include <iterator>
 #include <memory>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 namespace cdr::experiments {
 
 namespace {
 
-/// What each frame of a scene should show, and what of it stays from the frame before. All techniques share it.
-struct SceneTruth {
-    measure::TruthImage truth{};
-    image::Raster<std::uint8_t> inner{};
-    std::optional<image::Raster<std::uint8_t>> steady{}; ///< none in the first frame
-
-    void add(measure::TruthImage next) {
-        image::Raster<std::uint8_t> nextInner = measure::innerMask(next);
-        steady = truth.pixels.empty() ? std::nullopt
-                                      : std::optional(measure::steadyMask(truth, inner, next, nextInner));
-        truth = std::move(next);
-        inner = std::move(nextInner);
-    }
-};
-
 /// Adds one frame of one technique to its result.
 /// @param before what it showed in the frame before, in place of which the ids of this one are kept.
-void addFrame(const render::Frame& frame, const SceneTruth& scene, image::ImageU32& before,
+void addFrame(const render::Frame& frame, const measure::SceneTruth& scene, image::ImageU32& before,
               PictureResult& result) {
     const measure::TruthImage& truth = scene.truth;
     image::ImageU32 ids = frame.ids();
@@ -62,7 +46,7 @@ std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOpt
     std::vector<std::unique_ptr<render::Renderer>> renderers;
     std::vector<PictureResult> results;
     std::vector<image::ImageU32> before(options.techniques.size());
-    SceneTruth truth;
+    measure::SceneTruth truth;
     for (const auto& [name, technique] : options.techniques) {
         drawing.technique = technique;
         renderers.push_back(std::make_unique<render::Renderer>(device, setup.scene, gpuScene, drawing));

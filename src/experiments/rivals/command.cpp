@@ -75,7 +75,7 @@ output::Columns<experiments::RivalWholeFrame> wholeFrameColumns() {
     using Result = experiments::RivalWholeFrame;
     return {{.key = "scene", .value = &Result::scene},
             {.key = "frame_ratio", .value = &Result::ratio},
-            {.key = "ci95", .value = [](const Result& result) { return output::jsonOf(result.ratio95); }}};
+            output::intervalColumn(&Result::ratio95, {.heading = ""})};
 }
 
 /// Those asked for; all that the device can draw where none are.

@@ -130,30 +130,22 @@ class RivalsRun {
 
     void compareWithTruth(RivalField& field, const std::vector<std::uint32_t>& frames,
                           std::vector<RivalScene>& results) {
-        measure::TruthImage truthBefore;
-        image::Raster<std::uint8_t> innerBefore;
+        measure::SceneTruth expected;
         std::vector<image::ImageU32> idsBefore(field.size());
         for (const std::uint32_t frame : frames) {
             step(fmt::format("{} against the truth", results.front().scene));
             const scene::Camera camera = field.setup().path.at(frame);
-            measure::TruthImage truth = field.truthAt(camera);
-            image::Raster<std::uint8_t> inner = measure::innerMask(truth);
-            const bool isFirst = truthBefore.pixels.empty();
-            const image::Raster<std::uint8_t> steady =
-                isFirst ? image::Raster<std::uint8_t>()
-                        : measure::steadyMask(truthBefore, innerBefore, truth, inner);
+            expected.add(field.truthAt(camera));
             for (std::size_t i = 0; i < field.size(); ++i) {
                 DrawnFrame drawn = field.contender(i).render(camera);
-                results[i].wrong += measure::countWrong(drawn.ids, truth, inner);
-                if (!isFirst) {
-                    results[i].flips += measure::countFlips(idsBefore[i], drawn.ids, steady);
+                results[i].wrong += measure::countWrong(drawn.ids, expected.truth, expected.inner);
+                if (expected.steady) {
+                    results[i].flips += measure::countFlips(idsBefore[i], drawn.ids, *expected.steady);
                 }
                 idsBefore[i] = std::move(drawn.ids);
                 results[i].cascades = std::max(results[i].cascades, drawn.cascades);
                 ++results[i].frames;
             }
-            truthBefore = std::move(truth);
-            innerBefore = std::move(inner);
         }
     }
 

@@ -27,6 +27,17 @@ struct ScalingArguments {
     RankSweepArguments ranks;
 };
 
+output::Columns<experiments::ScalingVariant> variantColumns() {
+    using Variant = experiments::ScalingVariant;
+    return {{.key = "targets",
+             .value = [](const Variant& variant) { return nameOf(variant.targets); },
+             .heading = "targets"},
+            {.key = "submission",
+             .value = [](const Variant& variant) { return nameOf(variant.submission); },
+             .heading = "submission"},
+            {.key = "cascades", .value = &Variant::cascades, .heading = "cascades"}};
+}
+
 output::Columns<experiments::ScalingPoint> pointColumns() {
     using Point = experiments::ScalingPoint;
     const auto median = [](experiments::Spread Point::*time) {
@@ -39,35 +50,30 @@ output::Columns<experiments::ScalingPoint> pointColumns() {
                 {"execute", point.execute.spread},
                 {"frame", point.frame.spread}};
     };
-    return {
-        {.key = "targets",
-         .value = [](const Point& point) { return nameOf(point.targets); },
-         .heading = "targets"},
-        {.key = "submission",
-         .value = [](const Point& point) { return nameOf(point.submission); },
-         .heading = "submission"},
-        {.key = "cascades", .value = &Point::cascades, .heading = "cascades"},
-        {.key = "threads", .value = &Point::threads, .heading = "threads"},
-        {.key = "cubes", .value = &Point::cubes},
-        {.key = "draws", .value = &Point::draws, .heading = "draws", .before = "threads"},
-        {.key = "cull_ms", .value = median(&Point::cull), .heading = "cull ms"},
-        {.key = "bin_ms", .value = median(&Point::bin), .heading = "bin ms"},
-        {.key = "record_ms", .value = median(&Point::record), .heading = "record ms"},
-        {.value = [](const Point& point) { return point.record.spread; },
-         .heading = "+-",
-         .format = {"{} %", 100.0}},
-        {.key = "record_ns_per_draw", .value = &Point::recordNsPerDraw, .heading = "ns/draw"},
-        {.key = "execute_ms", .value = median(&Point::execute), .heading = "execute ms"},
-        {.key = "frame_ms", .value = median(&Point::frame), .heading = "frame ms"},
-        {.key = "speedup", .value = &Point::recordSpeedUp, .heading = "speed-up"},
-        {.key = "efficiency", .value = &Point::efficiency, .heading = "efficiency"},
-        {.key = "cull_bin_speedup", .value = &Point::cullAndBinSpeedUp},
-        {.key = "frame_speedup", .value = &Point::frameSpeedUp},
-        {.key = "spread", .value = spreads},
-        {.key = "hash", .value = &Point::hash},
-        {.key = "same_image", .value = &Point::sameImage, .heading = "image", .text = [](const Point& point) {
-             return point.sameImage ? "same" : "DIFFERS";
-         }}};
+    return output::joined<Point>(
+        {output::columnsOf(&Point::variant, variantColumns()),
+         {{.key = "threads", .value = &Point::threads, .heading = "threads"},
+          {.key = "cubes", .value = &Point::cubes},
+          {.key = "draws", .value = &Point::draws, .heading = "draws", .before = "threads"},
+          {.key = "cull_ms", .value = median(&Point::cull), .heading = "cull ms"},
+          {.key = "bin_ms", .value = median(&Point::bin), .heading = "bin ms"},
+          {.key = "record_ms", .value = median(&Point::record), .heading = "record ms"},
+          {.value = [](const Point& point) { return point.record.spread; },
+           .heading = "+-",
+           .format = {"{} %", 100.0}},
+          {.key = "record_ns_per_draw", .value = &Point::recordNsPerDraw, .heading = "ns/draw"},
+          {.key = "execute_ms", .value = median(&Point::execute), .heading = "execute ms"},
+          {.key = "frame_ms", .value = median(&Point::frame), .heading = "frame ms"},
+          {.key = "speedup", .value = &Point::recordSpeedUp, .heading = "speed-up"},
+          {.key = "efficiency", .value = &Point::efficiency, .heading = "efficiency"},
+          {.key = "cull_bin_speedup", .value = &Point::cullAndBinSpeedUp},
+          {.key = "frame_speedup", .value = &Point::frameSpeedUp},
+          {.key = "spread", .value = spreads},
+          {.key = "hash", .value = &Point::hash},
+          {.key = "same_image",
+           .value = &Point::sameImage,
+           .heading = "image",
+           .text = [](const Point& point) { return point.sameImage ? "same" : "DIFFERS"; }}}});
 }
 
 output::Columns<experiments::ScalingFit> fitColumns() {
@@ -77,22 +83,17 @@ output::Columns<experiments::ScalingFit> fitColumns() {
             return fit.universal ? output::Json((*fit.universal).*part) : output::Json(nullptr);
         };
     };
-    return {
-        {.key = "targets", .value = [](const Fit& fit) { return nameOf(fit.targets); }, .heading = "targets"},
-        {.key = "submission",
-         .value = [](const Fit& fit) { return nameOf(fit.submission); },
-         .heading = "submission"},
-        {.key = "cascades", .value = &Fit::cascades, .heading = "cascades"},
-        {.key = "cubes", .value = &Fit::cubes, .heading = "cubes"},
-        {.key = "amdahl_serial_fraction",
-         .value = &Fit::serialFraction,
-         .heading = "serial fraction (Amdahl)"},
-        {.key = "usl_contention",
-         .value = universal(&measure::UniversalScalability::contention),
-         .heading = "contention (USL)"},
-        {.key = "usl_coherence",
-         .value = universal(&measure::UniversalScalability::coherence),
-         .heading = "coherence (USL)"}};
+    return output::joined<Fit>({output::columnsOf(&Fit::variant, variantColumns()),
+                                {{.key = "cubes", .value = &Fit::cubes, .heading = "cubes"},
+                                 {.key = "amdahl_serial_fraction",
+                                  .value = &Fit::serialFraction,
+                                  .heading = "serial fraction (Amdahl)"},
+                                 {.key = "usl_contention",
+                                  .value = universal(&measure::UniversalScalability::contention),
+                                  .heading = "contention (USL)"},
+                                 {.key = "usl_coherence",
+                                  .value = universal(&measure::UniversalScalability::coherence),
+                                  .heading = "coherence (USL)"}}});
 }
 
 void printTables(const Console& console, const experiments::ScalingResult& result) {
@@ -183,7 +184,7 @@ void run(Command& command, ScalingArguments& arguments) {
     if (differs != result.points.end()) {
         throw base::runError(
             "{} targets, {} cascades, {} draws: the image of {} threads differs from that of one",
-            nameOf(differs->targets), differs->cascades, differs->draws, differs->threads);
+            nameOf(differs->variant.targets), differs->variant.cascades, differs->draws, differs->threads);
     }
 }
 

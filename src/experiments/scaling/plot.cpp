@@ -31,12 +31,11 @@ std::string plotLines(const std::vector<std::vector<ScalingPoint>>& sweeps, int 
 } // namespace
 
 std::string scalingPlot(const ScalingResult& result, const std::string& measuredOn) {
-    const ScalingPoint& first = result.points.front();
+    const ScalingVariant& first = result.points.front().variant;
     std::vector<std::vector<ScalingPoint>> sweeps;
     std::size_t mostThreads = 1;
     for (const ScalingPoint& point : result.points) {
-        if (point.targets != first.targets || point.cascades != first.cascades ||
-            point.submission != first.submission) {
+        if (point.variant != first) {
             continue;
         }
         if (sweeps.empty() || sweeps.back().front().cubes != point.cubes) {

@@ -94,10 +94,8 @@ std::size_t lastUsefulNodes(const FrameCosts& costs, std::size_t frames) {
 output::Columns<Projection> projectionColumns() {
     return {{.key = "nodes", .value = &Projection::nodes, .heading = "nodes"},
             {.key = "seconds", .value = &Projection::seconds, .heading = "seconds"},
-            {.key = "seconds_interval",
-             .value = [](const Projection& projection) { return output::jsonOf(projection.secondsInterval); },
-             .heading = "95 % of the costs",
-             .format = {.pattern = "{} to {}", .missing = "-"}},
+            output::intervalColumn(&Projection::secondsInterval,
+                                   {.key = "seconds_interval", .heading = "95 % of the costs"}),
             {.key = "efficiency", .value = &Projection::efficiency, .heading = "efficiency"},
             {.key = "bound",
              .value = [](const Projection& projection) { return kBoundNames.nameOf(projection.bound); },

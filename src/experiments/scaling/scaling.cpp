@@ -34,9 +34,7 @@ ScalingFit fit(const std::vector<ScalingPoint>& points) {
             onCpus.push_back(all.back());
         }
     }
-    return {.targets = points.front().targets,
-            .submission = points.front().submission,
-            .cascades = points.front().cascades,
+    return {.variant = points.front().variant,
             .cubes = points.front().cubes,
             .serialFraction = measure::fitAmdahl(onCpus),
             .universal = measure::fitUniversalScalability(all)};
@@ -85,13 +83,6 @@ void requireUsable(const ScalingOptions& options) {
 
 namespace {
 
-/// What varies besides draws and threads.
-struct ScalingVariant {
-    render::TargetsChoice targets;
-    render::Submission submission;
-    unsigned cascades;
-};
-
 std::vector<ScalingVariant> scalingVariants(const ScalingOptions& options) {
     std::vector<ScalingVariant> variants;
     for (const render::TargetsChoice targets : options.targets) {
@@ -123,9 +114,7 @@ ScalingResult runScaling(const gpu::Device& device, const ScalingOptions& option
                                                  nameOf(variant.submission), variant.cascades, cubes);
             const auto step = [&] { progress(done++, frames, what); };
             ScalingPoint common;
-            common.targets = variant.targets;
-            common.submission = variant.submission;
-            common.cascades = variant.cascades;
+            common.variant = variant;
             common.cubes = cubes;
             ThreadSweep sweep(device, options, setup, gpuScene, threadList(options), common);
             sweep.hash(step);

@@ -41,12 +41,19 @@ struct Spread {
     double spread = 0.0;
 };
 
-/// One (targets, submission, cascades, draws, threads). Factors are over one thread, medians of the ratios
-/// repeat by repeat.
-struct ScalingPoint {
+/// What varies besides draws and threads.
+struct ScalingVariant {
     render::TargetsChoice targets = render::TargetsKind::single;
     render::Submission submission = render::Submission::secondaries;
     unsigned cascades = 1;
+
+    bool operator==(const ScalingVariant&) const = default;
+};
+
+/// One (targets, submission, cascades, draws, threads). Factors are over one thread, medians of the ratios
+/// repeat by repeat.
+struct ScalingPoint {
+    ScalingVariant variant{};
     std::uint32_t cubes = 0;
     std::size_t threads = 1;
     std::size_t draws = 0; ///< a cube astride a boundary counts once per cascade
@@ -67,9 +74,7 @@ struct ScalingPoint {
 
 /// What the points of one (targets, submission, cascades, draws) say of recording.
 struct ScalingFit {
-    render::TargetsChoice targets = render::TargetsKind::single;
-    render::Submission submission = render::Submission::secondaries;
-    unsigned cascades = 1;
+    ScalingVariant variant{};
     std::uint32_t cubes = 0;
     std::optional<double> serialFraction; ///< Amdahl's, over the points with no more threads than CPUs
     std::optional<measure::UniversalScalability> universal; ///< over all points

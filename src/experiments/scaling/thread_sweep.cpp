@@ -28,17 +28,17 @@ ThreadSweep::ThreadSweep(const gpu::Device& device, const ScalingOptions& option
       m_common(std::move(common)),
       m_frames(m_threads.size(), options.seed) {
     depth::Technique technique = depth::parseTechnique("cdr");
-    technique.split = depth::SplitCount{m_common.cascades};
+    technique.split = depth::SplitCount{m_common.variant.cascades};
     for (const std::size_t count : m_threads) {
         m_renderers.push_back(std::make_unique<render::Renderer>(
             device, setup.scene, gpuScene,
             render::RenderOptions{.width = options.width,
                                   .height = options.height,
                                   .technique = technique,
-                                  .targets = m_common.targets,
+                                  .targets = m_common.variant.targets,
                                   .threads = count,
                                   .placement = options.placement,
-                                  .submission = m_common.submission,
+                                  .submission = m_common.variant.submission,
                                   // A draw is a command here: that is what is counted.
                                   .batching = render::Batching::perObject}));
     }

@@ -85,7 +85,7 @@ output::Columns<experiments::TimingResult> timingColumns(const std::optional<mea
          .value = &Result::overheadPercent,
          .heading = "overhead",
          .format = {"{:+} %"}},
-        output::intervalColumn(&Result::overheadPercent95, "{:+} to {:+}"),
+        output::intervalColumn(&Result::overheadPercent95, {.pattern = "{:+} to {:+}"}),
         {.key = "seen",
          .value = isSeen,
          .heading = "seen",

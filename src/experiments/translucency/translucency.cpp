@@ -170,7 +170,7 @@ TranslucencyResults runTranslucency(const gpu::Device& device, const scene::Scen
             all.results.back().technique = partsOf(pairs[unit].technique);
         });
     if (experiment.repeats > 0) {
-        runs::forEachUnitOnFirst(
+        runs::forEachUnit(
             ranks, 1,
             [&](std::size_t) {
                 std::size_t done = 0;
@@ -182,7 +182,8 @@ TranslucencyResults runTranslucency(const gpu::Device& device, const scene::Scen
                 for (std::size_t i = 0; i < pairs.size(); ++i) {
                     all.results[i].executeMs = medians[i];
                 }
-            });
+            },
+            &ranks::Ranks::forEachUnitOnFirst);
     }
     return all;
 }

@@ -2,6 +2,8 @@
 #include <cdr/measure/compare/flips.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 
+#include <utility>
+
 namespace cdr::measure {
 
 FlipCount& FlipCount::operator+=(const FlipCount& other) {
@@ -23,6 +25,13 @@ image::Raster<std::uint8_t> steadyMask(const TruthImage& before,
         steady.pixels[i] = inner && before.pixels[i].id == after.pixels[i].id ? 1 : 0;
     }
     return steady;
+}
+
+void SceneTruth::add(TruthImage next) {
+    image::Raster<std::uint8_t> nextInner = innerMask(next);
+    steady = truth.pixels.empty() ? std::nullopt : std::optional(steadyMask(truth, inner, next, nextInner));
+    truth = std::move(next);
+    inner = std::move(nextInner);
 }
 
 FlipCount countFlips(const image::ImageU32& idsBefore, const image::ImageU32& idsAfter,

@@ -36,6 +36,15 @@ image::Raster<std::uint8_t> steadyMask(const TruthImage& before,
                                        const TruthImage& after,
                                        const image::Raster<std::uint8_t>& innerAfter);
 
+/// What each frame of a scene should show, and what of it stays from the frame before. All techniques share it.
+struct SceneTruth {
+    TruthImage truth{};
+    image::Raster<std::uint8_t> inner{};                 ///< innerMask()
+    std::optional<image::Raster<std::uint8_t>> steady{}; ///< steadyMask(); none in the first frame
+
+    void add(TruthImage next);
+};
+
 /// A flip is a pixel off edges whose true object stays from one frame to the next while the drawn one changes. So at
 /// least one of the two drawn objects is wrong. A wrong pixel that shows the same object in both frames does not flip.
 /// base::InputError when the sizes differ.
