@@ -221,64 +221,6 @@ TEST(Certifier, RepairsADistanceThatIsNotTheSurfaces) {
     }
 }
 
-/// A wall, and a floor of the same object from before it to behind it, which is seen along its plane.
-TEST(Certifier, RepairsADistanceThatIsNeitherTheSurfacesNorAThinTriangles) {
-    scene::Scene scene = makeEmptyScene();
-    scene::Mesh& square = scene.meshes[kTriangleCube];
-    const auto corner = [](float x, float z) {
-        return scene::Vertex{.position = {x, 0.0f, z}, .normal = {0.0f, 1.0f, 0.0f}};
-    };
-    square.vertices = {corner(-1, 1), corner(1, 1), corner(1, -1), corner(-1, -1)};
-    square.indices = {0, 1, 2, 0, 2, 3};
-    scene::addInstance(scene, kCube, kSingleSided, 0, {0.0, 0.0, -550.0}, glm::mat3(100.0f));
-    scene::addInstance(scene, kTriangleCube, kDoubleSided, 0, {0.0, -1e-5, -500.0}, glm::mat3(100.0f));
-    constexpr std::uint32_t kMiddle = 45;
-    DrawnFrame frame = drawnByRays(scene, makePlainCamera(), kEightBits, {.width = 161, .height = 91});
-    ASSERT_EQ(frame.ids.at(80, kMiddle), 1u);
-    ASSERT_EQ(frame.distancesView.at(80, kMiddle), 500.0);
-    frame.distancesView.at(80, kMiddle) = 399.0;
-    const Certificate certificate = certified(scene, frame);
-    EXPECT_EQ(certificate.refused, 0u);
-    const auto isOfIt = [](const auto& repair) { return repair.x == 80 && repair.y == kMiddle; };
-    EXPECT_EQ(std::ranges::count_if(certificate.repairs, isOfIt), 1);
-}
-
-/// A logarithm bends between the corners of a large triangle, so what is drawn may be the finer sheet behind it.
-TEST(Certifier, RepairsADistanceOfAFinerSurfaceBehind) {
-    scene::Scene scene = makeEmptyScene();
-    const auto slope = [](std::uint32_t columns) {
-        scene::Mesh mesh;
-        for (std::uint32_t i = 0; i <= columns; ++i) {
-            const float share = static_cast<float>(i) / static_cast<float>(columns);
-            for (const float y : {-200.0f, 200.0f}) {
-                mesh.vertices.push_back(
-                    {.position = {600.0f * share - 300.0f, y, -20.0f * share}, .normal = {0.0f, 0.0f, 1.0f}});
-            }
-        }
-        for (std::uint32_t i = 0; i < 2 * columns; i += 2) {
-            mesh.indices.insert(mesh.indices.end(), {i, i + 2, i + 3, i, i + 3, i + 1});
-        }
-        mesh.boundingRadius = 400.0f;
-        return mesh;
-    };
-    scene.meshes[kCube] = slope(1);
-    scene.meshes[kTriangleCube] = slope(32);
-    scene::addInstance(scene, kCube, kDoubleSided, 0, {0.0, 0.0, -1000.0}, glm::mat3(1.0f));
-    scene::addInstance(scene, kTriangleCube, kDoubleSided, 0, {0.0, 0.0, -1000.025}, glm::mat3(1.0f));
-    scene::Camera camera = makePlainCamera();
-    camera.farView = 1e4;
-    DrawnFrame frame = drawnByRays(scene, camera, kEightBits, {.width = 161, .height = 91});
-    frame.technique = depth::parseTechnique("log");
-    frame.cascades = {{camera.nearView, camera.farView}};
-    const double right = frame.distancesView.at(80, 40);
-    ASSERT_NEAR(right, 1010.0, 0.1);
-    frame.distancesView.at(80, 40) += 0.025;
-    const Certificate certificate = certified(scene, frame);
-    EXPECT_EQ(certificate.refused, 0u);
-    ASSERT_EQ(certificate.repairs.size(), 1u);
-    EXPECT_EQ(certificate.repairs[0].distanceView, right);
-}
-
 TEST(Certifier, RefusesAMovedInstance) {
     const Drawn drawn;
     scene::Scene moved = drawn.made.scene;

@@ -56,7 +56,7 @@ struct TurnedView {
 
     ScreenTriangle placed() const {
         const auto bound = measure::DeviceBound::ofFloat64(frame);
-        measure::InstanceTriangles triangles(frame.camera, kPictureSide, kPictureSide, bound);
+        measure::InstanceTriangles triangles(frame.camera, kPictureSide, kPictureSide, bound, bound);
         return triangles.of(instances, 0, outline, {}, measure::Sidedness::both).at(0);
     }
 

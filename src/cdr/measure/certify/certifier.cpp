@@ -63,7 +63,7 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, platform::WorkerPoo
     const PixelSlopes slopes = pixelSlopes(frame.camera, width, height);
     const auto enterAll = [&](OrderStrip& strip, const DeviceBound& bound) {
         FrameBound largest;
-        InstanceTriangles triangles(frame.camera, width, height, bound);
+        InstanceTriangles triangles(frame.camera, width, height, bound, device);
         for (const VisibleInstance& candidate : visible) {
             if (strip.hides(candidate.pixels, candidate.nearestRank())) {
                 continue;
@@ -119,6 +119,7 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, platform::WorkerPoo
             finding.verdict =
                 exact.verdict == PixelVerdict::certified ? PixelVerdict::proven : finding.verdict;
             finding.isMasked = exact.isMasked;
+            finding.offView = exact.offView;
         }
     });
     for (const FrameBound& bound : bounds) {

@@ -71,8 +71,8 @@ struct Certificate {
 ///
 /// Why a certified pixel is right: every margin is larger than what float64 rounds where it places triangles, 10^-9 pixels in
 /// most views. So an object that covers a pixel by more than the margins covers it. One that is nearer by more than them is
-/// nearer. The device's limits decide only which pixels are refused, and which of the others no such device can draw in
-/// another way.
+/// nearer. The device's limits decide only which pixels are refused, which of the others no such device can draw in another
+/// way, and by how much a drawn distance may miss the nearest surface there. Each surface has its own limit.
 class Certifier {
   public:
     /// @param scene must outlive the certifier. Instances may change, and meshes that follow() is told of, materials not.

@@ -66,7 +66,7 @@ struct FrameBound {
 /// of their sums, which may be far larger than their distance, and of a plane most for slivers.
 ///
 /// Roundings count at their worst and in one direction. No specification bounds how a driver interpolates, so this is
-/// tested and not proven. No certified pixel rests on it, see Certifier.
+/// tested and not proven. No certified pixel rests on it, but for how far off its distance may be, see Certifier.
 class DeviceBound {
   public:
     explicit DeviceBound(const DrawnFrame& frame);
@@ -99,6 +99,9 @@ class DeviceBound {
     static double surfaceView(const TriangleBound& bound, double distanceView, double slopeView) {
         return bound.distanceView + slopeView * bound.pixels + kDoubleRounding * distanceView;
     }
+
+    /// DrawnFrame::snapPixels.
+    double snapPixels() const { return m_snapPixels; }
 
     /// The step of the buffer around a distance.
     double stepView(double distanceView) const { return cellAt(distanceView).stepView; }

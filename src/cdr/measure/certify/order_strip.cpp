@@ -52,9 +52,7 @@ OrderStrip::OrderStrip(const OrderStrip& device, std::span<const glm::uvec2> ope
       m_tileReach(device.m_tileReach.size(), 0.0),
       m_orders(device.m_orders.size()) {
     for (const glm::uvec2& pixel : open) {
-        const std::size_t index = indexOf(pixel.x, pixel.y);
-        keepReach(pixel.x, pixel.y, device.m_reach[index]);
-        m_orders[index].statedOffView = device.m_orders[index].offView;
+        keepReach(pixel.x, pixel.y, device.m_reach[indexOf(pixel.x, pixel.y)]);
     }
 }
 
@@ -174,8 +172,7 @@ void OrderStrip::enterThin(const ScreenTriangle& triangle, const StripSurface& s
     longest.margin = 6.0 * longest.margin + 16.0 * triangle.bound.pixels * triangle.bound.pixels;
     Edge mirrored{-longest.perX, -longest.perY, -longest.atOrigin, longest.margin};
     const double surfaceOff =
-        kSurfaceRoundings * DeviceBound::surfaceView(triangle.bound, triangle.mostView, 0.0);
-    const double depthView = triangle.mostView - triangle.leastView + surfaceOff;
+        kSurfaceRoundings * DeviceBound::surfaceView(triangle.drawnBound, triangle.mostView, 0.0);
     for (std::uint32_t row = box.top; row < box.bottom; ++row) {
         Span span{static_cast<double>(box.left), box.right - 1.0};
         longest.cut(span, row, -longest.margin);
@@ -185,11 +182,7 @@ void OrderStrip::enterThin(const ScreenTriangle& triangle, const StripSurface& s
             const double least = triangle.leastView;
             if (least - surface.layer.view <= m_reach[indexOf(column, row)]) {
                 const double off = m_bound.orderView(triangle.bound, least, 0.0, surface.layer);
-                const double drawn = m_frame.distancesView.at(column, row);
-                const bool mayBeDrawn =
-                    drawn >= least - surfaceOff && drawn <= triangle.mostView + surfaceOff;
-                enterPerhaps(surface, column, row, intervalAt(surface, least, 0.0, off).least,
-                             mayBeDrawn ? depthView : 0.0);
+                enterPerhaps(surface, column, row, intervalAt(surface, least, 0.0, off).least, surfaceOff);
             }
         }
     }
@@ -216,7 +209,7 @@ void OrderStrip::enterPerhaps(const StripSurface& surface, std::uint32_t x, std:
     if (surface.id == m_frame.ids.at(x, y)) {
         order.least = std::min(order.least, least);
         order.mostBeside = kNever;
-        order.offView = std::max(order.offView, offView);
+        order.offView = std::min(order.offView, offView);
     } else {
         order.otherLeast = std::min(order.otherLeast, least);
     }
@@ -240,7 +233,7 @@ void OrderStrip::enterPixel(const ScreenTriangle& triangle, const StripSurface& 
     if (cover != Cover::goesOn && (least < camera.nearView || most > camera.farView)) {
         cover = Cover::perhaps;
     }
-    const double surfaceOff = kSurfaceRoundings * DeviceBound::surfaceView(triangle.bound, w, slope);
+    const double surfaceOff = kSurfaceRoundings * DeviceBound::surfaceView(triangle.drawnBound, w, slope);
     Order& order = m_orders[indexOf(x, y)];
     const bool readsMask = m_readsMasks && surface.masked != nullptr;
     if (readsMask) {
@@ -265,7 +258,7 @@ void OrderStrip::enterPixel(const ScreenTriangle& triangle, const StripSurface& 
         return;
     }
     order.least = std::min(order.least, place.least);
-    order.offView = std::max(order.offView, surfaceOff);
+    order.offView = std::min(order.offView, surfaceOff);
     if (cover == Cover::goesOn) {
         order.mostBeside = std::max(order.mostBeside, place.most);
         return;
@@ -274,8 +267,7 @@ void OrderStrip::enterPixel(const ScreenTriangle& triangle, const StripSurface& 
     const double orderedView = w - surface.layer.movedView(w);
     if (orderedView < order.nearest) {
         order.nearest = orderedView;
-        order.isAtDrawn =
-            std::abs(w - m_frame.distancesView.at(x, y)) <= std::max(surfaceOff, order.statedOffView);
+        order.isAtDrawn = std::abs(w - m_frame.distancesView.at(x, y)) <= surfaceOff;
     }
 }
 
@@ -299,7 +291,7 @@ PixelFinding OrderStrip::findingAt(std::uint32_t x, std::uint32_t y) const {
     return {.verdict = isBackground ? verdictOnBackground(order) : verdictOnObject(order, reach),
             .isMasked = order.maskedLeast < kNever && order.maskedLeast <= order.most,
             .isBlended = order.blendedLeast < kNever && order.blendedLeast <= order.most,
-            .offView = static_cast<float>(order.offView)};
+            .offView = order.offView < kNever ? static_cast<float>(order.offView) : 0.0f};
 }
 
 PixelVerdict OrderStrip::verdictOnBackground(const Order& order) {

@@ -21,11 +21,12 @@ enum class PixelVerdict : std::uint8_t {
     refused    ///< no device that keeps to its limits draws this
 };
 
-/// A verdict. For a pixel that is cast, also how far off a device may have drawn the distance of the right surface.
+/// A verdict, and what else is known of the pixel.
 struct PixelFinding {
     PixelVerdict verdict = PixelVerdict::open;
     bool isMasked = false;  ///< a masked surface may be there, no farther than the drawn object surely is
     bool isBlended = false; ///< the same of a blended one
+    /// How far off a device may have drawn the distance, on that surface of the drawn object where it is least.
     float offView = 0.0f;
 };
 
@@ -56,7 +57,7 @@ class OrderStrip {
                double farthestLayer);
 
     /// Some pixels alone of another strip, as float64 rays see them.
-    /// @param open that the other strip leaves open. Their drawn distances may be off by as much as it found.
+    /// @param open that the other strip leaves open.
     /// @param bound of float64.
     OrderStrip(const OrderStrip& device, std::span<const glm::uvec2> open, const DeviceBound& bound);
 
@@ -87,8 +88,7 @@ class OrderStrip {
         double maskedLeast = kNever; ///< of masked surfaces that may be there
         double blendedLeast = kNever; ///< of blended ones
         double otherMost = kNever;    ///< of the nearest other one that has the pixel within a triangle
-        double offView = 0.0;         ///< most that a distance of the drawn object may be off
-        double statedOffView = 0.0;   ///< of a strip of open pixels: what the device may be off
+        double offView = kNever;      ///< PixelFinding::offView
         bool isAtDrawn = false;       ///< the nearest sure surface is at the drawn distance
     };
     /// Of pixels in a row, none where first > last.

@@ -10,6 +10,10 @@ namespace cdr::measure {
 
 namespace {
 
+/// What the device snaps by, so many times, is the most that a drawn distance is off for its corners' sake. A corner close to the
+/// eye may be off by more, but that hardly moves the plane between the corners.
+constexpr double kMostSnaps = 4.0;
+
 double cross2(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
 }
@@ -44,9 +48,10 @@ struct Plane {
 } // namespace
 
 InstanceTriangles::InstanceTriangles(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
-                                     const DeviceBound& bound)
+                                     const DeviceBound& bound, const DeviceBound& device)
     : m_camera(camera),
       m_bound(bound),
+      m_device(device),
       m_clipView(0.5 * camera.nearView),
       m_pixelsPerSlope(pixelsPerSlope(camera, height)),
       m_axis(axisPixel(camera, width, height)) {}
@@ -56,13 +61,13 @@ glm::dvec2 InstanceTriangles::pixelOf(const glm::dvec3& view) const {
     return {m_axis.x + view.x * scale, m_axis.y - view.y * scale};
 }
 
-TriangleBound InstanceTriangles::boundOf(double leastView, double mostView) const {
-    return m_bound.of({.leastView = leastView,
-                       .mostView = mostView,
-                       .acrossView = m_acrossView,
-                       .alongView = m_alongView,
-                       .summedView = m_summedView,
-                       .layer = m_layer});
+TriangleBound InstanceTriangles::boundOf(const DeviceBound& bound, double leastView, double mostView) const {
+    return bound.of({.leastView = leastView,
+                     .mostView = mostView,
+                     .acrossView = m_acrossView,
+                     .alongView = m_alongView,
+                     .summedView = m_summedView,
+                     .layer = m_layer});
 }
 
 void InstanceTriangles::place(const scene::Instances& instances, std::size_t instance,
@@ -131,7 +136,7 @@ ScreenTriangle InstanceTriangles::partOf(const std::array<Corner, 3>& corners) c
     ScreenTriangle part;
     part.leastView = std::min({corners[0].view.z, corners[1].view.z, corners[2].view.z});
     part.mostView = std::max({corners[0].view.z, corners[1].view.z, corners[2].view.z});
-    part.bound = boundOf(part.leastView, part.mostView);
+    part.bound = boundOf(m_bound, part.leastView, part.mostView);
     for (std::size_t i = 0; i < 3; ++i) {
         part.corners[i] = pixelOf(corners[i].view);
         part.goesOn[i] = corners[i].goesOn;
@@ -173,9 +178,14 @@ void InstanceTriangles::append(const MeshOutline::Face& face, Side side) {
         ScreenTriangle& part = m_triangles.emplace_back(partOf(corners));
         part.inverse = inverse;
         part.first = face.first;
+        part.drawnBound =
+            &m_device == &m_bound ? part.bound : boundOf(m_device, part.leastView, part.mostView);
+        part.drawnBound.pixels = std::min(part.drawnBound.pixels, kMostSnaps * m_device.snapPixels());
         // Of a thin one nothing is taken for sure.
         if (!part.isThin) {
-            part.bound.distanceView += plane.rounding(part.mostView);
+            const double rounding = plane.rounding(part.mostView);
+            part.bound.distanceView += rounding;
+            part.drawnBound.distanceView += rounding;
         }
     }
 }

@@ -27,14 +27,18 @@ struct ScreenTriangle {
     /// Along a ray, 1 / distance is inverse[0] + inverse[1] * x + inverse[2] * y.
     std::array<double, 3> inverse{};
     TriangleBound bound;
+    TriangleBound
+        drawnBound;          ///< how far off the distance may be that the device drew, whatever `bound` is of
     std::uint32_t first = 0; ///< MeshOutline::Face::first
 };
 
 /// Makes an instance's triangles that face the camera, or may.
 class InstanceTriangles {
   public:
+    /// @param bound of the triangles: the device's, or float64's.
+    /// @param device that drew the picture.
     InstanceTriangles(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
-                      const DeviceBound& bound);
+                      const DeviceBound& bound, const DeviceBound& device);
 
     /// The triangles of an instance, until the next call.
     /// @param outline of the instance's mesh.
@@ -63,11 +67,12 @@ class InstanceTriangles {
     Polygon clipped(const MeshOutline::Face& face, const std::array<bool, 3>& goesOn) const;
     /// Its place in the picture, but for `inverse`.
     ScreenTriangle partOf(const std::array<Corner, 3>& corners) const;
-    TriangleBound boundOf(double leastView, double mostView) const;
+    TriangleBound boundOf(const DeviceBound& bound, double leastView, double mostView) const;
     glm::dvec2 pixelOf(const glm::dvec3& view) const;
 
     const scene::Camera& m_camera;
     const DeviceBound& m_bound;
+    const DeviceBound& m_device;
     double m_clipView;
     double m_pixelsPerSlope;
     glm::dvec2 m_axis;         ///< axisPixel()
