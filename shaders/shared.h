@@ -18,7 +18,8 @@ CDR_CONST kIdBits = 24u;
 CDR_CONST kIdMask = 0xffffffu;
 CDR_CONST kCascadeMask = 0x3fu; // after a shift by kIdBits
 CDR_CONST kIdUnlit = 0x80000000u;
-CDR_CONST kIdEmits = 0x40000000u; // of a pixel: the emission buffer holds something of it
+CDR_CONST kIdEmits = 0x40000000u;  // of a pixel: the emission buffer holds something of it
+CDR_CONST kIdMirror = 0x40000000u; // of a draw: its basis turns inside out
 
 // What a material has beside base colour, metallic and roughness; sums of these are a specialisation constant of pipelines.
 CDR_CONST kDetailMetallicRoughness = 1u; // a texture of metallic and roughness
@@ -73,7 +74,7 @@ struct DrawRecord {
     vec4 right; // row of (view * basis) in xyz, translation in w: view-space x
     vec4 up;    // the same for view-space y
     vec4 ahead; // the same for the view distance beyond the anchor: w - anchorView, formed in float64
-    uint id;    // object index + 1, and kIdUnlit
+    uint id;    // object index + 1, kIdUnlit and kIdMirror
     uint
         cutoffAndMetallicRoughness; // the bits of a float, its lowest byte replaced by metallic and roughness (kMetallicRoughnessMask)
     uint baseColorRg; // linear base colour factor as four halves

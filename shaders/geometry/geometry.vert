@@ -81,7 +81,7 @@ void main() {
     place(x, y, ahead, record.ahead.w);
     outAhead = ahead;
 #else
-    Axes axes = axesOf(record.right.xyz, record.up.xyz, record.ahead.xyz);
+    Axes axes = axesOf(record.right.xyz, record.up.xyz, record.ahead.xyz, record.id);
 #ifdef FACETED
     vec3 turned = turnedNormal(axes, cdrDecodeOctahedral(inNormal));
 #else
@@ -96,7 +96,7 @@ void main() {
     }
     place(x, y, ahead, record.ahead.w);
     vec4 baseColor = inColor * vec4(unpackHalf2x16(record.baseColorRg), unpackHalf2x16(record.baseColorBa));
-    uint id = record.id | (cascade.cascade << kIdBits);
+    uint id = (record.id & ~kIdMirror) | (cascade.cascade << kIdBits);
 #ifdef FACETED
     outAhead = ahead;
     uint albedo = encodeAlbedo(baseColor.rgb);

@@ -85,11 +85,11 @@ float opennessAt(ivec2 pixel, uvec4 texel, vec3 normal) {
         ivec2 there = clamp(pixel + ivec2(i & 3, i >> 2) - 2, ivec2(0), last);
         uvec4 other = texelFetch(gbuffer, there, 0);
         float apart = distanceBetween(anchorOf(texel), aheadOf(texel), anchorOf(other), aheadOf(other));
-        if (other.w != 0u && abs(apart) < occlusionRadius() && dot(normal, normalOf(other)) > 0.8) {
+        if (other.w != 0u && abs(apart) <= occlusionRadius() && dot(normal, normalOf(other)) > 0.8) {
             sum += vec2(occlusionIn(there, other), 1.0);
         }
     }
-    return 1.0 - sum.x / sum.y; // the pixel itself counts
+    return 1.0 - sum.x / sum.y; // the pixel itself counts, even where the radius rounds to 0
 #else
     return 1.0;
 #endif

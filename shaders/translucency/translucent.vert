@@ -46,7 +46,7 @@ void main() {
     precise float inFront = distanceView - push.behind;
     gl_ClipDistance[0] = inFront;
 
-    Axes axes = axesOf(inRight.xyz, inUp.xyz, inAhead.xyz);
+    Axes axes = axesOf(inRight.xyz, inUp.xyz, inAhead.xyz, inLook.x);
     outNormalAhead = vec4(turnedNormal(axes, vertexNormal(inNormal)), ahead);
     outColor = inColor * vec4(unpackHalf2x16(inLook.y), unpackHalf2x16(inLook.z));
 #ifdef DETAILED

@@ -17,7 +17,7 @@ struct TranslucentRecord {
     vec4 centreRange; // view distance of the centre, a float and its rest; then [near, far) of the range
                       // less the centre, formed in float64: the far end of one range is the near end of the
                       // next to the bit
-    uint id;          // object index + 1, and kIdUnlit
+    uint id;          // DrawRecord's
     uint baseColorRg; // linear base colour factor as four halves
     uint baseColorBa;
     uint metallicRoughness; // DrawRecord's

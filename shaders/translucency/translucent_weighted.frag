@@ -13,9 +13,10 @@ void main() {
     TranslucentFragment fragment = translucentFragment();
     float place = clamp(log(max(fragment.distanceView.x / push.nearView, 1e-30)) * push.spread, 0.0, 1.0);
     float nearness = 1.0 - place;
-    // The ends of equation 10, 1e-2 and 3e3, over 50. So half floats hold sums of 1091 of the nearest, opaque layers, and sums of
-    // their colours while these are 1 or less; of kBrightest, 68. Smaller weights would round to 0. The resolve bounds what is more.
-    float weight = fragment.color.a * max(2e-4, 60.0 * nearness * nearness * nearness);
+    // The near end of equation 10, 3e3, over 50. So half floats hold sums of 1091 of the nearest, opaque layers, and sums of their
+    // colours while these are 1 or less; of kBrightest, 68. The resolve bounds what is more. The far end as it is: what is added
+    // is this times alpha squared, which half floats hold from alpha 1/255 on.
+    float weight = fragment.color.a * max(1e-2, 60.0 * nearness * nearness * nearness);
     outSum = vec4(fragment.color.rgb * fragment.color.a * weight, fragment.color.a);
     outWeight = vec4(fragment.color.a * weight, 0.0, 0.0, 0.0);
     outCount = vec4(1.0, 0.0, 0.0, 0.0);

@@ -1,5 +1,9 @@
 #include "fixture.h"
 
+#include <scenes/sheets.h>
+
+#include <glm/gtc/quaternion.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -139,6 +143,24 @@ TEST_F(ScaledSceneTest, ColoursOfBlendedSurfacesAreThoseOfTheSceneItself) {
         EXPECT_LE(differ, 5u) << "2^" << power;
     }
     expectDrawn(drawn, 2);
+}
+
+/// So flat that, rounded to float32, the rows of its basis in view space do not say whether it is a mirror.
+TEST_F(ScaledSceneTest, NormalsOfFlatInstancesKeepTheirSideHoweverTheCameraRolls) {
+    scene::Scene scene = boxScene();
+    scene.meshes.push_back(scenes::makeSquare(1.0f));
+    const glm::dmat3 turned = glm::mat3_cast(glm::dquat(glm::dvec3(0.4, 0.7, 0.2)));
+    const glm::dmat3 flat(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 3e-9);
+    scene::addInstance(scene, 1, 0, 0, glm::dvec3(0.0), glm::mat3(flat * turned));
+    SoleRenderer renderer(device(), scene, smallOptions(depth::parseTechnique("reversed"), 16, 9));
+    const glm::dvec3 eye(2.0, 1.5, 3.0);
+    for (int roll = 0; roll < 60; ++roll) {
+        const glm::dvec3 up(std::cos(0.3 * roll), std::sin(0.3 * roll), 0.1);
+        const render::Frame frame =
+            renderer.render(scene::lookAlong({.fovY = 0.3}, eye, -glm::normalize(eye), up));
+        ASSERT_EQ(frame.id(8, 4), 1u);
+        EXPECT_GT(frame.normalView(8, 4).z, 0.5f) << roll;
+    }
 }
 
 } // namespace

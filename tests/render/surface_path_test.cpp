@@ -1,6 +1,7 @@
 #include "../support/picture_comparison.h"
 #include "../support/worst.h"
 #include "fixture.h"
+#include "steps.h"
 
 #include <scenes/cubes.h>
 #include <scenes/open_scene.h>
@@ -175,6 +176,26 @@ TEST_F(SurfacePathTest, MirroredShinyAndUnlitSurfacesLookTheSame) {
     }
     const test::Comparison difference = test::compare(b.color, a.color, {.channel = 2, .pixelShare = 0.001});
     EXPECT_TRUE(difference.passes) << describe(difference);
+}
+
+/// As in the G-buffer, which has a byte for it; of lit and unlit ones.
+TEST_F(SurfacePathTest, BaseColorsAbove1AreCutOffOnEachAndInTheTruth) {
+    scene::Scene scene = boxScene();
+    scene.ambient = glm::vec3(0.1f);
+    scene.lights[0].halfDistance = 5.0;
+    scene.materials[0].baseColorFactor = glm::vec4(2.0f, 1.0f, 0.25f, 1.0f);
+    addBox(scene, {0.0, 0.0, 0.0}, glm::mat3(8.0f));
+    const scene::Camera camera = scene::lookAt({.fovY = 0.5}, {3.0, 4.0, 12.0}, glm::dvec3(0.0));
+    for (const bool unlit : {false, true}) {
+        scene.materials[0].unlit = unlit;
+        const measure::LayeredTruth truth = layersOf(scene, camera, 64, 36);
+        for (const SurfacePath surface : render::kSurfacePaths) {
+            render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"), 64, 36);
+            options.surface = surface;
+            EXPECT_LE(largestStepTo(truth, {}, draw(scene, camera, options).color), 2)
+                << nameOf(surface) << (unlit ? ", unlit" : "");
+        }
+    }
 }
 
 TEST_F(SurfacePathTest, SaysWhyVisibilityCannotBe) {

@@ -94,7 +94,7 @@ struct CDR_EXPORT Frame {
     /// Of each of scene::shadowLights() 255 where it reaches the opaque surface, else 0. Where its cone or
     /// range leaves no light, either. Empty without RenderOptions::shadows, or where FrameCopy::color was asked for.
     image::ImageRgba8 litMask;
-    /// Translucent fragments at or in front of the opaque surface; empty unless they were counted.
+    /// Translucent fragments at or in front of the opaque surface, at most 2048; empty unless they were counted.
     image::ImageU32 fragmentCounts;
     FrameStats stats; ///< of this frame
 

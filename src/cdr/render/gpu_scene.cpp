@@ -418,7 +418,8 @@ void GpuScene::State::readMaterials() {
 
 void GpuScene::State::readInstance(std::size_t i) {
     const scene::Instances& instances = m_scene->instances;
-    const DrawKinds::Key key{instances.mesh[i], instances.material[i], isMirror(instances.basis[i])};
+    const bool isMirrored = isMirror(instances.basis[i]);
+    const DrawKinds::Key key{instances.mesh[i], instances.material[i], isMirrored};
     DrawSource& source = m_sources[i];
     // What moves or goes keeps its kind, which spares the look-up and leaves runs of one kind whole.
     const bool keepsKind = source.kind < m_kinds.all().size() &&
@@ -426,7 +427,8 @@ void GpuScene::State::readInstance(std::size_t i) {
     source = {.position = instances.position(i),
               .basis = instances.basis[i],
               .id = instances.object[i] + 1 +
-                    (m_scene->materials[instances.material[i]].unlit ? shaders::kIdUnlit : 0u),
+                    (m_scene->materials[instances.material[i]].unlit ? shaders::kIdUnlit : 0u) +
+                    (isMirrored ? shaders::kIdMirror : 0u),
               .material = instances.material[i],
               .kind = keepsKind ? source.kind : m_kinds.indexOf(key, kindsFrom())};
 }

@@ -138,6 +138,7 @@ struct TextureUse {
 };
 
 /// Most of Material::baseColorFactor that counts: the largest half float. What is more would be infinite, and black times that no number.
+/// Of a surface that is not blended, the product with vertex colour and texture counts as 1 where it is more.
 inline constexpr float kMaxBaseColor = 65504.0f;
 /// Most of MaterialDetail::normalScale that counts, and least below 0. Beyond it a normal lies in the surface, and products overflow.
 inline constexpr float kMaxNormalScale = 1e4f;

@@ -94,6 +94,19 @@ TEST_F(PlacesTest, ATextureOfTwoUsesLooksAsTwoTextures) {
     }
 }
 
+/// The truth lights such a material by Lambert's law alone, too.
+TEST_F(PlacesTest, ATextureAloneMakesNoMetallicRoughness) {
+    for (const scene::AlphaMode mode : {scene::AlphaMode::opaque, scene::AlphaMode::blend}) {
+        scene::Scene scene = squareWith(&scene::MaterialDetail::metallicRoughness, {});
+        scene.materials[0].metallicRoughness.reset();
+        scene.materials[0].alphaMode = mode;
+        const render::Frame alone = draw(scene, camera(), options());
+        scene.materials.push_back(
+            {.name = "glossy, of nothing", .metallicRoughness = scene::MetallicRoughness{}});
+        EXPECT_EQ(draw(scene, camera(), options()).color, alone.color);
+    }
+}
+
 /// Five textures of one size and sampler are read as three; a sampler that differs, in a way that does not show, parts them.
 TEST_F(PlacesTest, FivePackedTexturesLookAsFive) {
     scene::Scene scene = squareWith(&scene::MaterialDetail::metallicRoughness, {});

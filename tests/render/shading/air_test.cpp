@@ -158,6 +158,23 @@ TEST_F(AirTest, AnyPlaceHasAPicture) {
     EXPECT_EQ(seenFrom(scene.air->centre), (image::Rgba8{0, 0, 0, 255}));
 }
 
+/// Those that float32 has no number for, or that it cannot square. A driver may show what is no number as the brightest light.
+TEST_F(AirTest, AnyHeightOfTheAirHasAPicture) {
+    scene::Scene scene = airScene();
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"), 16, 9);
+    options.linear = true;
+    for (const double height : {1e-300, 1e-40, 1e30, 1e300}) {
+        scene.air->molecules.height = height;
+        for (const double target : {-1e4, 1e4}) {
+            const render::Frame frame = draw(scene, lookFrom(1e3, {0.0, target, -1e4}, 1.0), options);
+            ASSERT_FALSE(frame.linear.pixels.empty());
+            for (const glm::vec3& light : frame.linear.pixels) {
+                ASSERT_LT(light.r + light.g + light.b, 12.0f) << height << " " << target;
+            }
+        }
+    }
+}
+
 } // namespace
 
 } // namespace cdr::render_test

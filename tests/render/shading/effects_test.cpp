@@ -98,6 +98,18 @@ TEST_F(EffectsTest, OcclusionDarkensCornersAndLeavesOpenFloorAlone) {
     EXPECT_GT(flat, 5'000u);
 }
 
+/// The shader has the radius as a float, and this one rounds to 0.
+TEST_F(EffectsTest, TheLeastRadiusOfOcclusionDarkensNothing) {
+    const scene::Scene scene = cornerScene();
+    RenderOptions options = quarterOf(smallOptions(depth::parseTechnique("reversed")));
+    const Frame open = draw(scene, kEffectsCamera, options);
+    for (const bool perLayer : {false, true}) {
+        options = quarterOf(occluded(depth::parseTechnique("reversed"), perLayer));
+        options.effects.occlusion.radius = 1e-50;
+        EXPECT_EQ(draw(scene, kEffectsCamera, options).color, open.color) << perLayer;
+    }
+}
+
 TEST_F(EffectsTest, OcclusionAndFogAreTheSameWhateverTheTechnique) {
     const scene::Scene scene = cornerScene();
     RenderOptions options = occluded(depth::parseTechnique("reversed"));

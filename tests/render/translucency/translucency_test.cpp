@@ -268,6 +268,34 @@ TEST_F(TranslucencyTest, WeightedStaysFiniteHoweverManyBrightLayersThereAre) {
     }
 }
 
+/// Half floats hold what they add, from the faintest layer on that a byte tells from none.
+TEST_F(TranslucencyTest, FaintLayersShowAtTheFarEndOfACascade) {
+    scene::Camera camera;
+    camera.nearView = 0.1;
+    camera.farView = 1e5;
+    for (const float alpha : {0.01f, 1.0f / 255.0f}) {
+        scene::Scene scene = boxScene();
+        scene.background = glm::vec3(0.0f);
+        scene.meshes.push_back(scenes::makeSquare(1e5f));
+        scene.materials.push_back({.name = "smoke",
+                                   .baseColorFactor = glm::vec4(glm::vec3(1.0f), alpha),
+                                   .unlit = true,
+                                   .alphaMode = scene::AlphaMode::blend});
+        for (std::uint32_t i = 0; i < 10; ++i) {
+            scene::addInstance(scene, 1, 1, i, {0.0, 0.0, -0.99 * camera.farView}, glm::mat3(1.0f));
+        }
+        const auto drawn = [&](Translucency method) {
+            render::RenderOptions options = optionsFor(countOf(depth::Mapping::reversed, 1), method);
+            options.width = 16;
+            options.height = 9;
+            return draw(scene, camera, options).color.at(8, 4);
+        };
+        const image::Rgba8 sorted = drawn(Translucency::sorted);
+        EXPECT_GT(sorted[0], 50) << alpha;
+        EXPECT_LE(largestStep(drawn(Translucency::weighted), sorted), 2) << alpha;
+    }
+}
+
 TEST_F(TranslucencyTest, ListsThatDoNotFitAreDrawnWeightedAndSaySo) {
     render::RenderOptions options = optionsFor(countOf(depth::Mapping::anchored, 4), Translucency::weighted);
     const std::string weighted = hashOf(draw(m_sheets.scene, m_camera, options));

@@ -93,7 +93,10 @@ void appendHits(const scene::Scene& scene, const TruthTextures& textures, const 
         const SurfacePoint point{scene, textures, material,
                                  mesh,  i,        weightsOf(triangle, visible.camera, pixel, shift)};
         const glm::dvec3& weights = point.weights.here;
-        const glm::dvec4 baseColor = point.baseColor();
+        glm::dvec4 baseColor = point.baseColor();
+        if (material.alphaMode != scene::AlphaMode::blend) {
+            baseColor = glm::min(baseColor, 1.0); // as scene::kMaxBaseColor says
+        }
         if (material.alphaMode == scene::AlphaMode::mask && isCutAt(material, baseColor.a)) {
             continue;
         }

@@ -14,8 +14,9 @@ FacetLight::FacetLight(const scene::Scene& scene, const scene::Camera& camera)
 
 void FacetLight::turn(std::size_t facet, const glm::vec3& baseColor, Reflection reflection) {
     const bool isUnlit = reflection == Reflection::unlit;
-    m_ambient[facet] = isUnlit ? baseColor : baseColor * m_ambientLight;
-    m_albedo[facet] = isUnlit ? glm::vec3(0.0f) : baseColor;
+    const glm::vec3 albedo = glm::min(baseColor, 1.0f); // as a G-buffer holds it
+    m_ambient[facet] = isUnlit ? albedo : albedo * m_ambientLight;
+    m_albedo[facet] = isUnlit ? glm::vec3(0.0f) : albedo;
 }
 
 void FacetLight::write(std::size_t facet, const glm::dvec3& normal, double height, const glm::dvec3& origin,

@@ -143,7 +143,7 @@ void FacetWriter::add(const FacetSolid& solid, const DrawSource& source, const M
     if (m_light != nullptr) {
         writeLight(pattern, source.position);
     } else {
-        writeRecords(solid, pattern, place, record.id | m_cascadeBits);
+        writeRecords(solid, pattern, place, (record.id & ~shaders::kIdMirror) | m_cascadeBits);
     }
     m_counts.vertices += static_cast<std::uint32_t>(pattern.vertices.size());
     m_counts.indices += static_cast<std::uint32_t>(pattern.indices.size());

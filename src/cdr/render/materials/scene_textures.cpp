@@ -35,9 +35,11 @@ constexpr std::array<DetailPart, shaders::kDetailTextures> kDetailParts{
     DetailPart{&scene::MaterialDetail::emissive, shaders::kDetailEmissive},
 };
 
-/// Whether unlit materials lack a part.
-bool isOfLitAlone(const DetailPart& part) {
-    return part.part != shaders::kDetailEmissive;
+/// Whether a material has a part of which it has the texture: unlit ones only emit, and matt ones have no metallic and roughness.
+bool isRead(const DetailPart& part, const scene::Material& material) {
+    return part.part == shaders::kDetailEmissive ||
+           (!material.unlit &&
+            (material.metallicRoughness || part.part != shaders::kDetailMetallicRoughness));
 }
 
 bool isMoved(const scene::TextureUse& use) {
@@ -167,7 +169,7 @@ std::uint32_t detailPartsOf(const scene::Material& material) {
     }
     std::uint32_t parts = material.detail.emission != glm::vec3(0.0f) ? shaders::kDetailEmits : 0u;
     for (const DetailPart& part : kDetailParts) {
-        if (const auto& use = material.detail.*part.use; use && !(material.unlit && isOfLitAlone(part))) {
+        if (const auto& use = material.detail.*part.use; use && isRead(part, material)) {
             parts |= part.part | (isMoved(*use) ? shaders::kDetailMoved : 0u);
         }
     }

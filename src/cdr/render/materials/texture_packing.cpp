@@ -31,7 +31,7 @@ bool mayBePacked(const scene::Material& material) {
     const scene::MaterialDetail& detail = material.detail;
     return !material.unlit && material.alphaMode == scene::AlphaMode::opaque && material.baseColorTexture &&
            isAtBase(detail.normal) && isAtBase(detail.emissive) && isAtBase(detail.occlusion) &&
-           isAtBase(detail.metallicRoughness);
+           isAtBase(detail.metallicRoughness) && material.metallicRoughness;
 }
 
 bool isPackable(const scene::Material& material, std::span<const scene::Texture> textures) {

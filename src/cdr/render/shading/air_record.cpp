@@ -12,9 +12,16 @@ namespace {
 constexpr double kTopOfAir = 12.0;
 /// Radii; beyond, the planet is smaller than any pixel, and float32 would overflow.
 constexpr double kFarthestEye = 1e9;
+/// Radii; by less, air is thinner than any pixel, and float32 would overflow.
+constexpr double kLeastHeight = 1e-15;
+
+/// In radii, as float32 can square it.
+double heightOf(const scene::AirPart& part, double radius) {
+    return std::clamp(part.height / radius, kLeastHeight, kFarthestEye / kTopOfAir);
+}
 
 glm::vec4 partRecord(const scene::AirPart& part, double radius) {
-    return {glm::vec3(glm::dvec3(part.scattering) * radius), static_cast<float>(part.height / radius)};
+    return {glm::vec3(glm::dvec3(part.scattering) * radius), static_cast<float>(heightOf(part, radius))};
 }
 
 } // namespace
@@ -28,7 +35,8 @@ shaders::AirRecord makeAirRecord(const scene::Air& air, const scene::Camera& cam
     const glm::dvec3 fromCentre = stretched((camera.position - air.centre) / air.radius);
     const double eye = glm::length(fromCentre);
     const glm::dvec3 up = eye > 0.0 ? fromCentre / eye : air.axis;
-    const double top = kTopOfAir * std::max(air.molecules.height, air.haze.height) / air.radius;
+    const double top =
+        kTopOfAir * std::max(heightOf(air.molecules, air.radius), heightOf(air.haze, air.radius));
     const auto inView = [&](const glm::dvec3& direction) {
         return glm::vec3(directionInView(camera, direction));
     };
