@@ -124,6 +124,22 @@ TEST(ClipRange, OverlapsIntoTheNextCascadeOnly) {
     }
 }
 
+/// What is shared follows the distance, as what float32 rounds does. But depth gets a hundredth coarser at most.
+TEST(ClipRange, AnchoredCascadesShareAMillionthOfTheDistanceWhereTheyAreThin) {
+    for (const Mapping mapping : {Mapping::anchored, Mapping::anchoredReversed}) {
+        for (const double thickness : {1e-9, 1e-6, 1e-4, 1e-3, 1e-2, 0.1}) {
+            const double meetView = 1e6;
+            const double thicknessView = thickness * meetView;
+            const Cascades cascades{{meetView - thicknessView, meetView},
+                                    {meetView, meetView + thicknessView}};
+            const double sharedView = clipRange(mapping, cascades, 0).farView - meetView;
+            EXPECT_LE(sharedView, 0.0101 * thicknessView) << nameOf(mapping) << " " << thickness;
+            EXPECT_GE(sharedView, 0.0099 * std::min(thicknessView, 1e-4 * meetView))
+                << nameOf(mapping) << " " << thickness;
+        }
+    }
+}
+
 TEST(ClipRange, DoesNotReachIntoAGap) {
     const Cascades cascades{{1.0, 10.0}, {20.0, 30.0}};
     for (const Mapping mapping : kMappings) {

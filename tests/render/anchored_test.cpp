@@ -158,6 +158,52 @@ TEST_F(AnchoredTest, ThinCascadesLeaveNoSeamInAFloorToTheHorizon) {
     }
 }
 
+/// The face of a box whose centre lies thousands of cascades behind it, so float32 rounds differently in each.
+TEST_F(AnchoredTest, ThinCascadesLeaveNoSeamInTheFaceOfALargeBox) {
+    constexpr double kSize = 1.2e6;
+    scene::Scene scene = boxScene();
+    const glm::dvec3 facing = glm::normalize(glm::dvec3(-1e-5, 3e-5, 1.0));
+    const glm::dvec3 across = glm::normalize(glm::cross(facing, glm::dvec3(0.3, 1.0, 0.0)));
+    addBox(scene, {0.0, 0.0, -1'000'105.0 - 0.5 * kSize},
+           glm::mat3(kSize * glm::dmat3(across, glm::cross(facing, across), facing)));
+    std::vector<std::pair<scene::Camera, measure::TruthImage>> views;
+    for (int i = 0; i < 4; ++i) {
+        const scene::Camera camera{
+            .position = {0.0, 0.0, 0.0137 * i}, .fovY = 0.5, .nearView = 1e6, .farView = 1'000'200.0};
+        views.emplace_back(camera, truthOf(scene, camera));
+        EXPECT_EQ(views.back().second.at(240, 135).id, 1u);
+    }
+    // Pixels that the face leaves to the sky, in all views.
+    const auto seams = [&](render::RenderOptions options) {
+        options.technique.split = depth::parseSplit("at:1000100.03125");
+        SoleRenderer renderer(device(), scene, options);
+        std::uint64_t wrong = 0;
+        for (const auto& [camera, truth] : views) {
+            const Frame frame = renderer.render(camera);
+            EXPECT_EQ(frame.cascades.size(), 2u);
+            wrong += measure::countWrong(frame.ids(), truth).wrong;
+        }
+        return wrong;
+    };
+    for (const depth::Mapping mapping : depth::kMappings) {
+        EXPECT_EQ(seams(smallOptions(technique(mapping))), 0u) << nameOf(mapping);
+    }
+    const auto anchored = smallOptions(technique(depth::Mapping::anchored));
+    for (const render::Submission submission : submissions()) {
+        render::RenderOptions options = anchored;
+        options.submission = submission;
+        EXPECT_EQ(seams(options), 0u) << nameOf(submission);
+    }
+    for (const render::TargetsKind targets : render::kTargetsKinds) {
+        for (const auto surface : {render::SurfacePath::gbuffer, render::SurfacePath::visibility}) {
+            render::RenderOptions options = anchored;
+            options.targets = targets;
+            options.surface = surface;
+            EXPECT_EQ(seams(options), 0u) << nameOf(targets) << " " << nameOf(surface);
+        }
+    }
+}
+
 TEST_F(AnchoredTest, ACameraThatSeesNothingOrFarFromTheOriginStillDraws) {
     scene::Scene scene = boxScene();
     const glm::dvec3 far(1e12, -3e11, 2e11);

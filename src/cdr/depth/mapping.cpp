@@ -50,13 +50,24 @@ base::Result<Mapping> tryParseMapping(std::string_view name) {
     return kNames.tryParse(name);
 }
 
+namespace {
+
+/// How far a cascade reaches into the next one.
+double overlapView(Mapping mapping, const Cascade& cascade) {
+    if (isLog(mapping)) {
+        return 1e-4 * cascade.farView;
+    }
+    const double linearView = 1e-6 * cascade.farView;
+    const double depthView = cascade.farView - cascade.nearView;
+    return isAnchored(mapping) ? std::clamp(linearView, 1e-4 * depthView, 1e-2 * depthView) : linearView;
+}
+
+} // namespace
+
 Cascade clipRange(Mapping mapping, const Cascades& cascades, std::size_t index) {
     Cascade range = cascades[index];
     if (index + 1 < cascades.size() && cascades[index + 1].nearView == range.farView) {
-        const double overlapView = isAnchored(mapping) ? 1e-4 * (range.farView - range.nearView)
-                                   : isLog(mapping)    ? 1e-4 * range.farView
-                                                       : 1e-6 * range.farView;
-        range.farView = std::min(range.farView + overlapView, cascades[index + 1].farView);
+        range.farView = std::min(range.farView + overlapView(mapping, range), cascades[index + 1].farView);
     }
     return range;
 }

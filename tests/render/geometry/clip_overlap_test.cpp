@@ -65,15 +65,17 @@ double cutShare(const ClippedEdge& edge, const CascadeView& cascade, CutEnd end,
 TEST(ClipOverlap, TwoStepsOfEachClipDistanceOpenNoGapBetweenCascades) {
     constexpr double kSteps = 2.0;
     constexpr double kShareToSpare = 0.5;
+    constexpr double kSpanOfThickness = 16'000.0;
     std::mt19937_64 random(2013);
     for (const depth::Mapping mapping : {depth::Mapping::standard, depth::Mapping::reversed,
                                          depth::Mapping::anchored, depth::Mapping::anchoredReversed}) {
-        // A cascade of anchored depth shares a ten-thousandth of its thickness, which is little where it is thin. Reversed, it
-        // rounds to its far plane, so where it is thick it loses more than two steps.
-        for (const double ratio : {100.0, 10.0, 1.1, 1.02}) {
+        // Reversed, anchored depth rounds to its far plane, so where a cascade is thick it loses more than two steps.
+        for (const double ratio : {100.0, 10.0, 1.1, 1.02, 1.005, 1.002, 1.0002, 1.00001, 1.000001}) {
+            // Cascades far thinner than a draw no longer share what it rounds: a weak spot (README of geometry).
+            const double span = std::min(wideSpan(mapping, 2), kSpanOfThickness * (ratio - 1.0));
             double leastToSpare = std::numeric_limits<double>::infinity();
             for (int i = 0; i < 20'000; ++i) {
-                const ClippedEdge edge = clippedEdge(wideSpan(mapping, 2), random);
+                const ClippedEdge edge = clippedEdge(span, random);
                 const depth::Cascades ranges{{edge.meetView / ratio, edge.meetView},
                                              {edge.meetView, edge.meetView * ratio}};
                 const auto views = cascadeViews(mapping, ranges, ranges, depth::FarEnd::closed, {});

@@ -20,7 +20,7 @@ namespace {
 constexpr double kLogWideSpan = 0.02;
 
 /// Two steps of a float in clip distances move a cut by 2e-7 of its distance, for spans of up to this. Two cascades lose both
-/// that and the rounding of planes, less than half of the overlap of linear mappings, 1e-6. A test adds it up.
+/// that and the rounding of planes, less than half of an overlap of 1e-6 of the far plane. A test adds it up.
 constexpr double kLinearWideSpan = 4.0;
 
 using gpu::Spirv;
