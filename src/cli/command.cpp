@@ -223,7 +223,7 @@ nlohmann::ordered_json Command::makeDocument(nlohmann::ordered_json options) con
         {"options", std::move(options)},
         {"results", nlohmann::ordered_json::array()},
         {"given", givenOptions(m_app)}};
-    // Options of the program, which change what is drawn.
+    // Those of the program that change what is drawn.
     if (m_global.textureMiB) {
         document["given"]["texture-memory"] = std::vector{std::to_string(*m_global.textureMiB)};
     }

@@ -35,7 +35,7 @@ void readLine(std::string_view line, UnitState& state) {
     auto record = platform::parseShallow<output::Json>(json, kDeepest, "is damaged");
     const output::Json& unit = record.at("unit");
     if (!unit.is_number_unsigned()) {
-        throw base::InputError("holds a result that is not part of this run");
+        throw base::InputError("is damaged");
     }
     state.made[unit.get<std::size_t>()] = std::move(record.at("made"));
 }

@@ -418,6 +418,18 @@ TEST(FittedSplit, DegenerateInputs) {
     }
 }
 
+/// The thinnest object decides how fine cascades are, so it must be one that is there.
+TEST(SplitFitted, WhatIsOutOfTheCamerasRangeChangesNothing) {
+    SplitContext view = viewOf(Mapping::anchored);
+    view.farView = 1e5;
+    const Cascades alone = fit({}, view, {{0.1, 1e5}});
+    for (const Interval& away : {Interval{-2.0, -1.999}, Interval{0.01, 0.0101}, Interval{2e5, 2e5 + 1e-3}}) {
+        const Cascades cascades = fit({}, view, {{0.1, 1e5}, away});
+        EXPECT_EQ(cascades.size(), alone.size()) << away.nearView;
+    }
+    EXPECT_GT(fit({}, view, {{0.1, 1e5}, {2.0, 2.001}}).size(), alone.size());
+}
+
 /// As mergeIntervals() says it, one step after the other.
 std::vector<Interval> mergedPlainly(std::vector<Interval> intervals, double nearView, double farView,
                                     double rounding) {
@@ -437,18 +449,6 @@ std::vector<Interval> mergedPlainly(std::vector<Interval> intervals, double near
         }
     }
     return merged;
-}
-
-/// The thinnest object decides how fine cascades are, so it must be one that is there.
-TEST(SplitFitted, WhatIsOutOfTheCamerasRangeChangesNothing) {
-    SplitContext view = viewOf(Mapping::anchored);
-    view.farView = 1e5;
-    const Cascades alone = fit({}, view, {{0.1, 1e5}});
-    for (const Interval& away : {Interval{-2.0, -1.999}, Interval{0.01, 0.0101}, Interval{2e5, 2e5 + 1e-3}}) {
-        const Cascades cascades = fit({}, view, {{0.1, 1e5}, away});
-        EXPECT_EQ(cascades.size(), alone.size()) << away.nearView;
-    }
-    EXPECT_GT(fit({}, view, {{0.1, 1e5}, {2.0, 2.001}}).size(), alone.size());
 }
 
 /// Few and many, thin and thick, spread over one decade and over eleven.

@@ -21,6 +21,9 @@ constexpr std::size_t kPrefetched = 16;
 /// instance. So building again once they were tested so often costs at most what was lost.
 constexpr std::uint64_t kDebtPerInstance = 64;
 
+/// After so many updates, sorting costs at most what testing all one by one took in each of them.
+constexpr std::uint64_t kUpdatesBetweenSorts = kDebtPerInstance;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const InstanceCells::Box kNothing{glm::dvec3(kInfinity), glm::dvec3(-kInfinity), 0.0};
 
@@ -253,7 +256,7 @@ void InstanceCells::update(const scene::Scene& scene, std::span<const std::uint3
     const bool isMass = m_loose - looseBefore > m_slotOf.size() / 2;
     if ((isMass && m_massWait == 0) || m_debt > kDebtPerInstance * m_slotOf.size()) {
         build(scene, workers);
-        m_massWait = kDebtPerInstance;
+        m_massWait = kUpdatesBetweenSorts;
         return;
     }
     refreshBoxes();

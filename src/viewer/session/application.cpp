@@ -204,8 +204,8 @@ void Application::presentAndSave(ImDrawData* drawn) {
         if (!pixels.pixels.empty()) {
             image::writeImage(*std::exchange(m_capture, std::nullopt), pixels);
         }
-    } catch (const base::RunError&
-                 error) { // there was no memory to read the window into, or no place for the file
+    } catch (const base::RunError& error) {
+        // There was no memory to read the window into, or no place for the file. What else failed fails again without it.
         m_capture.reset();
         m_unsaved = error.what();
         m_model.interface.sayProblem(error.what());

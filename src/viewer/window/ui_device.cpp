@@ -65,7 +65,7 @@ UiDevice::UiDevice(const WindowSystem& system, const Window& window, const Optio
                                                               .hasDebugNames = m_instance.hasDebugNames()});
         return;
     }
-    throw base::RunError("no Vulkan 1.3 device can present to this window system");
+    throw base::RunError("no device that cdr can use presents to this window system");
 }
 
 void UiDevice::renewSurface(const Window& window) {

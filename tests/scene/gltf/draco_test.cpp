@@ -339,6 +339,9 @@ TEST_F(GltfDraco, UnsoundExtensionsAreRefused) {
     for (const json& unsound : {json("x"), json(5)}) {
         EXPECT_NE(extended("attributes", unsound), "loaded") << unsound;
     }
+    Document without = compressed(square(), {.method = kSequential});
+    without.primitive()["extensions"][kDraco]["attributes"] = json::object();
+    EXPECT_TRUE(anySays(load(without).ignored, "no positions of it can be read"));
     EXPECT_EQ(extended("attributes", {{"POSITION", 50}, {"NORMAL", 8}}),
               "mesh 0 '' primitive 0: KHR_draco_mesh_compression holds no attribute 50, which POSITION is");
     expectSays(with([](json& primitive) { primitive["mode"] = kPoints; }),

@@ -36,12 +36,13 @@ image::Raster<std::uint8_t> steadyMask(const TruthImage& before,
                                        const TruthImage& after,
                                        const image::Raster<std::uint8_t>& innerAfter);
 
-/// What each frame of a scene should show, and what of it stays from the frame before. All techniques share it.
+/// What each frame of a scene should show, and what of it stays from the frame before.
 struct SceneTruth {
     TruthImage truth{};
     image::Raster<std::uint8_t> inner{};                 ///< innerMask()
     std::optional<image::Raster<std::uint8_t>> steady{}; ///< steadyMask(); none in the first frame
 
+    /// Goes on to the next frame. base::InputError when the sizes differ.
     void add(TruthImage next);
 };
 

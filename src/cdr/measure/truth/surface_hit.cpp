@@ -35,7 +35,8 @@ bool addsEmission(const scene::Material& material) {
         return scene::hasEmission(material);
     }
     const scene::MaterialDetail& detail = material.detail;
-    const bool hasTexture = detail.metallicRoughness || detail.normal || detail.occlusion || detail.emissive;
+    const bool isGlossy = detail.metallicRoughness && material.metallicRoughness;
+    const bool hasTexture = isGlossy || detail.normal || detail.occlusion || detail.emissive;
     return detail.emission != glm::vec3(0.0f) || (!material.unlit && hasTexture);
 }
 

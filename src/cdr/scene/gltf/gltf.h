@@ -30,7 +30,7 @@ struct GltfLimits {
     /// mesh's largest node has it.
     double pieceRadius = kPieceRadius;
     /// Not refused but shrunk, with a note: the bytes of all textures with their levels. The largest levels of the largest
-    /// textures are left out. Without it, what takes 1366 MiB is refused.
+    /// textures are left out. Without it, what takes over 1366 MiB is refused, and with it pictures of over 2^36 texels together.
     std::optional<std::uint64_t> textureMemory{};
     /// Not refused but used: radius of points and lines, above 0. It is in scene units at the mesh's largest node, and in
     /// units of the mesh where a skin deforms it. Without it, each primitive gets one. That follows from how far apart its

@@ -98,7 +98,10 @@ std::string_view explanationOf(std::optional<options::StereoPicture> picture) {
 
 ViewSettings withEyes(ViewSettings settings, scene::StereoMode mode, const LookedAt& at) {
     settings.views.stereo = mode;
-    if (mode != scene::StereoMode::parallel && !settings.views.converge) {
+    const bool lookAhead = settings.givenEyes.stereo && !settings.givenEyes.converge;
+    if (mode == scene::StereoMode::parallel && lookAhead) {
+        settings.views.converge.reset(); // as on the command line
+    } else if (mode != scene::StereoMode::parallel && !settings.views.converge) {
         settings.views.converge = convergenceAt(at);
     }
     return settings;

@@ -27,7 +27,7 @@ ViewSettings withEyes(ViewSettings settings, scene::StereoMode mode, const Looke
 /// The same with the mode that follows. Nothing with one eye.
 ViewSettings withOtherEyes(ViewSettings settings, const LookedAt& at);
 /// Pictures of the eyes coincide at what is looked at. The eyes are a thirtieth of that distance apart, to three digits, at
-/// which most people see one picture. With a narrow lens they are nearer, so that both see it. They take the place of those
+/// which most people see one picture. With a narrow lens they are closer together, so that both see it. They take the place of those
 /// of the command line.
 void fitEyes(ViewSettings& settings, const LookedAt& at);
 

@@ -63,11 +63,14 @@ TEST(StereoViewTest, EyesThatTurnInHaveADistanceToTurnTo) {
     ViewSettings settings;
     settings.views = {
         .kind = {}, .stereo = scene::StereoMode::parallel, .eyeDistance = 0.065, .converge = {}};
+    settings.givenEyes = settings.views;
+    const ViewSettings given = settings;
     for (std::size_t i = 0; i < scene::kStereoModes.size(); ++i) {
         EXPECT_NO_THROW(options::ViewsPlan(settings.views, 320, 360)) << i;
+        EXPECT_EQ(settings.views.converge, i == 0 ? std::nullopt : std::optional(61.2)) << i;
         settings = withOtherEyes(settings, {.surfaceView = 61.234});
     }
-    EXPECT_EQ(settings.views.converge, 61.2);
+    EXPECT_EQ(settings, given);
 }
 
 TEST(StereoViewTest, EyesBesideEachOtherShareTheWidth) {
