@@ -122,14 +122,14 @@ TEST(LayeredTruth, UnlitSurfacesAddWhatTheyEmit) {
 /// As the renderer has it, which keeps colours as half floats: the sum, of each surface, before it is blended.
 TEST(LayeredTruth, WhatEmitsIsCutOff) {
     Stack stack;
-    stack.add(2.0, {9.0f, 1.0f, 0.0f, 0.5f}, true);
-    stack.add(4.0, {0.0f, 1.0f, 20.0f, 1.0f}, false);
+    stack.add(2.0, {20.0f, 1.0f, 0.0f, 0.5f}, true);
+    stack.add(4.0, {0.0f, 1.0f, 20.0f, 1.0f}, false); // as 1: a G-buffer holds no more
     for (scene::Material& material : stack.scene.materials) {
         material.detail.emission = glm::vec3(8.0f, 100.0f, 0.0f);
     }
-    expectColor(stack.middle(), {0.5 * 16.0 + 0.5 * 8.0, 0.5 * 16.0 + 0.5 * 16.0, 0.5 * 16.0});
-    stack.scene.materials[1].detail.emission = glm::vec3(0.0f); // what does not emit is not cut off
-    expectColor(stack.middle(), {0.5 * 16.0, 0.5 * 16.0 + 0.5, 0.5 * 20.0});
+    expectColor(stack.middle(), {0.5 * 16.0 + 0.5 * 8.0, 0.5 * 16.0 + 0.5 * 16.0, 0.5});
+    stack.scene.materials[0].detail.emission = glm::vec3(0.0f); // what does not emit is not cut off
+    expectColor(stack.middle(), {0.5 * 20.0 + 0.5 * 8.0, 0.5 + 0.5 * 16.0, 0.5});
 }
 
 /// Of what blends, shading cuts off what reads textures of detail too. Other detail is none that it reads.
