@@ -32,7 +32,10 @@ struct FramePasses {
                 const SceneNeeds& needs, const DrawPathFactory& paths, platform::WorkerPool& workers);
 
     /// The G-buffer; of a visibility buffer the one that frames for the host resolve.
-    const gpu::Image& gbuffer() const { return resolve != nullptr ? resolve->gbuffer : targets.gbuffer(); }
+    const gpu::Image& gbuffer() const {
+        const ResolvePass* made = resolve.get();
+        return made != nullptr ? made->gbuffer : targets.gbuffer();
+    }
     /// What a frame draws into.
     Targets& drawnTargets() const { return litTargets != nullptr ? *litTargets : targets; }
     /// Those of one slot. @param lightRoom lights that they have room for.
