@@ -2,6 +2,7 @@
 #include <cdr/gpu/upload.h>
 #include <cdr/image/levels.h>
 #include <cdr/platform/worker_pool.h>
+#include <cdr/render/materials/material_words.h>
 #include <cdr/render/materials/scene_textures.h>
 #include <cdr/shaders/shared.h>
 
