@@ -31,7 +31,7 @@ PlanRow certificateOf(const std::string& scene, const std::string& technique, co
                         {"--technique", {technique}},
                         {"--aov", {"wrong"}},
                         {"--frames", {"2", "5", "9"}},
-                        {"--size", {"160x90", "640x360", "1280x720"}},
+                        {"--size", {"240x135", "640x360", "1280x720"}},
                         {"--threads", {kThreads}},
                         {"--seed", {kSeed}}},
             .out = {"--certify", "data/certificate-" + name + ".json"},

@@ -57,8 +57,7 @@ Surfaces Renderer::surfaces() const {
 }
 
 FrameStats Renderer::lastStats() const {
-    const FrameSlot* last = m_frames->slots().last();
-    return last != nullptr ? last->stats : FrameStats();
+    return m_frames->slots().lastStats();
 }
 
 void Renderer::resize(std::uint32_t width, std::uint32_t height) {

@@ -14,8 +14,8 @@ namespace cdr::scene {
 
 /// A camera as a pure function of the frame number, so that any frame can be rendered alone.
 struct CameraPath {
-    std::uint32_t frames =
-        1; ///< the length of the path; frame numbers beyond it repeat it, or stay at the end of an animation
+    /// The length of the path. Frame numbers beyond it repeat it, or stay at the end of an animation.
+    std::uint32_t frames = 1;
     std::function<Camera(std::uint32_t frame)> at; ///< the camera of a frame
 };
 

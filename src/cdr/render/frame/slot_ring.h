@@ -19,6 +19,8 @@ class SlotRing {
     FrameSlot& next() { return slotOf(m_frames); }
     /// Of the last frame that was committed; null before the first.
     FrameSlot* last() { return m_frames > 0 ? &slotOf(m_frames - 1) : nullptr; }
+    /// Of the last frame; empty before the first.
+    FrameStats lastStats() { return m_frames > 0 ? slotOf(m_frames - 1).stats : FrameStats(); }
     /// Those of the frames that were committed last, the oldest first.
     std::vector<FrameSlot*> inOrder();
 

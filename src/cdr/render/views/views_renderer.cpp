@@ -323,8 +323,7 @@ Surfaces ViewsRenderer::surfaces(std::size_t view) const {
 }
 
 FrameStats ViewsRenderer::lastStats(std::size_t view) const {
-    const FrameSlot* last = m_views[view]->slots().last();
-    return last != nullptr ? last->stats : FrameStats();
+    return m_views[view]->slots().lastStats();
 }
 
 void ViewsRenderer::resize(std::uint32_t width, std::uint32_t height) {
