@@ -60,7 +60,7 @@ void FrameDraws::cut() {
 
 void FrameDraws::writeRecords() {
     const auto records = m_records.as<shaders::VisibilityRecord>(m_lists.draws());
-    const render::GpuScene& scene = m_scene.uploaded;
+    const render::UploadedScene& scene = m_scene.uploaded;
     for (std::size_t cascade = 0; cascade < m_view.cascades.size(); ++cascade) {
         const double anchorView = m_view.cascades[cascade].terms.anchorView;
         render::DrawRecordMaker maker(m_view.camera, anchorView);
@@ -91,7 +91,7 @@ void FrameDraws::begin(vk::CommandBuffer commands) const {
 
 void FrameDraws::record(vk::CommandBuffer commands, std::size_t cascade, const DrawPipelines& pipelines,
                         const shaders::RivalPush& push) const {
-    const render::GpuScene& scene = m_scene.uploaded;
+    const render::UploadedScene& scene = m_scene.uploaded;
     const auto kindOf = [&](std::size_t draw) { return scene.sources()[m_lists.instance[draw]].kind; };
     commands.pushConstants<shaders::CascadePush>(pipelines.layout, kStages, 0,
                                                  render::makeCascadePush(m_view, cascade));

@@ -28,7 +28,7 @@ struct Arena {
     Arena(const gpu::Device& device, const std::string& name)
         : setup(scenes::openScene(name, scenes::kDefaultSeed).setup),
           uploaded(device, setup.scene) {}
-    render::DrawnScene drawn() const { return {setup.scene, uploaded}; }
+    render::DrawnScene drawn() const { return {setup.scene, uploaded.uploaded()}; }
 };
 
 class Contenders : public test::DeviceTest {

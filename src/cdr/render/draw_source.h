@@ -2,7 +2,6 @@
 
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/geometry/layers.h>
-#include <cdr/render/gpu_scene.h>
 #include <cdr/render/materials/material_words.h>
 #include <cdr/render/materials/packed_vertex.h>
 #include <cdr/shaders/shared.h>
@@ -21,7 +20,7 @@ struct MeshRange {
     std::uint32_t firstIndex = 0; ///< of the mesh itself, level of detail 0
     std::uint32_t indexCount = 0;
     std::int32_t vertexOffset = 0; ///< the same for all levels
-    std::uint32_t firstLevel = 0;  ///< its coarser levels, into GpuScene::levels()
+    std::uint32_t firstLevel = 0;  ///< its coarser levels, into UploadedScene::levels()
     std::uint32_t levelCount = 0;
     std::uint32_t firstClusterIndex = 0; ///< where its scene::ClusterTree::indices begin
     /// Object space. For levels, so it is not followed where a mesh deforms, which has none.
@@ -29,7 +28,7 @@ struct MeshRange {
     bool isFaceted = false; ///< the vertices of every triangle share their colour and its own normal
     /// render::isClosed(). Not while the device deforms it, since vertices at one place may part.
     bool isClosed = false;
-    std::uint32_t firstChunk = 0; ///< visibility::chunksOf() the mesh itself, for GpuScene::chunksOf()
+    std::uint32_t firstChunk = 0; ///< visibility::chunksOf() the mesh itself, for UploadedScene::chunksOf()
     std::uint32_t chunkCount = 0; ///< 0 for a small mesh, and once the device deforms it
 
     bool operator==(const MeshRange&) const = default;
@@ -89,7 +88,7 @@ struct DrawSource {
     glm::mat3 basis;
     std::uint32_t id = 0; ///< shaders::DrawRecord::id
     std::uint32_t material = 0;
-    std::uint32_t kind = 0; ///< into GpuScene::kinds()
+    std::uint32_t kind = 0; ///< into UploadedScene::kinds()
 };
 
 } // namespace cdr::render

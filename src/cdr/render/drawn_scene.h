@@ -1,14 +1,14 @@
 #pragma once
 
-#include <cdr/render/gpu_scene.h>
+#include <cdr/render/uploaded_scene.h>
 #include <cdr/scene/scene.h>
 
 namespace cdr::render {
 
 /// A scene as a renderer draws it.
 struct DrawnScene {
-    const scene::Scene& scene; ///< what is drawn
-    const GpuScene& uploaded;  ///< of `scene`
+    const scene::Scene& scene;     ///< what is drawn
+    const UploadedScene& uploaded; ///< of `scene`
 };
 
 } // namespace cdr::render

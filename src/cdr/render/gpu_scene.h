@@ -7,28 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
-#include <vector>
-
-namespace cdr::gpu {
-struct SetLayout;
-}
-namespace cdr::platform {
-class WorkerPool;
-}
-namespace cdr::visibility {
-class InstanceCells;
-struct MeshChunk;
-} // namespace cdr::visibility
 
 namespace cdr::render {
 
-struct DrawKind;
-struct DrawSource;
-struct LevelRange;
-class LastVertices;
-struct MaterialWords;
-struct MeshRange;
+class UploadedScene;
 
 /// A scene's meshes, materials and textures on a device, and its instances as recording reads them. Any number of
 /// renderers may share it.
@@ -74,70 +56,11 @@ class CDR_EXPORT GpuScene {
     /// Another number after each update() that found something to do.
     std::uint64_t revision() const;
 
-    // What passes read, for the renderer's own use.
-
-    /// That it is on.
-    VkDevice device() const;
-    /// Another number after each update() that changed what a draw kind says, or that read all instances anew.
-    std::uint64_t tablesRevision() const;
-    /// Another number after each update() that may have changed a mesh or a material.
-    std::uint64_t meshesRevision() const;
-    /// Which instances changed.
-    /// @lifetime That of the world, or the program's where there is none.
-    const scene::ChangeLog& instanceChanges() const;
-    /// How far in that log update() has come: what was noted later, sources() do not have yet.
-    std::uint64_t followedInstances() const;
-    /// Tells apart the instances that were at one place of a world one after the other; 0 while none is there.
-    std::uint32_t generation(std::size_t instance) const;
-    /// Of all meshes, one after another.
-    VkBuffer vertices() const;
-    /// Of all meshes and their levels.
-    VkBuffer indices() const;
-    /// Of the set that DrawKind::textureSet is.
-    const gpu::SetLayout& textureLayout() const;
-    /// Of the set that DrawKind::detailSet is.
-    const gpu::SetLayout& detailLayout() const;
-    /// update() keeps the vertices that meshes had before, as long as somebody has what this returns.
-    [[nodiscard]] std::shared_ptr<const void> keepLastVertices();
-    /// Another number, larger by one, after each update() that gave meshes other vertices.
-    std::uint64_t verticesRevision() const;
-    /// The vertices before the last of these updates, of meshes that it gave others. Those after it, if the update also uploaded
-    /// all meshes again.
-    const LastVertices& lastVertices() const;
-    /// Whether scene() has the vertices that are drawn; else the device alone has those of some meshes (World::setPose()).
-    bool hasHostVertices() const;
-    /// What vertices have beside vertices(), of all meshes; null where no material has detail.
-    VkBuffer details() const;
-    /// The part of a draw record that the material decides, by material.
-    const std::vector<MaterialWords>& materials() const;
-    /// Whether any material has Material::metallicRoughness; a scene without is drawn by pipelines that know matt surfaces alone.
-    bool hasMetallicRoughness() const;
-    /// Whether any material blends; a scene without is drawn without a pass for translucent surfaces.
-    bool hasBlended() const;
-    /// Whether shading must be told what opaque surfaces emit, and how much ambient light arrives there.
-    bool hasEmission() const;
-    /// Whether any material has a layer.
-    bool hasLayers() const;
-    /// The instances whose material blends, ascending. They are drawn after all others.
-    std::span<const std::uint32_t> blended() const;
-    /// The instances that do not blend, as culling reads them: made at the first call, and as they are since the last
-    /// update().
-    /// @threads Any number at once, for a scene that does not change.
-    const visibility::InstanceCells& cells(platform::WorkerPool& workers) const;
-    /// By instance.
-    const std::vector<DrawSource>& sources() const;
-    /// What draws have in common, by DrawSource::kind.
-    const std::vector<DrawKind>& kinds() const;
-    /// The coarser levels of all meshes, mesh by mesh.
-    const std::vector<LevelRange>& levels() const;
-    /// The indices of a mesh at a level of detail, at most MeshRange::levelCount.
-    LevelRange indicesOf(const MeshRange& mesh, std::uint32_t level) const;
-    /// The chunks of a large mesh itself; none of a small mesh, and of one that the device deforms.
-    std::span<const visibility::MeshChunk> chunksOf(const MeshRange& mesh) const;
+    /// What passes read, for the renderer's own use.
+    const UploadedScene& uploaded() const { return *m_uploaded; }
 
   private:
-    class State;
-    std::unique_ptr<State> m_state;
+    std::unique_ptr<UploadedScene> m_uploaded;
 };
 
 } // namespace cdr::render

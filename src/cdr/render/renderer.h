@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cdr/base/export.h>
-#include <cdr/render/drawn_scene.h>
 #include <cdr/render/frame.h>
+#include <cdr/render/gpu_scene.h>
 #include <cdr/render/host_frame.h>
 #include <cdr/render/render_options.h>
 #include <cdr/render/surfaces.h>

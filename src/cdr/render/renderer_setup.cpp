@@ -122,7 +122,7 @@ TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const Rend
             .occlusionRadius = options.effects.occlusion.perLayer ? options.effects.occlusion.radius : 0.0};
 }
 
-PreparedSurfaces preparedSurfaces(const GpuScene& uploaded, const PrepareFor& prepared) {
+PreparedSurfaces preparedSurfaces(const UploadedScene& uploaded, const PrepareFor& prepared) {
     PreparedSurfaces surfaces{
         .kept = {.metallicRoughness = uploaded.hasMetallicRoughness() || prepared.metallicRoughness,
                  .emission = uploaded.hasEmission() || prepared.emission},

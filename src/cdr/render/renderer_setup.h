@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cdr/render/gpu_scene.h>
 #include <cdr/render/render_options.h>
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/render/targets/targets.h>
+#include <cdr/render/uploaded_scene.h>
 
 namespace cdr::render {
 
@@ -40,7 +40,7 @@ struct PreparedSurfaces {
     KeptSurfaces kept{};
     bool blended = false;
 };
-PreparedSurfaces preparedSurfaces(const GpuScene& uploaded, const PrepareFor& prepared);
+PreparedSurfaces preparedSurfaces(const UploadedScene& uploaded, const PrepareFor& prepared);
 
 /// Whether frames show metallic and roughness; else FrameStats::lostMetallicRoughness says so where a surface has them.
 bool keepsMetallicRoughness(const RenderOptions& options);

@@ -6,6 +6,7 @@
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/platform/stopwatch.h>
 #include <cdr/render/renderer.h>
+#include <cdr/render/uploaded_scene.h>
 #include <cdr/scene/lod/clusters.h>
 #include <cdr/scene/lod/levels.h>
 #include <cdr/visibility/bin_cells.h>
@@ -208,7 +209,8 @@ class DetailComparison {
     std::uint64_t trianglesOf(const render::Frame& frame, visibility::DetailMode mode) {
         const scene::Frustum frustum =
             scene::frustumOf(frame.camera, m_options.drawing.width, m_options.drawing.height);
-        visibility::cullCells(m_gpuScene.cells(m_workers), frame.camera, frustum, m_workers, m_visible);
+        visibility::cullCells(m_gpuScene.uploaded().cells(m_workers), frame.camera, frustum, m_workers,
+                              m_visible);
         depth::Cascades ranges;
         for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
             ranges.push_back(depth::clipRange(m_options.drawing.technique.mapping, frame.cascades, i));

@@ -75,8 +75,8 @@ class Flicker {
         }
         for (const auto& [name, rival] : options.rivalsBeside) {
             addLane(name, std::nullopt,
-                    Drawer(device, {m_setup.scene, m_gpuScene}, rival,
-                           {options.drawing.width, options.drawing.height}, m_workers));
+                    Drawer(device, m_gpuScene, rival, {options.drawing.width, options.drawing.height},
+                           m_workers));
         }
     }
 

@@ -36,7 +36,7 @@ class Zoom {
             m_names.push_back(name);
         }
         for (const auto& [name, rival] : options.rivalsBeside) {
-            m_drawers.emplace_back(device, render::DrawnScene{setup.scene, m_gpuScene}, rival,
+            m_drawers.emplace_back(device, m_gpuScene, rival,
                                    vk::Extent2D{options.drawing.width, options.drawing.height}, m_workers);
             m_names.push_back(name);
         }

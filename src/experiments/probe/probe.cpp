@@ -110,8 +110,7 @@ class Prober {
         }
         for (const rivals::NamedRival& named : m_options.rivalsBeside) {
             progress(all.size(), named.name);
-            Drawer drawer(m_device, {setup.scene, gpuScene}, named.rival, {drawing.width, drawing.height},
-                          m_workers);
+            Drawer drawer(m_device, gpuScene, named.rival, {drawing.width, drawing.height}, m_workers);
             all.push_back(measured(drawer, kNotForecast, kNotForecast));
         }
         return all;

@@ -1,14 +1,17 @@
 #include "drawer.h"
 
+#include <cdr/render/drawn_scene.h>
+
 #include <utility>
 
 namespace cdr::experiments {
 
 Drawer::Drawer(std::unique_ptr<render::Renderer> renderer) : m_by(std::move(renderer)) {}
 
-Drawer::Drawer(const gpu::Device& device, const render::DrawnScene& scene, const rivals::Competing& competing,
+Drawer::Drawer(const gpu::Device& device, const render::GpuScene& scene, const rivals::Competing& competing,
                const vk::Extent2D& extent, platform::WorkerPool& workers)
-    : m_by(std::make_unique<rivals::Contender>(device, scene, competing, extent, workers)) {}
+    : m_by(std::make_unique<rivals::Contender>(device, render::DrawnScene{scene.scene(), scene.uploaded()},
+                                               competing, extent, workers)) {}
 
 DrawnFrame Drawer::render(const scene::Camera& camera) {
     if (const auto* alone = std::get_if<IdsAlone>(&m_by)) {

@@ -2,7 +2,7 @@
 
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
-#include <cdr/render/drawn_scene.h>
+#include <cdr/render/gpu_scene.h>
 #include <cdr/render/renderer.h>
 
 #include <rivals/contender.h>
@@ -30,7 +30,7 @@ class Drawer {
     /// Ids and distances alone, by a rival or a technique of the library.
     /// @lifetime As rivals::Contender.
     /// @throws base::InputError as rivals::Contender: for what the device cannot draw, layers and masked materials.
-    Drawer(const gpu::Device& device, const render::DrawnScene& scene, const rivals::Competing& competing,
+    Drawer(const gpu::Device& device, const render::GpuScene& scene, const rivals::Competing& competing,
            const vk::Extent2D& extent, platform::WorkerPool& workers);
 
     bool shades() const { return std::holds_alternative<WholeFrames>(m_by); }

@@ -40,8 +40,7 @@ class RivalField {
           m_caster(m_setup.scene, workers) {
         const vk::Extent2D extent{options.width, options.height};
         for (const NamedContender& named : options.contenders) {
-            m_contenders.emplace_back(device, render::DrawnScene{m_setup.scene, m_gpuScene}, named.competing,
-                                      extent, workers);
+            m_contenders.emplace_back(device, m_gpuScene, named.competing, extent, workers);
         }
     }
 

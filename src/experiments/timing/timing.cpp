@@ -167,11 +167,7 @@ class Race {
 
     Drawer makeDrawer(const gpu::Device& device, const TimingMode& mode) {
         if (mode.idsAlone) {
-            return {device,
-                    {m_setup.scene, m_gpuScene},
-                    *mode.idsAlone,
-                    {m_options.width, m_options.height},
-                    m_workers};
+            return {device, m_gpuScene, *mode.idsAlone, {m_options.width, m_options.height}, m_workers};
         }
         return Drawer(makeRenderer(device, mode));
     }

@@ -4,6 +4,7 @@
 #include "../steps.h"
 
 #include <cdr/render/draw_source.h>
+#include <cdr/render/uploaded_scene.h>
 #include <cdr/visibility/mesh_chunks.h>
 #include <scenes/terrain.h>
 
@@ -65,7 +66,7 @@ class LargeMeshesTest : public RenderTest {
         const scene::Scene other = withWideChunks(setup.scene);
         const render::GpuScene ordered(device(), setup.scene);
         const render::GpuScene wide(device(), other);
-        ASSERT_EQ(ordered.kinds().at(0).mesh.chunkCount, 36u);
+        ASSERT_EQ(ordered.uploaded().kinds().at(0).mesh.chunkCount, 36u);
         render::Renderer cut(device(), setup.scene, ordered, options);
         render::Renderer whole(device(), other, wide, options);
         for (std::uint32_t frame = 0; frame < 360; frame += step) {

@@ -5,6 +5,7 @@
 #include <cdr/render/draw_source.h>
 #include <cdr/render/materials/scene_textures.h>
 #include <cdr/render/materials/texture_packing.h>
+#include <cdr/render/uploaded_scene.h>
 #include <cdr/scene/world/world.h>
 #include <scenes/sheets.h>
 
@@ -83,8 +84,9 @@ class PackingTest : public RenderTest {
     }
 
     /// So many kinds of draws read packed textures.
-    static std::ptrdiff_t packedKinds(const render::GpuScene& scene) {
-        return std::count_if(scene.kinds().begin(), scene.kinds().end(), [](const render::DrawKind& kind) {
+    static std::ptrdiff_t packedKinds(const render::GpuScene& onDevice) {
+        const std::vector<render::DrawKind>& kinds = onDevice.uploaded().kinds();
+        return std::count_if(kinds.begin(), kinds.end(), [](const render::DrawKind& kind) {
             return (kind.variant / render::kDetailStep & shaders::kDetailPacked) != 0;
         });
     }

@@ -3,6 +3,7 @@
 #include "truth_motion.h"
 
 #include <cdr/render/upload/last_vertices.h>
+#include <cdr/render/uploaded_scene.h>
 
 #include <algorithm>
 #include <cmath>
@@ -356,11 +357,11 @@ TEST_F(DeformedMotionTest, LastVerticesAreKeptAsLongAsARendererShowsMotion) {
         render::Renderer renderer(device(), onDevice, motionOptions("anchored"));
         sheets.show(0.5);
         renderer.draw(sheets.cameraAt(0.0));
-        EXPECT_GT(onDevice.lastVertices().buffer().size(), 0u);
+        EXPECT_GT(onDevice.uploaded().lastVertices().buffer().size(), 0u);
     }
     sheets.show(1.0);
     onDevice.update();
-    EXPECT_EQ(onDevice.lastVertices().buffer().size(), 0u);
+    EXPECT_EQ(onDevice.uploaded().lastVertices().buffer().size(), 0u);
 }
 
 } // namespace

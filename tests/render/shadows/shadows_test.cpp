@@ -3,6 +3,7 @@
 
 #include <cdr/measure/shadows/wrong_shadows.h>
 #include <cdr/render/draw_source.h>
+#include <cdr/render/uploaded_scene.h>
 #include <cdr/scene/world/world.h>
 #include <scenes/open_scene.h>
 
@@ -342,8 +343,9 @@ TEST_F(ShadowsTest, AMeshIsClosedOrNotByTheVerticesItHas) {
         world.setVertices(world.mesh(0), vertices, {});
         live.update();
         const render::GpuScene anew(device(), world.scene());
-        EXPECT_EQ(live.kinds().front().mesh.isClosed, anew.kinds().front().mesh.isClosed);
-        return live.kinds().front().mesh.isClosed;
+        EXPECT_EQ(live.uploaded().kinds().front().mesh.isClosed,
+                  anew.uploaded().kinds().front().mesh.isClosed);
+        return live.uploaded().kinds().front().mesh.isClosed;
     };
     EXPECT_TRUE(isClosedWith(larger));
     EXPECT_FALSE(isClosedWith(open));

@@ -15,8 +15,8 @@ class Follower {
   public:
     Follower(const gpu::Device& device, const scene::World& world)
         : m_onDevice(device, world),
-          m_binning(device, {.scene = world.scene(), .uploaded = m_onDevice}, visibility::DetailMode::none,
-                    {}),
+          m_binning(device, {.scene = world.scene(), .uploaded = m_onDevice.uploaded()},
+                    visibility::DetailMode::none, {}),
           m_copies(m_binning.makeCopies()) {}
 
     std::size_t bytes() {

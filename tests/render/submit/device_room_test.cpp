@@ -105,7 +105,7 @@ TEST_F(DeviceRoomTest, AGpuDrivenSceneThatGrewTakesWhatIsFree) {
     }
     scene::World world(scene);
     render::GpuScene onDevice(small(), world);
-    render::BinningPass binning(small(), {.scene = world.scene(), .uploaded = onDevice},
+    render::BinningPass binning(small(), {.scene = world.scene(), .uploaded = onDevice.uploaded()},
                                 visibility::DetailMode::none, {});
     render::BinningPass::Copies copies = binning.makeCopies();
     binning.follow(copies);

@@ -7,6 +7,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/memory.h>
 #include <cdr/render/materials/packed_vertex.h>
+#include <cdr/render/uploaded_scene.h>
 
 #include <fmt/format.h>
 
@@ -28,7 +29,7 @@ class DeviceVerticesTest : public DeformTest {
         const gpu::Buffer copy(device(), bytes, vk::BufferUsageFlagBits::eTransferDst,
                                gpu::MemoryUse::hostReads, "vertices of a test");
         gpu::runOnce(device(), [&](vk::CommandBuffer commands) {
-            commands.copyBuffer(scene.vertices(), copy.handle(), vk::BufferCopy{.size = bytes});
+            commands.copyBuffer(scene.uploaded().vertices(), copy.handle(), vk::BufferCopy{.size = bytes});
         });
         copy.invalidate();
         const auto vertices = copy.as<render::PackedVertex>(count);
@@ -93,7 +94,7 @@ TEST_F(DeviceVerticesTest, AreThoseOfTheCpu) {
             const scene::MeshPose pose = test::poseOf(kind, deformer, seed);
             const scene::MeshVertices expected = test::deformedByCpu(pose);
             world.setPose(world.mesh(1), pose);
-            EXPECT_FALSE(onDevice.hasHostVertices());
+            EXPECT_FALSE(onDevice.uploaded().hasHostVertices());
             onDevice.update();
             const std::vector<render::PackedVertex> made = read(onDevice, before + count);
             std::size_t wrong = 0;
@@ -340,7 +341,7 @@ TEST_F(DeviceVerticesTest, AreNoFacetsUnlessTheCpuHasThemToo) {
     const std::string message = test::inputErrorOf([&] { renderer.render(camera); });
     EXPECT_NE(message.find("vertices of meshes that the device deforms"), std::string::npos) << message;
     world.setPose(world.mesh(0), pose, test::deformedByCpu(pose));
-    EXPECT_TRUE(onDevice.hasHostVertices());
+    EXPECT_TRUE(onDevice.uploaded().hasHostVertices());
     renderer.render(camera);
 }
 

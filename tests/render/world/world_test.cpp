@@ -3,6 +3,7 @@
 #include "editor.h"
 
 #include <cdr/base/error.h>
+#include <cdr/render/uploaded_scene.h>
 
 #include <array>
 #include <memory>
@@ -413,10 +414,10 @@ TEST_F(WorldTest, AddingAMeshSeldomUploadsTheOthers) {
     render::GpuScene onDevice(device(), world);
     int uploads = 0;
     for (int i = 0; i < 200; ++i) {
-        const VkBuffer vertices = onDevice.vertices();
+        const VkBuffer vertices = onDevice.uploaded().vertices();
         const scene::MeshHandle mesh = world.addMesh(scene::makeBox(glm::vec3(1.0f)));
         onDevice.update();
-        uploads += onDevice.vertices() == vertices ? 0 : 1;
+        uploads += onDevice.uploaded().vertices() == vertices ? 0 : 1;
         if (i % 2 == 0) {
             world.removeMesh(mesh);
         }

@@ -8,12 +8,12 @@ namespace cdr::render {
 namespace {
 
 void requireOn(const gpu::Device& device, const GpuScene& gpuScene) {
-    if (gpuScene.device() != device.handle()) {
+    if (gpuScene.uploaded().device().handle() != device.handle()) {
         throw base::InputError("the GpuScene is on another device than the renderer");
     }
 }
 
-const GpuScene& fixed(const gpu::Device& device, const GpuScene& gpuScene, const scene::Scene& scene) {
+const UploadedScene& fixed(const gpu::Device& device, const GpuScene& gpuScene, const scene::Scene& scene) {
     if (gpuScene.isLive()) {
         throw base::InputError(
             "the scene of a world changes: give its GpuScene to the renderer without its scene");
@@ -22,13 +22,13 @@ const GpuScene& fixed(const gpu::Device& device, const GpuScene& gpuScene, const
         throw base::InputError("the GpuScene was made of another scene than the renderer is to draw");
     }
     requireOn(device, gpuScene);
-    return gpuScene;
+    return gpuScene.uploaded();
 }
 
-const GpuScene& updated(const gpu::Device& device, GpuScene& live) {
+const UploadedScene& updated(const gpu::Device& device, GpuScene& live) {
     requireOn(device, live);
     live.update();
-    return live;
+    return live.uploaded();
 }
 
 } // namespace
@@ -45,7 +45,7 @@ SceneFollower::SceneFollower(const gpu::Device& device, GpuScene& live)
 
 void SceneFollower::keepLastVertices() {
     if (m_live != nullptr) {
-        m_lastVertices = m_live->keepLastVertices();
+        m_lastVertices = m_live->uploaded().keepLastVertices();
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/render/drawn_scene.h>
+#include <cdr/render/gpu_scene.h>
 #include <cdr/render/render_options.h>
 
 #include <cstddef>

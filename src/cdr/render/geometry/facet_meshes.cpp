@@ -31,7 +31,7 @@ std::uint32_t FacetMeshes::add(const scene::Mesh& mesh) {
     return first;
 }
 
-FacetMeshes FacetMeshes::of(const scene::Scene& scene, const GpuScene& gpuScene) {
+FacetMeshes FacetMeshes::of(const scene::Scene& scene, const UploadedScene& gpuScene) {
     FacetMeshes meshes;
     std::map<std::uint32_t, std::uint32_t> firstOfMesh;
     for (const DrawKind& kind : gpuScene.kinds()) {
@@ -48,7 +48,7 @@ FacetMeshes FacetMeshes::of(const scene::Scene& scene, const GpuScene& gpuScene)
     return meshes;
 }
 
-bool FacetMeshes::suffice(const scene::Scene& scene, const GpuScene& gpuScene) const {
+bool FacetMeshes::suffice(const scene::Scene& scene, const UploadedScene& gpuScene) const {
     if (std::find(m_firstOfKind.begin(), m_firstOfKind.end(), kNone) == m_firstOfKind.end()) {
         return true;
     }

@@ -2,7 +2,7 @@
 
 #include <cdr/render/geometry/facet_solid.h>
 #include <cdr/render/geometry/facet_writer.h>
-#include <cdr/render/gpu_scene.h>
+#include <cdr/render/uploaded_scene.h>
 #include <cdr/scene/scene.h>
 
 #include <cstdint>
@@ -14,14 +14,14 @@ namespace cdr::render {
 class FacetMeshes {
   public:
     /// Of the kinds of draws that the scene has.
-    static FacetMeshes of(const scene::Scene& scene, const GpuScene& gpuScene);
+    static FacetMeshes of(const scene::Scene& scene, const UploadedScene& gpuScene);
 
     /// Whether every instance can be drawn by facets. None may be textured, masked, double-sided or blended,
     /// and every mesh must be a FacetSolid at all of its levels. Takes time by the number of instances where
     /// some kind cannot.
-    bool suffice(const scene::Scene& scene, const GpuScene& gpuScene) const;
+    bool suffice(const scene::Scene& scene, const UploadedScene& gpuScene) const;
 
-    /// @param kind into GpuScene::kinds(). @param level of detail, 0 for the mesh itself.
+    /// @param kind into UploadedScene::kinds(). @param level of detail, 0 for the mesh itself.
     const FacetSolid& solid(std::uint32_t kind, std::uint32_t level) const {
         return m_solids[m_firstOfKind[kind] + level];
     }

@@ -3,7 +3,7 @@
 #include <cdr/render/frame_view.h>
 #include <cdr/render/geometry/facet_light.h>
 #include <cdr/render/geometry/facet_solid.h>
-#include <cdr/render/gpu_scene.h>
+#include <cdr/render/uploaded_scene.h>
 #include <cdr/render/view_transform.h>
 #include <cdr/shaders/shared.h>
 

@@ -1,6 +1,7 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/geometry/begin_cascade.h>
 #include <cdr/render/geometry/geometry_pass.h>
+#include <cdr/render/uploaded_scene.h>
 #include <cdr/render/view_transform.h>
 #include <cdr/visibility/chunk_test.h>
 
@@ -21,7 +22,8 @@ Function deviceFunction(const gpu::Device& device, const char* name) {
 
 } // namespace
 
-GeometryPass::GeometryPass(const gpu::Device& device, const GpuScene& scene, const GeometryOptions& options)
+GeometryPass::GeometryPass(const gpu::Device& device, const UploadedScene& scene,
+                           const GeometryOptions& options)
     : m_device(device),
       m_scene(scene),
       m_batching(options.batching),
@@ -111,7 +113,7 @@ class GeometryPass::StateBinder {
 /// Which draws of a cascade are large meshes that reach out of it, and what it shows of them.
 class GeometryPass::CutDraws {
   public:
-    CutDraws(const GpuScene& scene, const Recording& recording, std::size_t cascade)
+    CutDraws(const UploadedScene& scene, const Recording& recording, std::size_t cascade)
         : m_scene(scene),
           m_recording(recording),
           m_test(recording.view.camera, recording.view.frustum, recording.view.cascades[cascade].clipRange,
@@ -149,7 +151,7 @@ class GeometryPass::CutDraws {
                              m_recording.radii[m_recording.lists.instance[draw]]);
     }
 
-    const GpuScene& m_scene;
+    const UploadedScene& m_scene;
     const Recording& m_recording;
     visibility::ChunkTest m_test;
 };

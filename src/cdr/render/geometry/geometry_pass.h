@@ -13,10 +13,12 @@
 
 namespace cdr::render {
 
+class UploadedScene;
+
 /// How the draws of one technique over one scene are recorded.
 class GeometryPass {
   public:
-    GeometryPass(const gpu::Device& device, const GpuScene& scene, const GeometryOptions& options);
+    GeometryPass(const gpu::Device& device, const UploadedScene& scene, const GeometryOptions& options);
 
     /// Everything recording one job reads.
     struct Recording {
@@ -35,7 +37,7 @@ class GeometryPass {
     struct RunGroup {
         std::size_t begin = 0; ///< run
         std::size_t end = 0;
-        std::uint32_t kind = 0; ///< into GpuScene::kinds(), for what is bound
+        std::uint32_t kind = 0; ///< into UploadedScene::kinds(), for what is bound
     };
 
     /// Draws that the device itself has listed.
@@ -66,7 +68,7 @@ class GeometryPass {
                          const visibility::ClusterRun& clusters) const;
 
     const gpu::Device& m_device;
-    const GpuScene& m_scene;
+    const UploadedScene& m_scene;
     Batching m_batching;
     GeometryPipelines m_pipelines;
     // Asked of the device, which saves a jump through the loader at every draw.

@@ -2,6 +2,7 @@
 #include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/render/geometry/layers.h>
 #include <cdr/render/targets/gbuffer.h>
+#include <cdr/render/uploaded_scene.h>
 #include <cdr/shaders/geometry.h>
 #include <cdr/shaders/shared.h>
 
@@ -121,7 +122,7 @@ std::vector<vk::VertexInputAttributeDescription> placeAttributes() {
 
 } // namespace
 
-GeometryPipelines::GeometryPipelines(const gpu::Device& device, const GpuScene& scene,
+GeometryPipelines::GeometryPipelines(const gpu::Device& device, const UploadedScene& scene,
                                      const GeometryOptions& options)
     : m_options(options),
       m_depthFormat(options.output == GeometryOutput::depth
@@ -136,7 +137,7 @@ GeometryPipelines::GeometryPipelines(const gpu::Device& device, const GpuScene& 
     follow(device, scene);
 }
 
-void GeometryPipelines::follow(const gpu::Device& device, const GpuScene& scene) {
+void GeometryPipelines::follow(const gpu::Device& device, const UploadedScene& scene) {
     for (const DrawKind& kind : scene.kinds()) {
         provide(device, kind.variant);
     }

@@ -18,6 +18,8 @@
 
 namespace cdr::render {
 
+class UploadedScene;
+
 /// What draws write.
 enum class GeometryOutput : std::uint8_t {
     surfaces, ///< what shading needs, and depth by the technique
@@ -57,10 +59,10 @@ vk::CompareOp depthCompareOf(depth::Mapping mapping);
 /// The pipelines of one technique over one scene.
 class GeometryPipelines {
   public:
-    GeometryPipelines(const gpu::Device& device, const GpuScene& scene, const GeometryOptions& options);
+    GeometryPipelines(const gpu::Device& device, const UploadedScene& scene, const GeometryOptions& options);
 
     /// Makes those of draw kinds that came to the scene; those that are there stay.
-    void follow(const gpu::Device& device, const GpuScene& scene);
+    void follow(const gpu::Device& device, const UploadedScene& scene);
 
     vk::PipelineLayout layout() const { return *m_layout; }
     depth::Mapping mapping() const { return m_options.technique.mapping; }

@@ -5,6 +5,7 @@
 #include <cdr/render/occluders/order_margin.h>
 #include <cdr/render/stages.h>
 #include <cdr/render/submit/binning_pass.h>
+#include <cdr/render/uploaded_scene.h>
 #include <cdr/shaders/binning_shared.h>
 #include <cdr/shaders/occluders.h>
 #include <cdr/shaders/occluders_shared.h>
@@ -59,7 +60,7 @@ gpu::SetLayout DeviceOcclusion::makeLayout(const gpu::Device& device) {
                               "occlusion set");
 }
 
-DeviceOcclusion::DeviceOcclusion(const gpu::Device& device, const GpuScene& scene,
+DeviceOcclusion::DeviceOcclusion(const gpu::Device& device, const UploadedScene& scene,
                                  const GeometryPass& depthPass, const gpu::SetLayout& layout,
                                  const depth::Technique& technique, vk::Extent2D extent)
     : m_device(device),

@@ -11,6 +11,8 @@
 
 namespace cdr::render {
 
+class UploadedScene;
+
 /// Occlusion culling by the device alone, for gpu-driven draws: BinningPass lists occluders, their depth is drawn here,
 /// and BinningPass leaves out what it hides. The CPU waits for nothing. See OcclusionCulling for why the picture stays.
 class DeviceOcclusion {
@@ -19,7 +21,7 @@ class DeviceOcclusion {
     static gpu::SetLayout makeLayout(const gpu::Device& device);
 
     /// @param depthPass of GeometryOutput::depth. @param layout made by makeLayout(). Both must outlive this.
-    DeviceOcclusion(const gpu::Device& device, const GpuScene& scene, const GeometryPass& depthPass,
+    DeviceOcclusion(const gpu::Device& device, const UploadedScene& scene, const GeometryPass& depthPass,
                     const gpu::SetLayout& layout, const depth::Technique& technique, vk::Extent2D extent);
 
     /// What one frame slot owns.
@@ -47,7 +49,7 @@ class DeviceOcclusion {
     void provideSeen(std::size_t instances);
 
     const gpu::Device& m_device;
-    const GpuScene& m_scene;
+    const UploadedScene& m_scene;
     const GeometryPass& m_depthPass;
     gpu::SetLayout m_setLayout;
     depth::Technique m_technique;

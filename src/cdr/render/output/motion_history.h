@@ -30,7 +30,7 @@ struct DeformedInstance {
 struct FrameMotion {
     scene::Camera cameraBefore;
     std::vector<MovedObject> moved;         ///< each object once
-    std::vector<DeformedInstance> deformed; ///< all in GpuScene::lastVertices()
+    std::vector<DeformedInstance> deformed; ///< all in UploadedScene::lastVertices()
 };
 
 /// Remembers where everything was in the last frame. Takes time by the number of instances that changed.
@@ -64,7 +64,7 @@ class MotionHistory {
     std::optional<scene::Camera> m_camera;
     std::uint64_t m_followed = 0; ///< of the scene's changes
     std::uint64_t m_replaced = 0; ///< how often another world took the scene's place
-    std::uint64_t m_vertices = 0; ///< GpuScene::verticesRevision() of the last frame
+    std::uint64_t m_vertices = 0; ///< UploadedScene::verticesRevision() of the last frame
     std::size_t m_frame = 0;
     std::vector<Place> m_places;
     std::vector<std::uint32_t> m_instances; ///< by object: how many it has

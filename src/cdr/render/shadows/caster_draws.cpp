@@ -113,7 +113,7 @@ double CasterDraws::roundingOf(std::uint32_t caster, const LightView& view) cons
 }
 
 const DrawKind& CasterDraws::kindOf(std::uint32_t caster) const {
-    const GpuScene& scene = m_scene.uploaded;
+    const UploadedScene& scene = m_scene.uploaded;
     return scene.kinds()[scene.sources()[caster].kind];
 }
 
@@ -172,7 +172,7 @@ void CasterDraws::writeRecords(const LightView& view, const Range& range) const 
 
 void CasterDraws::record(vk::CommandBuffer commands, std::size_t view,
                          const CasterPipelines& pipelines) const {
-    const GpuScene& scene = m_scene.uploaded;
+    const UploadedScene& scene = m_scene.uploaded;
     commands.bindVertexBuffers(0, {scene.vertices(), m_records.handle()}, {0, 0});
     commands.bindIndexBuffer(scene.indices(), 0, vk::IndexType::eUint32);
     const Batch* last = nullptr;

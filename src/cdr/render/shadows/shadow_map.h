@@ -21,7 +21,7 @@ struct ShadowMapPart {
 /// What lights see of some views: the depth of the nearest surfaces, and how they slope. One map serves all views in turn.
 class ShadowMap {
   public:
-    /// @param textures GpuScene::textureLayout() of the casters. @param side texels of the map's sides.
+    /// @param textures UploadedScene::textureLayout() of the casters. @param side texels of the map's sides.
     ShadowMap(const gpu::Device& device, const gpu::SetLayout& textures, std::uint32_t side);
 
     /// Draws views, if any, waiting for whoever read the map before. Leaves both images in the shader read layout.

@@ -120,7 +120,7 @@ void BinningPass::groupAll() {
 
 /// Those that came behind the others.
 void BinningPass::groupMore() {
-    const GpuScene& gpuScene = m_drawn.uploaded;
+    const UploadedScene& gpuScene = m_drawn.uploaded;
     m_tables = gpuScene.tablesRevision();
     m_followed = gpuScene.followedInstances();
     const std::size_t before = m_kinds.size();
@@ -169,7 +169,7 @@ void BinningPass::readInstance(std::size_t i) {
 /// Reads what changed of the instances that are grouped, each place once, ascending. False where runs of one kind are no
 /// longer what they were.
 bool BinningPass::readChanged(std::vector<std::uint32_t>& changed) {
-    const GpuScene& gpuScene = m_drawn.uploaded;
+    const UploadedScene& gpuScene = m_drawn.uploaded;
     const auto places = gpuScene.instanceChanges().since(m_followed);
     const bool isCut = m_kinds.size() != m_spheres.size(); // there was no memory for the last ones
     if (!places || isCut || m_tables != gpuScene.tablesRevision() ||
@@ -214,7 +214,7 @@ bool BinningPass::follow(Copies& copies) {
 }
 
 BinningPass::SceneSizes BinningPass::sizesNeeded() const {
-    const GpuScene& gpuScene = m_drawn.uploaded;
+    const UploadedScene& gpuScene = m_drawn.uploaded;
     SceneSizes bytes{m_spheres.size() * sizeof(shaders::InstanceSphere),
                      m_looks.size() * sizeof(shaders::InstanceLook),
                      gpuScene.materials().size() * sizeof(shaders::MaterialRecord),

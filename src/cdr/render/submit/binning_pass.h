@@ -118,8 +118,8 @@ class BinningPass {
     std::vector<shaders::KindRun> m_runs;
     std::vector<std::uint32_t> m_kinds; ///< by instance, as they were grouped
     std::uint64_t m_followed = 0;       ///< of the scene's instance changes
-    std::uint64_t m_tables = 0;         ///< GpuScene::tablesRevision()
-    std::uint64_t m_meshes = 0;         ///< GpuScene::meshesRevision()
+    std::uint64_t m_tables = 0;         ///< UploadedScene::tablesRevision()
+    std::uint64_t m_meshes = 0;         ///< UploadedScene::meshesRevision()
     std::size_t m_mostCommands = 0;     ///< of a group
     bool m_isStaged = false;            ///< what the last follow() staged may not reach the device
     std::shared_ptr<const SceneBuffers> m_sceneBuffers;

@@ -120,7 +120,7 @@ void FacetDraws::recordPart(vk::CommandBuffer commands, const DrawJob& job, cons
     commands.bindIndexBuffer(m_indices.handle(), 0, vk::IndexType::eUint32);
     commands.setCullMode(vk::CullModeFlagBits::eBack);
     commands.setFrontFace(vk::FrontFace::eCounterClockwise);
-    const GpuScene& uploaded = m_pass.uploaded;
+    const UploadedScene& uploaded = m_pass.uploaded;
     const std::size_t wideBegin = std::clamp(lists().wideBegin(job.cascade), first, job.draws.end);
     std::size_t draw = first;
     for (const auto& [end, span] :

@@ -3,6 +3,7 @@
 #include <cdr/render/stages.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/render/translucency/sorted_blend.h>
+#include <cdr/render/uploaded_scene.h>
 #include <cdr/shaders/translucency.h>
 
 #include <vector>
@@ -21,8 +22,8 @@ TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, cons
 
 } // namespace
 
-SortedBlend::SortedBlend(const gpu::Device& device, const GpuScene& scene, const gpu::SetLayout& surroundings,
-                         const BlendOptions& options)
+SortedBlend::SortedBlend(const gpu::Device& device, const UploadedScene& scene,
+                         const gpu::SetLayout& surroundings, const BlendOptions& options)
     : m_device(device),
       m_resolve(device, {.name = "sorted resolve",
                          .fragmentSpirv = kTranslucentSortedResolveFrag,

@@ -8,13 +8,15 @@
 
 namespace cdr::render {
 
+class UploadedScene;
+
 /// Translucency::sorted: each instance is drawn once, whatever the cascades, or once for each slice of shadows. Its fragments go
 /// into one list per pixel, which is sorted in place by metric view distance and blended once. The order is total, so the
 /// picture has the same bits for every order of instances, thread count, targets, submission and number of cascades.
 class SortedBlend {
   public:
     /// The device must have fragment stores. @param surroundings layout of TranslucentFrame::surroundings.
-    SortedBlend(const gpu::Device& device, const GpuScene& scene, const gpu::SetLayout& surroundings,
+    SortedBlend(const gpu::Device& device, const UploadedScene& scene, const gpu::SetLayout& surroundings,
                 const BlendOptions& options);
 
     /// Of FragmentList::set().

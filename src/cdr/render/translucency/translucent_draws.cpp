@@ -149,7 +149,7 @@ void TranslucentDraws::record(vk::CommandBuffer commands, std::size_t range,
     commands.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(extent.width),
                                          static_cast<float>(extent.height), 0.0f, 1.0f});
     commands.setScissor(0, vk::Rect2D{{0, 0}, extent});
-    const GpuScene& scene = m_scene.uploaded;
+    const UploadedScene& scene = m_scene.uploaded;
     commands.bindVertexBuffers(0, {scene.vertices(), m_records.handle()}, {0, 0});
     if (const vk::Buffer details = scene.details()) {
         commands.bindVertexBuffers(kDetailBinding, details, vk::DeviceSize{0});

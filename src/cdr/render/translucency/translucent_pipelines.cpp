@@ -1,6 +1,7 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/translucency/fragment_counter.h>
 #include <cdr/render/translucency/translucent_pipelines.h>
+#include <cdr/render/uploaded_scene.h>
 #include <cdr/shaders/translucency.h>
 #include <cdr/shaders/translucent_shared.h>
 
@@ -70,7 +71,7 @@ TranslucentPipelinesOptions withShaders(TranslucentPipelinesOptions options, con
     return options;
 }
 
-TranslucentPipelines::TranslucentPipelines(const gpu::Device& device, const GpuScene& scene,
+TranslucentPipelines::TranslucentPipelines(const gpu::Device& device, const UploadedScene& scene,
                                            const TranslucentPipelinesOptions& options)
     : m_device(device),
       m_scene(scene),

@@ -11,6 +11,8 @@
 
 namespace cdr::render {
 
+class UploadedScene;
+
 /// How a method of translucency is made.
 struct BlendOptions {
     bool countsFragments = false;
@@ -48,7 +50,7 @@ TranslucentPipelinesOptions withShaders(TranslucentPipelinesOptions options, con
 /// The pipelines that draw translucent surfaces: no depth buffer, blended.
 class TranslucentPipelines {
   public:
-    TranslucentPipelines(const gpu::Device& device, const GpuScene& scene,
+    TranslucentPipelines(const gpu::Device& device, const UploadedScene& scene,
                          const TranslucentPipelinesOptions& options);
 
     vk::PipelineLayout layout() const { return *m_layout; }
@@ -65,7 +67,7 @@ class TranslucentPipelines {
     vk::Pipeline provide(std::uint32_t key) const;
 
     const gpu::Device& m_device;
-    const GpuScene& m_scene;
+    const UploadedScene& m_scene;
     TranslucentPipelinesOptions m_options;
     std::uint32_t m_detailSet;
     gpu::PipelineLayout m_layout;

@@ -2,6 +2,7 @@
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/render/translucency/weighted_blend.h>
+#include <cdr/render/uploaded_scene.h>
 #include <cdr/shaders/translucency.h>
 
 #include <fmt/format.h>
@@ -42,7 +43,7 @@ vk::RenderingAttachmentInfo cleared(const gpu::Image& image, float alpha) {
 
 } // namespace
 
-WeightedBlend::WeightedBlend(const gpu::Device& device, const GpuScene& scene,
+WeightedBlend::WeightedBlend(const gpu::Device& device, const UploadedScene& scene,
                              const gpu::SetLayout& surroundings, vk::Extent2D extent,
                              const BlendOptions& options)
     : m_device(device),

@@ -9,13 +9,15 @@
 
 namespace cdr::render {
 
+class UploadedScene;
+
 /// Translucency::weighted: sums each cascade's fragments into two images, far cascade first, and lays the
 /// weighted mean over what is farther. Additions on the device follow draw order. So the picture is the same
 /// to the bit for every thread count, targets and submission, but not for another order of instances.
 class WeightedBlend {
   public:
     /// @param surroundings layout of TranslucentFrame::surroundings.
-    WeightedBlend(const gpu::Device& device, const GpuScene& scene, const gpu::SetLayout& surroundings,
+    WeightedBlend(const gpu::Device& device, const UploadedScene& scene, const gpu::SetLayout& surroundings,
                   vk::Extent2D extent, const BlendOptions& options);
 
     void record(vk::CommandBuffer primary, const TranslucentFrame& frame) const;
