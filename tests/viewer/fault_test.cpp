@@ -1,6 +1,7 @@
 #include "../support/fault.h"
 #include "viewer_run.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -151,6 +152,23 @@ std::vector<Fault> passing() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Surface, ViewerMended, testing::ValuesIn(passing()));
+
+/// A frame that is to be kept and cannot be presented: its pixels are still being copied when that is known.
+TEST_F(ViewerFault, LosesAFrameThatIsNotPresented) {
+    constexpr int kKept = 24;
+    std::string script = "wait-frame\n";
+    for (int i = 0; i < kKept; ++i) {
+        script += fmt::format("window {}.png\n", i);
+    }
+    // By then, whatever came before the first of them, some are kept, and more follow.
+    const RunResult run =
+        suffer({.call = "vkQueuePresentKHR", .after = 24, .times = 1, .result = VK_ERROR_OUT_OF_DATE_KHR},
+               script + "quit\n");
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    EXPECT_EQ(failedCall(), "vkQueuePresentKHR");
+    EXPECT_GE(files().size(), std::size_t{kKept - 1});
+}
 
 TEST_F(ViewerFault, SavesTheRecordedPathWhenTheDeviceIsLost) {
     const RunResult run = suffer({.call = "vkQueueSubmit2", .device = "render", .after = 30},

@@ -24,6 +24,11 @@ vk::ImageMemoryBarrier2 barrierBetween(const gpu::Image& image, vk::ImageLayout 
 
 void PictureTexture::forget() {
     m_pending.reset();
+    release();
+}
+
+void PictureTexture::release() {
+    m_staged = nullptr;
     if (isEmpty()) {
         return;
     }
@@ -34,14 +39,21 @@ void PictureTexture::forget() {
     }
 }
 
-void PictureTexture::recordUpload(vk::CommandBuffer commands, std::size_t slot) {
-    const std::shared_ptr<const image::ImageRgba8> picture = std::exchange(m_pending, nullptr);
-    if (picture == nullptr || picture->pixels.empty()) {
+void PictureTexture::stage(std::size_t slot) {
+    if (m_pending == nullptr || m_pending->pixels.empty()) {
         return;
     }
-    const vk::Extent2D extent{picture->width, picture->height};
-    if (isEmpty() || m_image.options().extent != extent) {
-        forget();
+    const vk::Extent2D extent{m_pending->width, m_pending->height};
+    if (!isEmpty() && m_image.options().extent != extent) {
+        release();
+    }
+    const std::size_t bytes = m_pending->pixels.size() * sizeof(image::Rgba8);
+    gpu::Buffer& staging = m_staging[slot];
+    if (staging.size() != bytes) {
+        staging = gpu::Buffer(m_device, bytes, vk::BufferUsageFlagBits::eTransferSrc,
+                              gpu::MemoryUse::hostWrites, m_name + " staging");
+    }
+    if (isEmpty()) { // last, since it has no pixels until they are copied
         m_image =
             gpu::Image(m_device,
                        {.extent = extent,
@@ -51,18 +63,22 @@ void PictureTexture::recordUpload(vk::CommandBuffer commands, std::size_t slot) 
                                  vk::ImageUsageFlagBits::eSampled},
                        m_name);
     }
-    const std::size_t bytes = picture->pixels.size() * sizeof(image::Rgba8);
-    gpu::Buffer& staging = m_staging[slot];
-    if (staging.size() != bytes) {
-        staging = gpu::Buffer(m_device, bytes, vk::BufferUsageFlagBits::eTransferSrc,
-                              gpu::MemoryUse::hostWrites, m_name + " staging");
-    }
-    std::memcpy(staging.mapped(), picture->pixels.data(), bytes);
+    std::memcpy(staging.mapped(), m_pending->pixels.data(), bytes);
     staging.flush();
+    m_pending.reset();
+    m_staged = &staging;
+}
+
+void PictureTexture::recordUpload(vk::CommandBuffer commands) {
+    const gpu::Buffer* staged = std::exchange(m_staged, nullptr);
+    if (staged == nullptr) {
+        return;
+    }
+    const vk::Extent2D extent = m_image.options().extent;
     gpu::pipelineBarrier(commands, {barrierBetween(m_image, vk::ImageLayout::eUndefined,
                                                    vk::ImageLayout::eTransferDstOptimal)});
     commands.copyBufferToImage(
-        staging.handle(), m_image.handle(), vk::ImageLayout::eTransferDstOptimal,
+        staged->handle(), m_image.handle(), vk::ImageLayout::eTransferDstOptimal,
         vk::BufferImageCopy{.imageSubresource = kLayers, .imageExtent = {extent.width, extent.height, 1}});
     gpu::pipelineBarrier(commands, {barrierBetween(m_image, vk::ImageLayout::eTransferDstOptimal,
                                                    vk::ImageLayout::eTransferSrcOptimal)});

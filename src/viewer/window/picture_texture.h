@@ -26,8 +26,11 @@ class PictureTexture {
     /// Gives its memory back, once the device is idle.
     void forget();
 
-    /// Copies what was set, if anything; the slot's last frame must have finished.
-    void recordUpload(vk::CommandBuffer commands, std::size_t slot);
+    /// Makes room for what was set, if anything, and hands it over; the slot's last frame must have finished.
+    /// @throws base::RunError when memory runs out. It stays set then, and nothing is shown until it fits.
+    void stage(std::size_t slot);
+    /// Copies what stage() handed over, if anything.
+    void recordUpload(vk::CommandBuffer commands);
     /// Blits columns [left, right) of the picture, as shares of its width, into an area of a transfer
     /// destination, from its top left corner. It is filtered if the sizes differ. Nothing is blitted without a picture.
     void recordBlit(vk::CommandBuffer commands, vk::Image target, const vk::Extent2D& area, double left,
@@ -36,10 +39,13 @@ class PictureTexture {
     bool isEmpty() const { return !m_image.handle(); }
 
   private:
+    void release();
+
     const gpu::Device& m_device;
     std::shared_ptr<const image::ImageRgba8> m_pending;
     gpu::Image m_image;
-    std::vector<gpu::Buffer> m_staging; ///< by slot
+    std::vector<gpu::Buffer> m_staging;    ///< by slot
+    const gpu::Buffer* m_staged = nullptr; ///< what the next recordUpload() copies
     std::string m_name;
 };
 

@@ -103,12 +103,12 @@ bool Presenter::draw(const PictureLayout& layout, ImDrawData* interface, image::
     }
     const std::size_t index = m_frames % kFramesInFlight;
     Slot& slot = m_slots[index];
-    const vk::Result waited =
-        vk::Device(m_device.handle())
-            .waitForFences(*slot.done, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
-    vk::resultCheck(waited, "vkWaitForFences");
+    waitFor(slot);
     if (layout.pictures < m_pictures.size()) {
         m_pictures.back()->forget();
+    }
+    for (const auto& picture : m_pictures) {
+        picture->stage(index); // before an image is acquired, since memory may run out
     }
     const std::optional<std::uint32_t> image = m_swapchain->acquire(*slot.imageReady);
     if (image) {
@@ -117,12 +117,15 @@ bool Presenter::draw(const PictureLayout& layout, ImDrawData* interface, image::
         slot.pool->reset();
         const vk::CommandBuffer commands = slot.pool->next();
         commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-        record(commands, index, m_swapchain->image(*image), layout, interface);
+        record(commands, m_swapchain->image(*image), layout, interface);
         if (reader) {
             reader->record(commands, m_swapchain->image(*image).image);
         }
         commands.end();
         submit(commands, slot, m_swapchain->image(*image));
+        if (reader) {
+            waitFor(slot); // whatever presenting ends with, the reader goes
+        }
         m_swapchain->present(m_device.queue(), *image);
     }
     if (m_swapchain->state() == SwapchainState::lost) {
@@ -133,18 +136,24 @@ bool Presenter::draw(const PictureLayout& layout, ImDrawData* interface, image::
     }
     m_surfacesLost = 0;
     if (reader) {
-        vk::Device(m_device.handle()).waitIdle();
         *capture = reader->fetch();
     }
     return true;
 }
 
-void Presenter::record(vk::CommandBuffer commands, std::size_t slot, const Swapchain::Image& target,
+void Presenter::waitFor(const Slot& slot) const {
+    const vk::Result waited =
+        vk::Device(m_device.handle())
+            .waitForFences(*slot.done, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
+    vk::resultCheck(waited, "vkWaitForFences");
+}
+
+void Presenter::record(vk::CommandBuffer commands, const Swapchain::Image& target,
                        const PictureLayout& layout, ImDrawData* interface) {
     using PipelineStage = vk::PipelineStageFlagBits2;
     using Access = vk::AccessFlagBits2;
     for (const auto& picture : m_pictures) {
-        picture->recordUpload(commands, slot);
+        picture->recordUpload(commands);
     }
     gpu::pipelineBarrier(commands, {gpu::imageBarrier(target.image, vk::ImageAspectFlagBits::eColor,
                                                       {PipelineStage::eAllTransfer, Access::eNone,

@@ -55,8 +55,9 @@ class Presenter {
     bool renew();
     /// base::RunError when it happens again and again.
     void loseSurface();
-    void record(vk::CommandBuffer commands, std::size_t slot, const Swapchain::Image& target,
-                const PictureLayout& layout, ImDrawData* interface);
+    void waitFor(const Slot& slot) const;
+    void record(vk::CommandBuffer commands, const Swapchain::Image& target, const PictureLayout& layout,
+                ImDrawData* interface);
     void submit(vk::CommandBuffer commands, const Slot& slot, const Swapchain::Image& target) const;
 
     UiDevice& m_ui;
