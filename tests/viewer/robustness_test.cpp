@@ -167,6 +167,28 @@ TEST_F(ViewerTest, KeepsPivotAndPickedPointWhereItsSceneIsOpenedAnew) {
     }
 }
 
+/// Wrong pixels are counted against a picture of the best technique, which takes as long again.
+TEST_F(ViewerTest, CountsWrongPixelsOnceADragEnds) {
+    const RunResult run =
+        play("--size 300x200 cubes",
+             "wait-frame\nmove 100 150\npress\nmove 115 140\nmove 130 130\nwait-frame\nstate\n"
+             "release\nwait-frame\nstate\nquit\n");
+    const auto states = run.states(2);
+    EXPECT_EQ(valueOf(states[0], "wrong"), "") << states[0];
+    EXPECT_NE(valueOf(states[1], "wrong"), "") << states[1];
+    EXPECT_EQ(valueOf(states[1], "eye"), valueOf(states[0], "eye"));
+}
+
+/// The camera flies on while a file is opened again.
+TEST_F(ViewerTest, StaysWhereItIsWhenAFileIsOpenedAgain) {
+    fs::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", folder() / "m.gltf");
+    const RunResult run =
+        play("--size 300x200 m.gltf", "wait-frame\nmove 100 100\ndrop m.gltf\nscroll 3\nstate\n"
+                                      "wait-ui 2\nwait-frame\nstate\nquit\n");
+    const auto states = run.states(2);
+    EXPECT_EQ(valueOf(states[1], "eye"), valueOf(states[0], "eye"));
+}
+
 TEST_F(ViewerTest, SaysWhoseARecordingIsThatPlaysInAnotherScene) {
     fs::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", folder() / "m.gltf");
     const RunResult run = play("--size 300x200 cubes",

@@ -210,6 +210,17 @@ TEST_F(ViewerTest, ShowsPicturesOfScenesToChooseFrom) {
     keepContactSheet("scenes.png", {picture("closed.png"), picture("open.png")});
 }
 
+TEST_F(ViewerTest, KeepsNoVideoWithoutAPicture) {
+    const RunResult run =
+        play("--size 300x200 cubes", "wait-frame\nhold F11\nhold F11\nwait-ui 2\nstate\nquit\n");
+    const std::string notice = valueOf(run.states(1)[0], "notice");
+    if (notice.find("ffmpeg") != std::string::npos) {
+        GTEST_SKIP() << notice;
+    }
+    EXPECT_NE(notice.find("nothing was recorded"), std::string::npos) << notice;
+    EXPECT_FALSE(fs::exists(folder() / "cdr-video-0001.mp4"));
+}
+
 TEST_F(ViewerTest, RecordsBothSidesAsAVideo) {
     const RunResult run = play("--size 561x300 --compare standard,anchored cubes",
                                "wait-frame\nkey F11\nwait-ui 10\nhold D\nwait-ui 30\nlet D\nkey F11\n"

@@ -16,6 +16,8 @@ struct ClickItem {
     std::string name;        ///< as ItemPlaces knows it
     bool isRevealed = false; ///< its panel has been scrolled for it
 };
+/// Presses and releases the left button before the next frame of the interface.
+struct Tap {};
 struct WindowSize {
     int width = 0;
     int height = 0;
@@ -48,8 +50,9 @@ struct Minimise {};
 struct Restore {};
 struct Quit {};
 
-using ScriptStep = std::variant<InputEvent, ClickItem, WindowSize, WaitFrame, WaitUi, SaveWindow, SavePicture,
-                                PrintPlace, PrintState, PrintCommand, WaitState, Minimise, Restore, Quit>;
+using ScriptStep =
+    std::variant<InputEvent, ClickItem, Tap, WindowSize, WaitFrame, WaitUi, SaveWindow, SavePicture,
+                 PrintPlace, PrintState, PrintCommand, WaitState, Minimise, Restore, Quit>;
 
 /// Reads a script, one step a line; empty lines and those that begin with # are left out.
 ///

@@ -48,8 +48,7 @@ void ScriptPlayer::clickItem(const ClickItem& click, ItemPlaces& places) {
         throw base::runError("script: the item '{}' cannot be scrolled into view", click.name);
     }
     m_steps.push_front(WaitUi{2}); // for what the click opens to be drawn
-    m_steps.push_front(InputEvent(ButtonInput{.button = 0, .pressed = false}));
-    m_steps.push_front(InputEvent(ButtonInput{.button = 0, .pressed = true}));
+    m_steps.push_front(Tap{});
     m_steps.push_front(WaitUi{1}); // for the item to notice the pointer
     m_steps.push_front(InputEvent(MoveInput{place.x, place.y}));
 }
@@ -100,6 +99,10 @@ void ScriptPlayer::play(const ScriptStep& step, const PlayedViewer& viewer) {
     const auto printLine = [](const std::string& line) { platform::printNow(line + "\n"); };
     std::visit(Overloaded{[&](const InputEvent& event) { window.inject(event); },
                           [&](const ClickItem& click) { clickItem(click, viewer.places); },
+                          [&](const Tap&) {
+                              window.inject(ButtonInput{.button = 0, .pressed = true});
+                              window.inject(ButtonInput{.button = 0, .pressed = false});
+                          },
                           [&](const WindowSize& size) { window.resize(size.width, size.height); },
                           [&](const SaveWindow& save) { viewer.capture = save.file; },
                           [&](const SavePicture& save) { savePicture(save.file, viewer.model); },

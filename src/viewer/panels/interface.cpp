@@ -147,8 +147,10 @@ void Interface::begin(double seconds, ArrowKeys keys) {
     const Pointer& pointer = m_window.pointer();
     io.MousePos = {static_cast<float>(pointer.x), static_cast<float>(pointer.y)};
     for (std::size_t button = 0; button < pointer.buttons.size(); ++button) {
-        io.MouseDown[button] = pointer.buttons[button];
+        io.MouseDown[button] =
+            pointer.buttons[button] || pointer.pressed[button]; // a click within one frame too
     }
+    m_window.forgetPresses();
 #endif
     ImGui::NewFrame();
 }

@@ -277,7 +277,8 @@ void Application::serve() {
             m_session.update({.area = pictureArea(),
                               .cursor = m_control.cursor(),
                               .seconds = seconds,
-                              .isSteered = m_control.isActive()});
+                              .isSteered = m_control.isActive(),
+                              .isDragged = m_control.isDragging()});
         }
         if (isRedrawDue()) {
             drawFrame();

@@ -80,6 +80,10 @@ void Application::playRecording() {
 void Application::toggleVideo() {
     if (m_model.video != nullptr) {
         const auto video = std::exchange(m_model.video, nullptr);
+        if (video->pictures() == 0) { // without finish() no file is left
+            m_model.interface.say("nothing was recorded: the video ended before its first picture");
+            return;
+        }
         video->finish();
         m_model.interface.say(fmt::format("{} holds {}, {} s", video->file().string(),
                                           counted(video->pictures(), "picture"),

@@ -93,7 +93,7 @@ void CameraControl::onMove(const MoveInput& move, const PictureArea& area, Viewe
         return;
     }
     m_travelled += glm::length(by);
-    if (!m_held || m_travelled <= kClickPixels) {
+    if (!isDragging()) {
         return;
     }
     if (*m_held == GLFW_MOUSE_BUTTON_LEFT) {
@@ -159,6 +159,10 @@ void CameraControl::readGamepad() {
 
 bool CameraControl::isActive() const {
     return moves(m_input.keys) || !(m_input.axes == CameraAxes{});
+}
+
+bool CameraControl::isDragging() const {
+    return m_held && !m_dragsDivider && m_travelled > kClickPixels;
 }
 
 void CameraControl::apply(const PictureArea& area, double seconds, ViewerModel& model) {

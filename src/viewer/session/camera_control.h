@@ -27,6 +27,8 @@ class CameraControl {
     static void steer(const CameraInput& input, const RenderResult* shown, CameraModel& camera);
     /// Whether keys, buttons or a gamepad ask for motion without further events.
     bool isActive() const;
+    /// Whether a button is held that moves the camera with the pointer.
+    bool isDragging() const;
     struct Click {
         glm::dvec2 pixel;
         bool isDouble; ///< soon after one at the same place

@@ -29,7 +29,7 @@ class SceneRenderer {
     SceneRenderer(const gpu::Device& device, TellOpening tell) : m_device(device), m_tell(std::move(tell)) {}
 
     /// Opens what the request names unless it is open, and renders it. base::InputError or base::RunError say
-    /// what cannot be. The scene that was open then stays.
+    /// what cannot be. Where it cannot be opened, the scene that was open stays.
     /// @param stop ends it between two pictures, with none: a picture of a slow scene takes seconds.
     RenderResult answer(const RenderRequest& request, const std::stop_token& stop);
 

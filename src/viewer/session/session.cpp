@@ -197,17 +197,17 @@ void Session::update(const SessionInput& input) {
     RenderRequest request = wantedRequest(input.area);
     request.isSteered = input.isSteered || (m_model.camera.motion == Motion::free && m_asked.has_value() &&
                                             m_asked->camera != request.camera);
-    // A request that failed is not repeated.
     const bool isFading =
         fades(m_model.picture.shown.get()) && m_model.picture.shown->serial == m_shownSerial;
+    const bool movesByItself =
+        input.isSteered || m_model.camera.motion != Motion::free || m_model.camera.playback.isPlaying;
     Wanted wanted{.request = std::move(request),
-                  .isFlying = input.isSteered || m_model.camera.motion != Motion::free ||
-                              m_model.camera.playback.isPlaying,
+                  .isFlying = movesByItself || input.isDragged,
                   .rendersAlways = m_model.performance.rendersAlways || isFading,
                   .surfacesAreDue = (input.area.contains(input.cursor) || input.isSteered) &&
                                     now - m_surfacesAsked >= kSurfacesEvery,
                   .isThreadReady = m_thread->isReady()};
-    const bool changes = wanted.isFlying || wanted.rendersAlways || !wanted.isThreadReady;
+    const bool changes = movesByItself || wanted.rendersAlways || !wanted.isThreadReady;
     auto next = decide(m_asked ? &*m_asked : nullptr, std::move(wanted));
     m_isIdle = !next && !changes;
     if (!next) {
@@ -253,6 +253,9 @@ bool Session::takeResult() {
     if (!result->failure) {
         adopt(std::move(*result));
         return true;
+    }
+    if (m_asked && m_asked->serial == result->serial) { // not repeated for what it lacks
+        m_asked->wantsSurfaces = m_asked->countsWrong = m_asked->isAtRest = true;
     }
     const bool isFirst = m_model.picture.shown == nullptr;
     const bool isWanted = m_model.settings.scene == result->settings.scene &&
@@ -412,14 +415,19 @@ void Session::takeOpened(const RenderResult& result) {
 void Session::enterScene(const RenderResult& result) {
     const scene::CameraPath& path = result.scene->setup.path;
     const auto first = std::exchange(m_model.camera.first, std::nullopt);
-    if (m_model.picture.shown == nullptr || m_model.picture.shown->sceneName != result.sceneName) {
+    const bool isReopened =
+        m_model.picture.shown != nullptr && m_model.picture.shown->sceneName == result.sceneName;
+    if (!isReopened) {
         const options::CameraOptions told = first.value_or(options::CameraOptions{});
         m_model.camera.lens = options::lensOf(told);
         m_model.camera.followsAnimation = !(told.eye || told.target || told.direction || told.up);
     }
     m_model.camera.pathFrame = first ? first->frame : 0;
-    m_model.camera.now =
-        scene::canonical(first ? overridden(path.at(frameOfMotion()), *first) : result.camera);
+    if (first) {
+        m_model.camera.now = scene::canonical(overridden(path.at(frameOfMotion()), *first));
+    } else if (!isReopened) { // else it flew on meanwhile
+        m_model.camera.now = scene::canonical(result.camera);
+    }
     m_model.camera.isThere = true;
     m_model.picture.measuring.clear();
     aimFrom(result.serial);
@@ -456,9 +464,9 @@ void Session::count(const RenderResult& result) {
     StageTimes times;
     for (const SideResult& side : result.sides) {
         const render::FrameTimes& ms = side.frame->stats.times;
-        times[FrameStage::cull] += static_cast<float>(ms.cullMs);
+        times[FrameStage::cull] += static_cast<float>(ms.cullMs + ms.occludersMs);
         times[FrameStage::split] += static_cast<float>(ms.splitMs);
-        times[FrameStage::bin] += static_cast<float>(ms.binMs);
+        times[FrameStage::bin] += static_cast<float>(ms.binMs + ms.translucentMs + ms.shadowsMs);
         times[FrameStage::record] += static_cast<float>(ms.recordMs);
         times[FrameStage::execute] += static_cast<float>(ms.executeMs);
     }

@@ -20,6 +20,7 @@ struct SessionInput {
     glm::dvec2 cursor{0.0};
     double seconds = 0.0;   ///< since then
     bool isSteered = false; ///< somebody moves the camera by hand
+    bool isDragged = false; ///< a button is held that moves it with the pointer
 };
 
 /// Requests from the render thread the pictures that the model needs, and gives the results to the model.

@@ -173,10 +173,13 @@ void Presenter::record(vk::CommandBuffer commands, const Swapchain::Image& targe
     const double divider = layout.pictures > 1 ? layout.divider : 1.0;
     m_pictures[0]->recordBlit(commands, target.image, area, 0.0, divider);
     m_pictures[1]->recordBlit(commands, target.image, area, divider, 1.0);
-    commands.beginRenderPass({.renderPass = *m_renderPass,
-                              .framebuffer = *target.framebuffer,
-                              .renderArea = {{0, 0}, m_swapchain->extent()}},
-                             vk::SubpassContents::eInline);
+    commands.beginRenderPass(
+        {.renderPass = *m_renderPass, .framebuffer = *target.framebuffer, .renderArea = {{0, 0}, window}},
+        vk::SubpassContents::eInline);
+    const ImVec2 perUnit = interface->FramebufferScale;
+    interface->DisplaySize = {
+        std::min(interface->DisplaySize.x, static_cast<float>(window.width) / perUnit.x),
+        std::min(interface->DisplaySize.y, static_cast<float>(window.height) / perUnit.y)};
     ImGui_ImplVulkan_RenderDrawData(interface, commands);
     commands.endRenderPass();
 }

@@ -65,7 +65,9 @@ struct Window::Callbacks {
         ImGui_ImplGlfw_MouseButtonCallback(handle, button, action, modifiers);
         Window& window = of(handle);
         if (button >= 0 && static_cast<std::size_t>(button) < window.m_pointer.buttons.size()) {
-            window.m_pointer.buttons[static_cast<std::size_t>(button)] = action == GLFW_PRESS;
+            const auto index = static_cast<std::size_t>(button);
+            window.m_pointer.buttons[index] = action == GLFW_PRESS;
+            window.m_pointer.pressed[index] = window.m_pointer.pressed[index] || action == GLFW_PRESS;
         }
         window.m_events.emplace_back(ButtonInput{button, action == GLFW_PRESS, modifiers});
     }

@@ -45,6 +45,7 @@ struct Pointer {
     double x = 0.0; ///< screen coordinates
     double y = 0.0;
     std::array<bool, 5> buttons{};
+    std::array<bool, 5> pressed{}; ///< since Window::forgetPresses(), whether or not they are held still
 };
 
 /// A window and the input it received. Every input, injected or real, comes through the same callbacks.
@@ -73,6 +74,8 @@ class Window {
     /// How much larger text has to be than at 96 dots per inch, in screen coordinates.
     double textScale() const;
     const Pointer& pointer() const { return m_pointer; }
+    /// Of Pointer::pressed.
+    void forgetPresses() { m_pointer.pressed = {}; }
 
     /// Asks for a size in screen coordinates; what comes of it arrives as a ResizeInput.
     void resize(int width, int height) const;
