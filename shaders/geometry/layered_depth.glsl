@@ -14,7 +14,7 @@ float logOneMinus(float x) { return abs(x) < 0.01 ? -x * (1.0 + x * (0.5 + x / 3
 float depthGain(float distanceView, float offset) {
     if (kDepthForm == kDepthFormLinear) {
         float slope = cascade.depthScale * cascade.anchorView - cascade.depthOffset;
-        return -offset * slope / distanceView / (distanceView - offset);
+        return -(offset / distanceView) * (slope / (distanceView - offset)); // products of two lengths may be no floats
     }
     return logOneMinus(offset / distanceView) * cascade.depthOffset;
 }
