@@ -88,7 +88,9 @@ void main() {
     vec3 turned = turnedNormal(axes, vertexNormal(inNormal));
 #endif
     if (kSubPixelsX != 0.0) { // render::Snapping::inPlane
-        float fromOrigin = distance(vec3(x, y, ahead), vec3(record.right.w, record.up.w, record.ahead.w));
+        // Squares of small or large lengths are no floats.
+        vec3 beyond = abs(vec3(x, y, ahead) - vec3(record.right.w, record.up.w, record.ahead.w));
+        float fromOrigin = max(max(beyond.x, beyond.y), beyond.z);
         vec3 moved = movedInPlane(vec3(x, y, ahead), vec3(turned.xy, -turned.z), fromOrigin);
         x = moved.x;
         y = moved.y;

@@ -14,7 +14,7 @@ float logOneMinus(float x) { return abs(x) < 0.01 ? -x * (1.0 + x * (0.5 + x / 3
 float depthGain(float distanceView, float offset) {
     if (kDepthForm == kDepthFormLinear) {
         float slope = cascade.depthScale * cascade.anchorView - cascade.depthOffset;
-        return -offset * slope / distanceView / (distanceView - offset);
+        return -(offset / distanceView) * (slope / (distanceView - offset)); // products of two lengths may be no floats
     }
     return logOneMinus(offset / distanceView) * cascade.depthOffset;
 }
@@ -30,8 +30,9 @@ float layerShift(float ahead) {
 // clipDistances() of a moved surface. It belongs to the cascade in which its new place lies, which draws over what it is
 // to hide. The cascade of its old place keeps it as well, since the other one may not list it.
 vec2 layeredClipDistances(float ahead, float shift) {
-    const float kRounding = 2e-6; // of distances, interpolated
-    float margin = sign(cascade.layerRank) * kRounding * (cascade.anchorView + ahead);
+    const float kRounding = 2e-6; // of distances, interpolated: anchored ones are as large as the cascade is thick
+    float size = cascade.anchorView > 0.0 ? cascade.farAhead - cascade.nearAhead : ahead;
+    float margin = sign(cascade.layerRank) * kRounding * size;
     float moved = ahead - shift;
     return vec2(max(ahead, moved) - cascade.nearAhead + max(-margin, 0.0),
                 cascade.farAhead - min(ahead, moved) + max(margin, 0.0));

@@ -71,9 +71,9 @@ vec4 cdrClipPositionLog(vec2 projected, float ahead, CdrDepth depth) {
 // devices that know it keep rejecting fragments before they are shaded.
 // @range touchView: above 0.
 vec4 cdrClipPositionLogTangent(vec2 projected, float ahead, float touchView, CdrDepth depth) {
-    const float kMargin = 2e-6; // covers the roundings of both sides
+    const float kMargin = 2e-6; // covers the roundings of both sides; those of logarithms grow with the offset of thin ranges
     float distanceView = depth.anchorView + ahead;
-    float atTouch = cdrLogDepth(touchView, depth) - kMargin;
+    float atTouch = cdrLogDepth(touchView, depth) - kMargin * max(depth.offset, 1.0);
     CDR_PRECISE vec4 position =
         vec4(projected, (atTouch + depth.offset) * distanceView - depth.offset * touchView, distanceView);
     return position;

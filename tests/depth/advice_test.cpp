@@ -288,6 +288,20 @@ TEST(Advice, TheWidestContentMayResolveWhatThinContentDoesNot) {
     EXPECT_GE(advice.widestSpanView, 10.0);
 }
 
+/// Content may be thinner than the thin content that is tried where what was asked for is not resolved.
+TEST(Advice, TheWidestContentIsResolvedWhereVeryThinContentIsAskedFor) {
+    AdviceQuestion asked{
+        .scene = {.nearView = 1.0, .farView = 1e6, .footprintSlope = 1e-3, .atView = 1e5, .spanView = 1e-5},
+        .separationView = 1e-9,
+        .formats = {DepthFormat::d16},
+        .techniques = {parseTechnique("anchored")}};
+    const Advice advice = advise(asked);
+    ASSERT_TRUE(advice.rows[0].suffices);
+    EXPECT_GE(advice.widestSpanView, 1e-5);
+    asked.scene.spanView = advice.widestSpanView;
+    EXPECT_TRUE(advise(asked).rows[0].suffices) << advice.widestSpanView;
+}
+
 /// Whoever asks again with content as deep as the line says gets that technique as enough.
 TEST(Advice, TheWidestContentKeepsItsPromise) {
     std::mt19937_64 random(7);

@@ -101,7 +101,7 @@ TEST_P(FitOfEveryMapping, StepBoundNeverFallsAsTheCascadeGrows) {
 
 TEST_P(FitOfEveryMapping, StepBoundBoundsTheSeparationAndWorstBoundsTheSteps) {
     Random random(4);
-    for (int i = 0; i < 5000; ++i) {
+    for (int i = 0; i < 5'000; ++i) {
         const double n = random.logUniform(0.01, 100.0);
         const Cascade cascade{n, n * (1.0 + random.logUniform(1e-3, 1e3))};
         for (const DepthFormat format : kDepthFormats) {
@@ -415,6 +415,34 @@ TEST(FittedSplit, DegenerateInputs) {
                 }
             }
         }
+    }
+}
+
+/// Points and what is as thin as float64 resolves, as close together as that, at the ends of the range and between them.
+TEST(FittedSplit, EveryCascadeHasAThickness) {
+    Random random(12);
+    for (int i = 0; i < 5'000; ++i) {
+        SplitContext view = viewOf(kMappings[i % kMappings.size()], kDepthFormats[i % kDepthFormats.size()]);
+        view.nearView = random.logUniform(1e-3, 1e3);
+        view.farView = view.nearView * (1.0 + random.logUniform(1e-15, 1e6));
+        std::vector<Interval> intervals;
+        double at = i % 3 == 0 ? view.nearView
+                               : view.nearView + random.uniform(0.0, 1.0) * (view.farView - view.nearView);
+        for (int object = i % 5; object >= 0; --object) {
+            const double end = object % 2 == 0 ? at : at * (1.0 + random.logUniform(1e-16, 1e-5));
+            intervals.push_back({at, end});
+            at = end * (1.0 + random.logUniform(1e-16, 1e-5));
+        }
+        if (i % 4 == 0) {
+            intervals.push_back({view.farView, view.farView});
+        }
+        const SplitFitted split{.target = random.logUniform(1e-12, 1.0),
+                                .unit = i % 2 == 0 ? SplitFitted::Unit::pixels : SplitFitted::Unit::scene,
+                                .most = 1u + static_cast<unsigned>(i % 8)};
+        const Cascades cascades = fit(split, view, intervals);
+        expectCovers(cascades, view, intervals);
+        expectCovers(fit(split, view, intervals, cascades), view, intervals);
+        ASSERT_FALSE(HasFailure()) << i;
     }
 }
 

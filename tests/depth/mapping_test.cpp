@@ -119,9 +119,16 @@ TEST(ClipRange, OverlapsIntoTheNextCascadeOnly) {
     for (const Mapping mapping : kMappings) {
         EXPECT_EQ(clipRange(mapping, cascades, 0).nearView, 1.0);
         EXPECT_GT(clipRange(mapping, cascades, 0).farView, 1000.0);
-        EXPECT_LT(clipRange(mapping, cascades, 0).farView, 1000.2);
+        EXPECT_LT(clipRange(mapping, cascades, 0).farView, 1001.0);
         EXPECT_EQ(clipRange(mapping, cascades, 1), cascades[1]);
     }
+}
+
+/// Its anchor is its far plane, so it rounds by its thickness where they meet.
+TEST(ClipRange, AnchoredReversedSharesAMillionthOfTheNextCascadeWhereThatIsThick) {
+    const Cascades cascades{{0.1, 3165.0}, {3165.0, 1e8}};
+    EXPECT_NEAR(clipRange(Mapping::anchoredReversed, cascades, 0).farView, 3265.0, 0.01);
+    EXPECT_LT(clipRange(Mapping::anchored, cascades, 0).farView, 3166.0);
 }
 
 /// What is shared follows the distance, as what float32 rounds does. But depth gets a hundredth coarser at most.

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 namespace cdr::render_test {
 
@@ -141,6 +142,61 @@ TEST_F(ScaledSceneTest, ColoursOfBlendedSurfacesAreThoseOfTheSceneItself) {
             }
         }
         EXPECT_LE(differ, 5u) << "2^" << power;
+    }
+    expectDrawn(drawn, 2);
+}
+
+/// A square in front of a wall, and a layer by which the wall is moved before it, or not quite. Products of two lengths are no
+/// float32 numbers here.
+TEST_F(ScaledSceneTest, LayersMoveByTheirOffset) {
+    constexpr int kPower = -66;
+    const double scale = std::ldexp(1.0, kPower);
+    const render::RenderOptions options = smallOptions(depth::parseTechnique("standard"));
+    const bool isDrawn = drawsAt(kPower, options);
+    for (const double layer : isDrawn ? std::vector{0.7, 1.3} : std::vector<double>{}) {
+        scene::Scene scene = boxScene();
+        scene.meshes.push_back(scenes::makeSquare(static_cast<float>(scale)));
+        scene.materials.push_back({.name = "layer", .layer = static_cast<float>(layer * scale)});
+        scene::addInstance(scene, 1, 0, 0, {0.0, 0.0, -30.0 * scale}, glm::mat3(1.0f));
+        scene::addInstance(scene, 1, 1, 1, {0.0, 0.0, -31.0 * scale}, glm::mat3(1.0f));
+        const scene::Camera camera{.fovY = 0.05, .nearView = 0.1 * scale, .farView = 1000.0 * scale};
+        EXPECT_EQ(draw(scene, camera, options).id(240, 135), layer > 1.0 ? 2u : 1u) << layer;
+    }
+    expectDrawn(isDrawn ? 1 : 0, 1);
+}
+
+/// Nor are squares of lengths.
+TEST_F(ScaledSceneTest, FacetsStayInTheirPlanes) {
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    options.snapBits = 4;
+    const auto distancesAt = [&](int power, render::Snapping snapping) {
+        options.snapping = snapping;
+        const double scale = std::ldexp(1.0, power);
+        const ScaledScene made = scaledBy(scale, Look::facets);
+        const render::Frame frame = draw(made.scene, made.camera, options);
+        std::vector<double> distances;
+        for (std::uint32_t y = 0; y < frame.height(); ++y) {
+            for (std::uint32_t x = 0; x < frame.width(); ++x) {
+                distances.push_back(frame.id(x, y) != 0 ? frame.distanceView(x, y) / scale : 0.0);
+            }
+        }
+        return distances;
+    };
+    const auto unlike = [](const std::vector<double>& a, const std::vector<double>& b) {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            count += std::abs(a[i] - b[i]) > 1e-5 ? 1 : 0;
+        }
+        return count;
+    };
+    const std::vector<double> expected = distancesAt(0, render::Snapping::inPlane);
+    EXPECT_GT(unlike(distancesAt(0, render::Snapping::byDevice), expected), 1000u);
+    std::size_t drawn = 0;
+    for (const int power : {-70, 50}) {
+        if (drawsAt(power, options)) {
+            ++drawn;
+            EXPECT_LE(unlike(distancesAt(power, render::Snapping::inPlane), expected), 5u) << "2^" << power;
+        }
     }
     expectDrawn(drawn, 2);
 }

@@ -47,7 +47,7 @@ double widestSpan(const Technique& technique, const AdviceQuestion& question) {
     double high = 2.0 * question.scene.farView;
     const double asked = question.scene.spanView;
     if (fits(asked)) { // where thinner content may not, by fewer cascades
-        low = std::max(low, asked);
+        low = asked;
     } else if (fits(low)) {
         high = std::min(high, asked);
     } else {

@@ -130,17 +130,6 @@ bool isSound(const Fit& fit, const Cascades& cascades) {
     return true;
 }
 
-/// Gives cascades over a single point a thickness.
-void thicken(Cascades& cascades, const SplitContext& view) {
-    for (Cascade& cascade : cascades) {
-        if (!(cascade.farView > cascade.nearView)) {
-            const double least = cascade.farView * 1e-12;
-            cascade.nearView = std::max(cascade.nearView - least, view.nearView);
-            cascade.farView = std::min(cascade.farView + least, view.farView);
-        }
-    }
-}
-
 } // namespace
 
 Cascades fitCascades(const SplitFitted& split, const SplitContext& context) {
@@ -160,7 +149,6 @@ Cascades fitCascades(const SplitFitted& split, const SplitContext& context) {
         const Cascades kept = keepBounds(fit, cascades, context.previous);
         cascades = isSound(fit, kept) ? kept : cascades;
     }
-    thicken(cascades, context);
     return cascades;
 }
 

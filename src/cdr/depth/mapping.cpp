@@ -53,13 +53,17 @@ base::Result<Mapping> tryParseMapping(std::string_view name) {
 namespace {
 
 /// How far a cascade reaches into the next one.
-double overlapView(Mapping mapping, const Cascade& cascade) {
+double overlapView(Mapping mapping, const Cascade& cascade, const Cascade& next) {
     if (isLog(mapping)) {
         return 1e-4 * cascade.farView;
     }
     const double linearView = 1e-6 * cascade.farView;
     const double depthView = cascade.farView - cascade.nearView;
-    return isAnchored(mapping) ? std::clamp(linearView, 1e-4 * depthView, 1e-2 * depthView) : linearView;
+    const double sharedView =
+        isAnchored(mapping) ? std::clamp(linearView, 1e-4 * depthView, 1e-2 * depthView) : linearView;
+    // The next one's anchor is its far plane, so it rounds where they meet by its thickness.
+    return mapping == Mapping::anchoredReversed ? std::max(sharedView, 1e-6 * (next.farView - next.nearView))
+                                                : sharedView;
 }
 
 } // namespace
@@ -67,7 +71,8 @@ double overlapView(Mapping mapping, const Cascade& cascade) {
 Cascade clipRange(Mapping mapping, const Cascades& cascades, std::size_t index) {
     Cascade range = cascades[index];
     if (index + 1 < cascades.size() && cascades[index + 1].nearView == range.farView) {
-        range.farView = std::min(range.farView + overlapView(mapping, range), cascades[index + 1].farView);
+        const Cascade& next = cascades[index + 1];
+        range.farView = std::min(range.farView + overlapView(mapping, range, next), next.farView);
     }
     return range;
 }

@@ -74,7 +74,8 @@ struct DepthRange {
 /// - linear mappings: float32 view distances, 1e-6 of the far plane (1 unit at 10^6, as in the thesis);
 /// - log: a logarithm that is interpolated linearly, 1e-4 of the far plane;
 /// - anchored: float32 distances to the anchor plane, 1e-4 of the thickness of the cascade. Objects may be far larger than thin
-///   cascades are, so there it is 1e-6 of the far plane, but at most 1 % of the thickness. Depth gets coarser by as much.
+///   cascades are, so there it is 1e-6 of the far plane, but at most 1 % of the thickness. Depth gets coarser by as much;
+/// - anchoredReversed: the same, but at least 1e-6 of the thickness of the next cascade, whose anchor plane is its far one.
 ///
 /// @param index below the number of cascades, which is not checked.
 CDR_EXPORT Cascade clipRange(Mapping mapping, const Cascades& cascades, std::size_t index);

@@ -244,6 +244,23 @@ TEST_F(LayersTest, KeepTheirOrderAcrossTheEndOfACascade) {
     }
 }
 
+/// A nearer cascade wins, so it may not keep a layered surface from which it cuts what is in front.
+TEST_F(LayersTest, HideNothingInFrontOfThemBeyondTheEndOfAThinCascade) {
+    scene::Scene scene = boxScene();
+    scene.meshes.push_back(scenes::makeSquare(5.0f));
+    scene.meshes.push_back(scenes::makeSquare(2.0f));
+    scene.materials.push_back(inLayer(0.01f));
+    scene::addInstance(scene, 1, 1, 0, {0.0, 0.0, -1'000'002.5}, glm::mat3(1.0f));
+    scene::addInstance(scene, 2, 0, 1, {0.0, 0.0, -1'000'001.5}, glm::mat3(1.0f));
+    const scene::Camera camera{.fovY = 2e-5, .nearView = 999'000.0, .farView = 1'001'000.0};
+    for (const char* technique : {"anchored/at:1000000", "anchored-reversed/at:1000000"}) {
+        const render::Frame frame = draw(scene, camera, optionsFor(depth::parseTechnique(technique)));
+        ASSERT_EQ(frame.cascades.size(), 2u);
+        EXPECT_EQ(frame.id(160, 90), 2u) << technique;
+        EXPECT_EQ(frame.id(160, 120), 1u) << technique;
+    }
+}
+
 /// Though they are moved beyond the end of every cascade that lists them.
 TEST_F(LayersTest, AreSeenWhereTheyAreMovedOutOfTheirCascade) {
     for (const char* technique :
