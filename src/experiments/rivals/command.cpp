@@ -115,7 +115,6 @@ std::vector<std::string> leftOutBy(const gpu::DeviceInfo& device, const RivalsAr
 
 void run(Command& command, RivalsArguments& arguments) {
     experiments::RivalsOptions& options = arguments.options;
-    requireDistinct(arguments.techniques);
     options.contenders = contendersOf(command.device().info(), arguments);
     std::vector<experiments::NamedScene> scenes;
     for (const std::string& name : arguments.scenes) {
