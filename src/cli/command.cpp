@@ -84,6 +84,9 @@ Command::Command(const CLI::App& app, const GlobalOptions& global, OutputOptions
     if (global.section.empty()) { // a report has looked already
         requireKnownDevice(m_device);
     }
+    if (const CLI::Option* folder = app.get_option_no_throw("--out")) {
+        m_files.makes(folder->as<std::string>());
+    }
     if (m_output.json && *m_output.json != "-") {
         m_files.writes("--json", *m_output.json);
     }

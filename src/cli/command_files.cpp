@@ -1,5 +1,7 @@
 #include "command_files.h"
 
+#include "picture_folder.h"
+
 #include <cdr/base/format_error.h>
 #include <cdr/platform/file.h>
 
@@ -63,7 +65,11 @@ void CommandFiles::reads(const fs::path& path) {
 }
 
 void CommandFiles::writes(const std::string& option, const fs::path& path) {
-    platform::requireWritable(path);
+    if (isInMade(path)) {
+        requireFolder(m_made);
+    } else {
+        platform::requireWritable(path);
+    }
     if (isSpecial(path)) {
         return;
     }
@@ -82,6 +88,12 @@ void CommandFiles::writes(const std::string& option, const fs::path& path) {
     note(output);
 }
 
+bool CommandFiles::isInMade(const fs::path& path) const {
+    std::error_code error;
+    return !m_made.empty() && !fs::exists(m_made, error) &&
+           resolved(path).parent_path() == resolvedFolder(m_made);
+}
+
 void CommandFiles::mayWrite(const std::string& option, const fs::path& path) {
     if (!path.empty()) {
         writes(option, path);
@@ -90,8 +102,8 @@ void CommandFiles::mayWrite(const std::string& option, const fs::path& path) {
 
 void CommandFiles::mayPlot(const fs::path& path) {
     if (!path.empty()) {
-        output::requirePlottable(path);
         writes("--plot", path);
+        output::requirePlottable(path);
     }
 }
 

@@ -13,6 +13,10 @@ namespace cdr::cli {
 /// The files that one command reads and writes. None of them may be another's, or what is read would be lost.
 class CommandFiles {
   public:
+    /// The folder that the command makes for its pictures, which come before all its other files. Those may be in it before it
+    /// is there.
+    void makes(const std::filesystem::path& folder) { m_made = folder; }
+
     /// base::InputError when the command writes this file.
     void reads(const std::filesystem::path& path);
 
@@ -56,6 +60,7 @@ class CommandFiles {
         std::filesystem::path path; ///< its canonical name
         std::function<bool(const std::string& name)> isWritten;
     };
+    bool isInMade(const std::filesystem::path& path) const;
     /// Of names that may be many: only where they end alike are links followed.
     static bool isSameName(const std::filesystem::path& path, const Output& output);
     /// The first output that is this file, or null.
@@ -66,6 +71,7 @@ class CommandFiles {
     void notePresent(const std::string& option, const std::filesystem::path& path);
     void requireApart(const Output& output) const;
 
+    std::filesystem::path m_made; ///< empty where it makes none
     std::unordered_set<std::string>
         m_inputs; ///< their keys. Links are followed once a file, as files may be many.
     std::vector<Output> m_outputs;

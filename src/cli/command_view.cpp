@@ -34,6 +34,14 @@ std::string viewerProgram() {
 
 /// Becomes the viewer. base::InputError where there is none.
 [[noreturn]] void becomeViewer(std::vector<std::string> arguments, const GlobalOptions& global) {
+    const auto refuse = [](bool isGiven, const char* option) {
+        if (isGiven) {
+            throw base::inputError("cdr view has no option {}", option);
+        }
+    };
+    refuse(global.quiet, "--quiet");
+    refuse(global.shareMachine, "--share-machine");
+    refuse(global.bind, "--bind");
     if (!global.device.empty()) {
         arguments.insert(arguments.begin(), "--device=" + global.device);
     }

@@ -55,6 +55,11 @@ std::string explainExtras(const CLI::App& program) {
     if (!word.starts_with("-")) {
         return fmt::format("{} takes no further word '{}'; {} --help says what it takes", of, word, of);
     }
+    const std::string given = word.substr(0, word.find('='));
+    if (!commands.empty() && commands.front()->get_option_no_throw(given) != nullptr) {
+        return fmt::format("{} is an option of {}: write it behind {}", given, of,
+                           commands.front()->get_name());
+    }
     std::vector<std::string> names;
     const auto add = [&](const CLI::App& app) {
         for (const CLI::Option* option : app.get_options()) {
@@ -66,7 +71,6 @@ std::string explainExtras(const CLI::App& program) {
     std::for_each(commands.begin(), commands.end(), [&](const CLI::App* command) { add(*command); });
     add(program);
     const std::vector<std::string_view> known(names.begin(), names.end());
-    const std::string given = word.substr(0, word.find('='));
     const std::optional<std::string_view> nearest = cdr::base::nearestName(given, known);
     return nearest ? fmt::format("{} has no option {}; did you mean {}?", of, given, *nearest)
                    : fmt::format("{} has no option {}; {} --help lists them", of, given, of);

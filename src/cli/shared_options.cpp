@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <set>
 #include <string>
 #include <string_view>
 
@@ -142,30 +141,15 @@ void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help
     addValue(command, "--frames", frames, help)->check(CLI::Range(1u, most));
 }
 
-void requireDistinct(const std::vector<std::string>& names) {
-    std::set<std::string> seen;
-    for (const std::string& name : names) {
-        if (!seen.insert(name).second) {
-            throw base::inputError("{} is given twice", name);
-        }
-    }
-}
-
-void requireDistinct(const std::vector<depth::NamedTechnique>& techniques) {
-    std::vector<std::string> names;
-    for (const depth::NamedTechnique& named : techniques) {
-        names.push_back(named.name);
-    }
-    requireDistinct(names);
-}
-
 CLI::Option* addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techniques) {
     return command
         .add_option_function<std::vector<std::string>>(
             "--techniques",
             [&techniques](const std::vector<std::string>& parts) {
+                const std::vector<std::string> names = techniqueNames(parts);
+                options::requireDistinct(names);
                 techniques.clear();
-                for (const std::string& name : techniqueNames(parts)) {
+                for (const std::string& name : names) {
                     techniques.push_back(depth::namedTechnique(name));
                 }
             },
@@ -180,15 +164,8 @@ void addRivalList(CLI::App& command, std::vector<rivals::NamedRival>& chosen, co
     for (const rivals::NamedRival& named : rivals::namedRivals()) {
         known.push_back(named.name);
     }
-    const auto parse = [&chosen](const std::string& text) {
-        rivals::NamedRival rival = rivals::parseRival(text);
-        if (std::ranges::count(chosen, rival.name, &rivals::NamedRival::name) > 0) {
-            throw base::inputError("{} is given twice", rival.name);
-        }
-        return rival;
-    };
     options::addParsedList(
-        command, "--rivals", chosen, parse,
+        command, "--rivals", chosen, rivals::parseRival,
         fmt::format("Rivals to compare, separated by commas: {}, each also as NAME/prepass",
                     fmt::join(known, ", ")))
         ->default_str(otherwise);

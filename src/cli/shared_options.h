@@ -57,6 +57,7 @@ using options::addSnapBits;
 using options::addSnapping;
 using options::addThreads;
 using options::addValue;
+using options::requireDistinct;
 
 // Each adds an option; what it refers to must live as long as the command.
 
@@ -98,14 +99,11 @@ void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height);
 void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help,
                std::uint32_t most = kMaxFrames);
 
-/// base::InputError where a name is there twice: it would be measured twice, and both would write the same pictures.
-void requireDistinct(const std::vector<std::string>& names);
-void requireDistinct(const std::vector<depth::NamedTechnique>& techniques);
-
 /// `--techniques A,B,...` instead of those that are there. Without the option, most commands take all presets.
+/// base::InputError as options::requireDistinct().
 CLI::Option* addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techniques);
 
-/// `--rivals A,B,...`. base::InputError where one is there twice, as requireDistinct().
+/// `--rivals A,B,...`. base::InputError as options::requireDistinct().
 /// @param otherwise which there are where none are listed, for the help.
 void addRivalList(CLI::App& command, std::vector<rivals::NamedRival>& chosen, const std::string& otherwise);
 

@@ -30,6 +30,20 @@ std::string withoutLeadingZeros(std::string& text) {
     return "";
 }
 
+/// CLI11 alone takes -1 for 2^64 - 1, and so all that is too large.
+std::string refusalOfUnsigned(const std::string& text) {
+    std::uint64_t value = 0;
+    const bool isDecimal = text.find_first_not_of(kDigits) == std::string::npos;
+    const bool isTooLarge =
+        std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc::result_out_of_range;
+    const std::size_t first = text.find_first_not_of(' ');
+    const bool isNegative = first != std::string::npos && text[first] == '-';
+    return isNegative || (isDecimal && isTooLarge)
+               ? fmt::format("must be a whole number from 0 to {}, not {}",
+                             std::numeric_limits<std::uint64_t>::max(), text.substr(0, 60))
+               : "";
+}
+
 } // namespace
 
 CLI::Validator numberFrom(double least, double most) {
@@ -44,28 +58,14 @@ CLI::Validator numberFrom(double least, double most) {
         "");
 }
 
-CLI::Validator wholeNumber() {
-    return CLI::Validator(
-        [](const std::string& text) -> std::string {
-            std::uint64_t value = 0;
-            const char* end = text.data() + text.size();
-            const bool isDecimal = text.find_first_not_of(kDigits) == std::string::npos;
-            const bool isTooLarge =
-                std::from_chars(text.data(), end, value).ec == std::errc::result_out_of_range;
-            if (text.starts_with('-') || (isDecimal && isTooLarge)) {
-                return fmt::format("must be a whole number from 0 to {}, not {}",
-                                   std::numeric_limits<std::uint64_t>::max(), text.substr(0, 60));
-            }
-            return "";
-        },
-        "");
-}
-
 void takeDecimals(CLI::App& program) {
     for (CLI::Option* option : program.get_options()) {
         const std::string type = option->get_type_name();
         if (type.starts_with("UINT") || type.starts_with("INT")) {
             option->transform(CLI::Validator(withoutLeadingZeros, ""));
+        }
+        if (type.starts_with("UINT")) {
+            option->transform(CLI::Validator(refusalOfUnsigned, ""));
         }
     }
     for (CLI::App* command : program.get_subcommands({})) {

@@ -7,12 +7,8 @@ namespace cdr::options {
 /// Of an option that takes a number from `least` to `most`. CLI11's own lets NaN through.
 CLI::Validator numberFrom(double least, double most);
 
-/// Of an option that takes a whole number, 0 to 2^64 - 1. CLI11 alone takes -1 for 2^64 - 1, and so all that is too
-/// large.
-CLI::Validator wholeNumber();
-
 /// Reads the whole numbers of all options that a program and its commands have in decimal: "010" is ten. Another base, such as
-/// "0x10", is refused. CLI11 alone takes a leading zero for octal.
+/// "0x10", is refused. CLI11 alone takes a leading zero for octal. Those of unsigned options are from 0 to 2^64 - 1.
 void takeDecimals(CLI::App& program);
 
 } // namespace cdr::options

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cdr/base/format_error.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -46,7 +48,18 @@ CLI::Option* addParsed(CLI::App& command, const char* names, Value& value, Parse
         help);
 }
 
+/// base::InputError where a name is there twice: it would be measured twice, and both would write the same pictures.
+inline void requireDistinct(const std::vector<std::string>& names) {
+    std::set<std::string> seen;
+    for (const std::string& name : names) {
+        if (!seen.insert(name).second) {
+            throw base::inputError("{} is given twice", name);
+        }
+    }
+}
+
 /// Adds an option of several texts with commas between, which `parse` turns into the values instead of those that are there.
+/// base::InputError as requireDistinct().
 /// @param values must live as long as the command.
 template <typename Value, typename Parse>
 CLI::Option* addParsedList(CLI::App& command, const char* names, std::vector<Value>& values, Parse parse,
@@ -55,6 +68,7 @@ CLI::Option* addParsedList(CLI::App& command, const char* names, std::vector<Val
         .add_option_function<std::vector<std::string>>(
             names,
             [&values, parse](const std::vector<std::string>& texts) {
+                requireDistinct(texts);
                 values.clear();
                 for (const std::string& text : texts) {
                     values.push_back(parse(text));

@@ -13,7 +13,7 @@
 namespace cdr::options {
 
 void addSeed(CLI::App& command, std::uint64_t& seed) {
-    addValue(command, "--seed", seed, "Seed of all random numbers")->check(wholeNumber());
+    addValue(command, "--seed", seed, "Seed of all random numbers");
 }
 
 void addColours(CLI::App& command, std::optional<scenes::Colours>& colours) {

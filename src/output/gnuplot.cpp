@@ -28,7 +28,6 @@ void requirePlottable(const std::filesystem::path& path) {
     if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
         throw base::InputError(base::unknownName("plot format", extension, kExtensions));
     }
-    platform::requireWritable(path);
     if (!program::isInstalled("gnuplot")) {
         throw base::InputError("plots need gnuplot, which is not installed (Debian, Ubuntu: gnuplot-nox)");
     }

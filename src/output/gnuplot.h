@@ -5,8 +5,7 @@
 
 namespace cdr::output {
 
-/// base::InputError unless `path` ends in .png or .svg, can be written, and gnuplot is installed. Call before
-/// long work.
+/// base::InputError unless `path` ends in .png or .svg, and gnuplot is installed. Call before long work.
 void requirePlottable(const std::filesystem::path& path);
 
 /// Draws a gnuplot script into a .png or .svg file, whole or not at all. gnuplot runs as a program of its

@@ -30,6 +30,14 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadInput{"--quiet", "a command is missing"}, BadInput{"rendr", "did you mean 'render'"},
         BadInput{"render", "scene"},
+        BadInput{"--technique anchored render afc",
+                 "--technique is an option of cdr render: write it behind render"},
+        BadInput{"--size=8x8 render afc", "--size is an option of cdr render: write it behind render"},
+        BadInput{"-o a.png render afc", "-o is an option of cdr render: write it behind render"},
+        BadInput{"--json precision", "--json is an option of cdr precision: write it behind precision"},
+        BadInput{"--quiet view cubes", "cdr view has no option --quiet"},
+        BadInput{"--bind view cubes", "cdr view has no option --bind"},
+        BadInput{"--share-machine view cubes", "cdr view has no option --share-machine"},
         BadInput{"render afc --techniqe log",
                  "cdr render has no option --techniqe; did you mean --technique?"},
         BadInput{"render afc --techniqe=log",
@@ -230,6 +238,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"timing --threads 0", "threads"}, BadInput{"timing --modes cdr-22", "did you mean 'cdr-2'"},
         BadInput{"timing --plot p.pdf", "unknown plot format"},
         BadInput{"timing --frames 1 --size 16x16 --modes log --against nosuch", "nosuch is not installed"},
+        BadInput{"timing --frames 1 --size 16x16 --against ''", "names no program"},
         BadInput{"timing --against true --stages", "--stages"},
         BadInput{"timing --against true --rounds 0", "--rounds"}, BadInput{"timing --rounds 3", "--against"},
         BadInput{"timing --memory --stages", "--stages"},
@@ -257,6 +266,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"probe --techniques log,log", "log is given twice"},
         BadInput{"rivals cubes --techniques log,log", "log is given twice"},
         BadInput{"probe --rivals atomic-log,atomic-log", "atomic-log is given twice"},
+        BadInput{"advise --separation 1 --techniques log,log", "log is given twice"},
+        BadInput{"advise --separation 1 --format d24,d24", "d24 is given twice"},
+        BadInput{"pictures --techniques log,cdr,log", "log is given twice"},
         BadInput{"timing --memory --threads 1", "--threads"},
         BadInput{"shadows --techniques log,cdr,log --out o", "log is given twice"},
         BadInput{"shadows --methods plain,plain", "plain is given twice"},
@@ -306,7 +318,9 @@ INSTANTIATE_TEST_SUITE_P(
                     BadInput{"render afc -o a.png --json ./a.png", "both --json and -o"},
                     BadInput{"pictures --out . --json cubes_log.png", "both --out and --json"},
                     BadInput{"effects --out . --json plain.png", "both --out and --json"},
-                    BadInput{"pictures --techniques log,cdr,log", "both be written as *_log.png"}));
+                    BadInput{"effects --out new --json new/plain.png", "both --out and --json"},
+                    BadInput{"effects --out new --json new/deeper/e.json", "cannot be written"},
+                    BadInput{"pictures --json other/p.json", "cannot be written"}));
 
 /// As any that tests/scene/gltf has.
 TEST(BadInput, AnUnsoundModelIsRefusedInOneLine) {

@@ -51,6 +51,21 @@ TEST_F(Files, ABareJsonNeverReplacesAModel) {
     EXPECT_EQ(textIn("in.gltf"), before);
 }
 
+/// Which has no numbers beyond 2^32 - 1.
+TEST_F(Files, NoOutputIsTheLastPictureThatThereMayBe) {
+    expectRefusal("render cubes --size 16x16 --frame 4294967294 --frames 2 -o f%d.png --json f4294967295.png",
+                  "both --json and -o");
+    EXPECT_TRUE(folderIsEmpty());
+}
+
+/// Which comes with the first picture.
+TEST_F(Files, AFolderOfPicturesMayHoldOtherOutputsBeforeItIsThere) {
+    succeed("pictures --scenes cubes --techniques log --frames 1 --size 16x16 --json out/p.json");
+    EXPECT_EQ(jsonIn("out/p.json")["command"], "pictures");
+    succeed("effects --frames 1 --size 16x16 --out a/b --json ./a/../a/b/e.json");
+    EXPECT_EQ(jsonIn("a/b/e.json")["command"], "effects");
+}
+
 /// Whether the files are there already or not.
 TEST_F(Files, NoOutputIsALaterPictureOfASequence) {
     fs::create_directory(at("d"));

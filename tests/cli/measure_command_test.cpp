@@ -175,11 +175,31 @@ TEST_F(TimingCommand, RefusesWhatIsNoBuild) {
 
 /// A program that writes something else where its JSON is asked for.
 TEST_F(TimingCommand, RefusesWhatIsNoTimingInOneLine) {
-    std::ofstream(at("other")) << "#!/bin/sh\nfor last; do :; done\n"
-                               << R"(echo '{"device": 5, "results": []}' >"$last")";
+    std::ofstream(at("other")) << "#!/bin/sh\n"
+                               << R"(echo '{"device": 5, "results": []}')";
     std::filesystem::permissions(at("other"), std::filesystem::perms::owner_all);
     expectRefusal("timing --against ./other --rounds 1 --frames 1 --size 16x16 --modes log",
                   "cannot be used: ");
+}
+
+/// The other program goes on, and would write where it was told.
+TEST_F(TimingCommand, ASignalLeavesNoResultsOfABuild) {
+    std::ofstream(at("other")) << "#!/bin/sh\n[ $1 = -version ] && exit\n"
+                                  "for last; do :; done\ntouch started\n"
+                                  "until [ -e go ]; do sleep 0.1; done\n"
+                                  "case $last in *.json) exec >$last; esac\necho '{}'\ntouch ended\n";
+    std::filesystem::permissions(at("other"), std::filesystem::perms::owner_all);
+    const std::string script =
+        "TMPDIR=. '" CDR_PROGRAM
+        "' timing --against ./other --rounds 1 --frames 1 --size 16x16 >/dev/null 2>&1 & cdr=$!\n"
+        "until [ -e started ] || ! kill -0 $cdr; do sleep 0.1; done\nkill $cdr\nwait $cdr\n"
+        "[ -e started ] || exit 1\ntouch go\nuntil [ -e ended ]; do sleep 0.1; done";
+    EXPECT_EQ(test::statusOf("cd '" + folder().string() + "' || exit\n" + script), 0);
+    std::set<std::string> names;
+    for (const auto& file : std::filesystem::directory_iterator(folder())) {
+        names.insert(file.path().filename().string());
+    }
+    EXPECT_EQ(names, (std::set<std::string>{"other", "started", "go", "ended"}));
 }
 
 /// Never the times themselves: the stages are there, for each mode, and the frame is the last.

@@ -30,7 +30,8 @@ TEST_F(ModelsCommand, HoldsModelsAgainstTheReference) {
         EXPECT_GT(row["flip"], 0.0);
         EXPECT_LE(row["flip"], 0.05);
         EXPECT_LE(row["covered_flip"], 0.1);
-        EXPECT_LE(row["mean_steps"], 1.0);
+        EXPECT_LE(row["mean_steps"], 1.0); // of pixels that show the model
+        EXPECT_GE(row["mean_steps"], 0.3); // background, which is right, would make it less
         const auto name = row["model"].get<std::string>();
         const auto read = [&](const std::string& suffix) {
             return image::decodeImage(platform::readFile(at("m") / (name + suffix + ".png"), 1u << 30u), "m");
@@ -65,7 +66,7 @@ TEST_F(ModelsCommand, ModelsUnderASkyAreCloseToTheReferenceWhereTheyCover) {
     ASSERT_EQ(document["results"].size(), 3u);
     for (const json& row : document["results"]) {
         EXPECT_LE(row["covered_flip"], 0.05) << row;
-        EXPECT_LE(row["mean_steps"], 0.7) << row;
+        EXPECT_LE(row["mean_steps"], 3.0) << row; // of pixels that show the model
     }
 }
 
@@ -77,7 +78,7 @@ TEST_F(ModelsCommand, AModelWithPackedTexturesIsCloseToTheReference) {
         EXPECT_EQ(row["textures"], 5) << row;
         EXPECT_GT(row["covered_fraction"], 0.3) << row;
         EXPECT_LE(row["flip"], 0.05) << row;
-        EXPECT_LE(row["mean_steps"], 1.5) << row;
+        EXPECT_LE(row["mean_steps"], 2.0) << row;
     }
 }
 

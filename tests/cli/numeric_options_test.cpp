@@ -364,6 +364,21 @@ TEST_F(NumericOptionsList, HoldsEveryOption) {
     EXPECT_GT(count, 60u);
 }
 
+/// CLI11 takes what is 2^64 less for the same.
+TEST_F(WholeNumbers, AreNotNegative) {
+    for (const std::string& command : commandNames()) {
+        for (const auto& [name, type] : typedOptions(command, folder())) {
+            if (type == "UINT") {
+                expectRefusal(command + " " + name + "=-18446744073709551615",
+                              "from 0 to 18446744073709551615, not -18446744073709551615");
+                expectRefusal(command + " '" + name + "= -1'", "from 0 to 18446744073709551615, not  -1");
+                expectRefusal(command + " " + name + "=18446744073709551617",
+                              "from 0 to 18446744073709551615, not 18446744073709551617");
+            }
+        }
+    }
+}
+
 /// Of every command. Other bases are refused, and leading zeros say nothing.
 TEST_F(WholeNumbers, AreDecimal) {
     std::size_t options = 0;

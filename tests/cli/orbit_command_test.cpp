@@ -19,7 +19,7 @@ TEST_F(OrbitCommand, MeasuresTheZoom) {
         GTEST_SKIP() << "the Earth of the scene orbit is not installed; tools/setup.sh fetches it";
     }
     const auto document = documentOf("--validate orbit --frames 2 --size 160x90 --techniques "
-                                     "reversed,anchored --out pictures");
+                                     "reversed,anchored --out pictures --plot pictures/plot.svg");
     const auto& rows = document["results"];
     ASSERT_EQ(rows.size(), 4u);
     EXPECT_EQ(rows[0]["frame"], 0);

@@ -45,6 +45,22 @@ TEST_F(RivalsCommand, WritesWhatEachResolvesCostsAndNeeds) {
     }
 }
 
+/// Equal cubes, of which a distance from the object tells all.
+TEST_F(RivalsCommand, SaysWhereALadderEnds) {
+    const ProgramResult result =
+        run("rivals cubes --frames 1 --size 640x360 --distances 1e4 --techniques anchored "
+            "--rivals atomic-fixed --json r.json");
+    if (result.status == 2 && result.err.find("lacks") != std::string::npos) {
+        GTEST_SKIP() << result.err;
+    }
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json rows = jsonIn("r.json")["resolved"];
+    EXPECT_EQ(rows[0]["resolves_all"], false);
+    EXPECT_EQ(rows[1]["resolves_all"], true);
+    EXPECT_EQ(rows[1]["resolves_all_unlike"], false);
+    EXPECT_NE(result.out.find(" or less"), std::string::npos) << result.out;
+}
+
 TEST_F(RivalsCommand, DrawsThoseThatAreAskedForAlone) {
     const ProgramResult result =
         run("rivals cubes --frames 1 --size 64x36 --distances 10 --techniques anchored,reversed "

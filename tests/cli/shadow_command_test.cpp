@@ -80,6 +80,8 @@ TEST_F(ShadowCommand, RenderCastsThem) {
     EXPECT_GT(row["shadow_maps"], 2);
     EXPECT_GT(row["shadow_casters"], row["shadow_maps"]);
     EXPECT_GT(row["shadows_ms"], 0.0);
+    EXPECT_GT(row["split_ms"], 0.0);
+    EXPECT_EQ(row["translucent_ms"], 0.0);
 }
 
 } // namespace

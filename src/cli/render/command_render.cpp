@@ -50,8 +50,9 @@ void checkFiles(const RenderArguments& arguments, const RenderPlan& plan, Comman
             throw base::InputError(base::unknownName("picture format", extension, kExtensions));
         }
         files.writes("-o", plan.name.at(plan.cameras.first));
+        const std::size_t first = plan.cameras.first; // the end may be 2^32
         files.writesSequence(
-            "-o", plan.cameras.first + 1, plan.cameras.first + plan.cameras.frames,
+            "-o", first + 1, first + plan.cameras.frames,
             [name = plan.name](std::size_t frame) { return name.at(static_cast<unsigned>(frame)); });
     }
     files.mayWrite("--trace", arguments.trace);

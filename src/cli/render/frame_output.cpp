@@ -80,6 +80,7 @@ output::Columns<RenderRow> renderColumns(const RenderHeadings& shown) {
          .value = [](const RenderRow& row) { return row.made.frame().stats.shadows.casters; }},
         {.key = "shadows_ms", .value = ofTimes(&render::FrameTimes::shadowsMs)},
         {.key = "cull_ms", .value = ofTimes(&render::FrameTimes::cullMs)},
+        {.key = "split_ms", .value = ofTimes(&render::FrameTimes::splitMs)},
         {.key = "occluders_ms", .value = ofTimes(&render::FrameTimes::occludersMs)},
         {.key = "bin_ms", .value = ofTimes(&render::FrameTimes::binMs)},
         {.key = "translucency",
@@ -88,6 +89,7 @@ output::Columns<RenderRow> renderColumns(const RenderHeadings& shown) {
          .value = [](const RenderRow& row) { return row.made.frame().stats.translucency.draws; }},
         {.key = "translucent_bytes",
          .value = [](const RenderRow& row) { return row.made.frame().stats.translucency.bytes; }},
+        {.key = "translucent_ms", .value = ofTimes(&render::FrameTimes::translucentMs)},
         {.key = "record_ms", .value = ofTimes(&render::FrameTimes::recordMs), .heading = "record ms"},
         {.key = "execute_ms", .value = ofTimes(&render::FrameTimes::executeMs), .heading = "execute ms"}};
     const auto wrong = output::columnsOf<RenderRow>([](const RenderRow& row) { return row.made.wrong(); },

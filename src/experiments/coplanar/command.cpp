@@ -76,7 +76,6 @@ void run(Command& command, CoplanarArguments& arguments) {
     experiments::CoplanarOptions& options = arguments.options;
     const PictureFolder folder(arguments.folder, command.files(),
                                PictureFolder::oneOf(coplanarFiles(options.techniques)));
-    requireDistinct(options.techniques);
     command.keepUnits(arguments.state);
     const auto results = experiments::runCoplanar(command.device(), options,
                                                   command.progressOf("pairs of views"), command.ranks());

@@ -42,7 +42,6 @@ std::string effectPicture(experiments::EffectMode mode) {
 
 void run(Command& command, EffectsArguments& arguments) {
     experiments::EffectsOptions& options = arguments.options;
-    requireDistinct(options.techniques);
     requireUsable(render::Effects{.occlusion = {.radius = options.occlusionRadius},
                                   .fog = {.visibility = options.visibility}});
     if (options.occlusionRadius == 0.0 || options.visibility == 0.0) {

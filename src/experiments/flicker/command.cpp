@@ -180,7 +180,6 @@ void noteTgaFolders(CommandFiles& files, const FlickerArguments& arguments) {
 void run(Command& command, FlickerArguments& arguments) {
     experiments::FlickerOptions& options = arguments.options;
     options.techniques = techniquesOf(arguments);
-    requireDistinct(options.techniques);
     std::error_code error; // a path that cannot be looked at is refused below
     if (std::filesystem::is_directory(arguments.state, error)) {
         arguments.state /= "flicker_state.json";

@@ -3,14 +3,12 @@
 #include <cdr/base/error.h>
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/measure/truth/truth_shading.h>
-#include <cdr/render/renderer.h>
 #include <experiments/rivals/drawer.h>
 #include <scenes/open_scene.h>
 
 #include <runs/units.h>
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -18,18 +16,11 @@ namespace cdr::experiments {
 
 namespace {
 
-/// One frame's truth, which all techniques share.
-struct TruthFrame {
-    measure::TruthImage truth;
-    image::Raster<std::uint8_t> inner;
-    image::ImageRgba8 picture; ///< empty where FLIP is not taken
-};
-
 /// One technique or rival on its way through the frames.
 struct Lane {
     Drawer drawer;
     std::uint32_t next = 0;      ///< frame that comes after those rendered or skipped
-    image::ImageU32 idsBefore{}; ///< of the frame before; empty at first
+    image::ImageU32 idsBefore{}; ///< of the frame before
 };
 
 /// One technique in one frame.
@@ -67,16 +58,9 @@ class Flicker {
           m_setup(scenes::openScene(options.nearObject ? "afc-near" : "afc", options.seed).setup),
           m_gpuScene(device, m_setup.scene),
           m_caster(m_setup.scene, m_workers) {
-        render::RenderOptions drawing = options.drawing;
-        for (const auto& [name, technique] : options.techniques) {
-            drawing.technique = technique;
-            addLane(name, technique.format,
-                    Drawer(std::make_unique<render::Renderer>(device, m_setup.scene, m_gpuScene, drawing)));
-        }
-        for (const auto& [name, rival] : options.rivalsBeside) {
-            addLane(name, std::nullopt,
-                    Drawer(device, m_gpuScene, rival, {options.drawing.width, options.drawing.height},
-                           m_workers));
+        for (NamedDrawer& each : makeDrawers(device, m_gpuScene, options.drawing, options.techniques,
+                                             options.rivalsBeside, m_workers)) {
+            addLane(std::move(each));
         }
     }
 
@@ -102,12 +86,14 @@ class Flicker {
     }
 
   private:
-    void addLane(const std::string& name, std::optional<depth::DepthFormat> format, Drawer drawer) {
+    void addLane(NamedDrawer named) {
         FlickerResult& result = m_results.emplace_back();
         result.scene = m_setup.scene.name;
-        result.technique = name;
-        result.format = format;
-        m_lanes.push_back({.drawer = std::move(drawer)});
+        result.technique = named.name;
+        if (m_lanes.size() < m_options.techniques.size()) {
+            result.format = m_options.techniques[m_lanes.size()].technique.format;
+        }
+        m_lanes.push_back({.drawer = std::move(named.drawer)});
     }
 
     scene::Camera cameraAt(std::uint32_t frame) const {
@@ -168,51 +154,43 @@ class Flicker {
         for (std::size_t i = 0; i < m_lanes.size(); ++i) {
             m_lanes[i].idsBefore = render(frame - 1, i).ids;
         }
-        m_truthBefore = truthAt(frame - 1);
+        m_truth = {};
+        m_truth.add(truthAt(frame - 1));
     }
 
-    TruthFrame truthAt(std::uint32_t frame) {
-        const scene::Camera camera = cameraAt(frame);
-        TruthFrame made{
-            .truth = m_caster.cast(camera, m_options.drawing.width, m_options.drawing.height, m_workers),
-            .inner = {},
-            .picture = {}};
-        made.inner = measure::innerMask(made.truth);
-        if (takesFlip(frame)) {
-            made.picture = measure::shadeTruth(m_setup.scene, m_caster, camera, made.truth, m_workers);
-        }
-        return made;
+    measure::TruthImage truthAt(std::uint32_t frame) {
+        return m_caster.cast(cameraAt(frame), m_options.drawing.width, m_options.drawing.height, m_workers);
     }
 
-    bool takesFlip(std::uint32_t frame) const { return frame % m_options.flipEvery == 0; }
+    /// Empty where FLIP is not taken.
+    image::ImageRgba8 truePicture(std::uint32_t frame) {
+        return frame % m_options.flipEvery == 0
+                   ? measure::shadeTruth(m_setup.scene, m_caster, cameraAt(frame), m_truth.truth, m_workers)
+                   : image::ImageRgba8();
+    }
 
     void measureFrame(std::uint32_t frame, std::vector<Figures>& figures) {
         bringBefore(frame);
-        TruthFrame truth = truthAt(frame);
-        image::Raster<std::uint8_t> steady;
-        if (frame > 0) {
-            steady = measure::steadyMask(m_truthBefore.truth, m_truthBefore.inner, truth.truth, truth.inner);
-        }
+        m_truth.add(truthAt(frame));
+        m_truthFrame = frame;
+        const image::ImageRgba8 picture = truePicture(frame);
         for (std::size_t i = 0; i < m_lanes.size(); ++i) {
             DrawnFrame drawn = render(frame, i);
-            figures.push_back(measure(drawn, truth, steady, m_lanes[i]));
+            figures.push_back(measure(drawn, picture, m_lanes[i]));
         }
-        m_truthBefore = std::move(truth);
-        m_truthFrame = frame;
     }
 
     /// Moves the ids to the lane.
-    Figures measure(DrawnFrame& drawn, const TruthFrame& truth, const image::Raster<std::uint8_t>& steady,
-                    Lane& lane) {
-        Figures figures{.wrong = measure::countWrong(drawn.ids, truth.truth, truth.inner),
+    Figures measure(DrawnFrame& drawn, const image::ImageRgba8& picture, Lane& lane) {
+        Figures figures{.wrong = measure::countWrong(drawn.ids, m_truth.truth, m_truth.inner),
                         .duplication = drawn.duplication,
                         .cascades = drawn.cascades};
-        if (!lane.idsBefore.pixels.empty()) {
-            figures.flips = measure::countFlips(lane.idsBefore, drawn.ids, steady);
+        if (m_truth.steady) {
+            figures.flips = measure::countFlips(lane.idsBefore, drawn.ids, *m_truth.steady);
         }
-        if (!truth.picture.pixels.empty() && lane.drawer.shades()) {
+        if (!picture.pixels.empty() && lane.drawer.shades()) {
             const image::ImageRgba8 ordered =
-                measure::orderByTruth(drawn.color, drawn.ids, truth.truth, truth.picture);
+                measure::orderByTruth(drawn.color, drawn.ids, m_truth.truth, picture);
             figures.flip = m_flip.mean(ordered, drawn.color, m_workers);
             figures.flipTaken = 1;
         }
@@ -232,7 +210,7 @@ class Flicker {
     measure::FlipDifference m_flip;
     std::vector<Lane> m_lanes;
     std::vector<FlickerResult> m_results; ///< by lane
-    TruthFrame m_truthBefore;
+    measure::SceneTruth m_truth;
     std::optional<std::uint32_t> m_truthFrame; ///< that it is of
 };
 

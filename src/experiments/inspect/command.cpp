@@ -164,7 +164,6 @@ void addResults(nlohmann::ordered_json& document, const Inspection& inspection, 
 
 void run(Command& command, InspectArguments& arguments) {
     experiments::InspectOptions& options = arguments.options;
-    requireDistinct(options.techniques);
     options.allowedShare = arguments.failAbove.value_or(0.0);
     options.judged.technique.format = arguments.format;
     if (!arguments.heatMap.empty()) {

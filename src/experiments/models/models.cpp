@@ -33,7 +33,9 @@ render::Frame drawn(const gpu::Device& device, const scene::Scene& scene, const 
 }
 
 /// Whether a pixel shows a surface, opaque or blended.
-bool isCovered(const render::Frame& frame, std::uint32_t x, std::uint32_t y) {
+bool isCovered(const render::Frame& frame, std::size_t pixel) {
+    const auto x = static_cast<std::uint32_t>(pixel % frame.width());
+    const auto y = static_cast<std::uint32_t>(pixel / frame.width());
     const bool isAnyBlended = !frame.fragmentCounts.pixels.empty();
     return frame.id(x, y) != 0 || (isAnyBlended && frame.fragmentCounts.at(x, y) != 0);
 }
@@ -43,7 +45,7 @@ double shareShown(const render::Frame& frame) {
     double share = 0.0;
     for (std::uint32_t y = 0; y < frame.height(); ++y) {
         for (std::uint32_t x = 0; x < frame.width(); ++x) {
-            if (isCovered(frame, x, y)) {
+            if (isCovered(frame, std::size_t{y} * frame.width() + x)) {
                 share = std::max({share, std::abs(2.0 * (x + 0.5) / frame.width() - 1.0),
                                   std::abs(2.0 * (y + 0.5) / frame.height() - 1.0)});
             }
@@ -87,8 +89,7 @@ void measureFlip(ModelResult& result, const render::Frame& frame, platform::Work
     std::size_t count = 0;
     result.difference = image::ImageRgba8(map.width, map.height);
     for (std::size_t i = 0; i < map.pixels.size(); ++i) {
-        const bool counts = isCovered(frame, static_cast<std::uint32_t>(i % map.width),
-                                      static_cast<std::uint32_t>(i / map.width));
+        const bool counts = isCovered(frame, i);
         sum += map.pixels[i];
         covered += counts ? map.pixels[i] : 0.0f;
         count += counts ? 1 : 0;
@@ -102,11 +103,13 @@ void measureFlip(ModelResult& result, const render::Frame& frame, platform::Work
     }
 }
 
-std::optional<double> meanSteps(const ModelResult& result, const measure::LayeredTruth& truth) {
+std::optional<double> meanSteps(const ModelResult& result, const measure::LayeredTruth& truth,
+                                const render::Frame& frame) {
     double sum = 0.0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-        if (!truth.pixels[i].isInner) {
+        const bool counts = truth.pixels[i].isInner && isCovered(frame, i);
+        if (!counts) {
             continue;
         }
         int largest = 0;
@@ -138,7 +141,7 @@ ModelResult compareModel(const gpu::Device& device, const scene::SceneSetup& mod
     result.picture = frame.color;
     result.reference = pictureOf(truth, {.exposure = 0.0, .neutral = model.scene.sky.has_value()});
     measureFlip(result, frame, workers);
-    result.meanSteps = meanSteps(result, truth);
+    result.meanSteps = meanSteps(result, truth, frame);
     return result;
 }
 

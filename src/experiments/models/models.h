@@ -32,7 +32,7 @@ struct ModelResult {
     double coveredFraction = 0.0;        ///< of the pixels: those that show a surface, opaque or blended
     double flip = 0.0;                   ///< mean FLIP over the picture
     std::optional<double> coveredFlip{}; ///< mean FLIP over the covered pixels; none where there are none
-    /// Over inner pixels: mean of the largest channel's difference, 8-bit steps. None where there are none.
+    /// Over covered inner pixels: mean of the largest channel's difference, 8-bit steps. None where there are none.
     std::optional<double> meanSteps{};
     image::ImageRgba8 plain{}; ///< base colour and the factors of metallic and roughness alone
     image::ImageRgba8 picture{};

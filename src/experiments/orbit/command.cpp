@@ -98,7 +98,6 @@ void run(Command& command, OrbitArguments& arguments) {
     const PictureFolder folder(arguments.folder, command.files(), [](const std::string& name) {
         return name.starts_with("orbit_") && name.ends_with(".png");
     });
-    requireDistinct(options.techniques);
     command.files().mayPlot(arguments.plot);
     command.readsEarth(arguments.files);
     arguments.files.limits = scene::limitsOf(command.modelChoice());

@@ -5,7 +5,6 @@
 
 #include <runs/units.h>
 
-#include <memory>
 #include <numbers>
 
 namespace cdr::experiments {
@@ -27,28 +26,17 @@ class Zoom {
           m_numbers(zoomFrames(setup.path.frames, options.frames)),
           m_gpuScene(device, setup.scene),
           m_workers(options.drawing.threads),
-          m_caster(setup.scene, m_workers) {
-        render::RenderOptions drawing = options.drawing;
-        for (const auto& [name, technique] : options.techniques) {
-            drawing.technique = technique;
-            m_drawers.emplace_back(
-                std::make_unique<render::Renderer>(device, setup.scene, m_gpuScene, drawing));
-            m_names.push_back(name);
-        }
-        for (const auto& [name, rival] : options.rivalsBeside) {
-            m_drawers.emplace_back(device, m_gpuScene, rival,
-                                   vk::Extent2D{options.drawing.width, options.drawing.height}, m_workers);
-            m_names.push_back(name);
-        }
-    }
+          m_caster(setup.scene, m_workers),
+          m_drawers(makeDrawers(device, m_gpuScene, options.drawing, options.techniques, options.rivalsBeside,
+                                m_workers)) {}
 
     std::size_t frames() const { return m_numbers.size(); }
 
     /// All techniques and rivals in one frame; of the first and the last one pictures too.
     output::Json measure(std::size_t unit, const NamedProgress& progress) {
         for (; m_next < unit; ++m_next) {
-            for (Drawer& drawer : m_drawers) {
-                drawer.skip(cameraOf(m_next));
+            for (NamedDrawer& each : m_drawers) {
+                each.drawer.skip(cameraOf(m_next));
             }
         }
         ++m_next;
@@ -59,15 +47,15 @@ class Zoom {
         std::vector<Measured> measured;
         output::Json made{{"last", output::Json::array()}};
         for (std::size_t i = 0; i < m_drawers.size(); ++i) {
-            progress(unit * m_drawers.size() + i, m_numbers.size() * m_drawers.size(), m_names[i]);
-            const DrawnFrame frame = m_drawers[i].render(camera);
+            progress(unit * m_drawers.size() + i, m_numbers.size() * m_drawers.size(), m_drawers[i].name);
+            const DrawnFrame frame = m_drawers[i].drawer.render(camera);
             measured.push_back(
                 {.cascades = frame.cascades, .wrong = measure::countWrong(frame.ids, truth, inner)});
             const bool isWindow = unit == 0 && m_numbers.size() > 1; // else it is the last frame too
             if (isWindow && i + 1 == m_options.techniques.size()) {
                 made["window"] = runs::packedPicture(frame.color);
             }
-            if (unit + 1 == m_numbers.size() && m_drawers[i].shades()) {
+            if (unit + 1 == m_numbers.size() && m_drawers[i].drawer.shades()) {
                 made["last"].push_back(
                     {{"picture", runs::packedPicture(frame.color)},
                      {"heat_map", runs::packedPicture(measure::heatMap(frame.ids, truth, frame.color))}});
@@ -85,7 +73,7 @@ class Zoom {
         for (std::size_t i = 0; i < measured.size(); ++i) {
             run.results.push_back({.frame = m_numbers[unit],
                                    .fovYDegrees = fovYDegrees,
-                                   .technique = m_names[i],
+                                   .technique = m_drawers[i].name,
                                    .isRival = i >= m_options.techniques.size(),
                                    .cascades = measured[i].cascades,
                                    .wrong = measured[i].wrong});
@@ -96,7 +84,7 @@ class Zoom {
         for (const output::Json& pictures : made.at("last")) {
             PictureResult& picture = run.last.emplace_back();
             picture.scene = "orbit";
-            picture.technique = m_names.at(run.last.size() - 1);
+            picture.technique = m_drawers.at(run.last.size() - 1).name;
             picture.fovYDegrees = fovYDegrees;
             picture.frames = 1;
             picture.wrong = measured[run.last.size() - 1].wrong;
@@ -114,9 +102,8 @@ class Zoom {
     render::GpuScene m_gpuScene;
     platform::WorkerPool m_workers;
     measure::TruthCaster m_caster;
-    std::vector<Drawer> m_drawers;    ///< by technique, then rival
-    std::vector<std::string> m_names; ///< of them
-    std::size_t m_next = 0;           ///< unit that comes after those done or skipped
+    std::vector<NamedDrawer> m_drawers; ///< by technique, then rival
+    std::size_t m_next = 0;             ///< unit that comes after those done or skipped
 };
 
 } // namespace

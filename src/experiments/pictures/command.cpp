@@ -92,9 +92,6 @@ std::vector<scene::SceneSetup> openScenes(Command& command, const PicturesArgume
         scenes.push_back(command.openScene(name, arguments.options.seed));
         require(scenes.back().scene.name + "_*.png", name);
     }
-    for (const depth::NamedTechnique& technique : arguments.options.techniques) {
-        require(fmt::format("*_{}.png", technique.name), technique.name);
-    }
     return scenes;
 }
 

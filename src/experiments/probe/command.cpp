@@ -85,7 +85,6 @@ std::vector<std::string_view> missingFormats(const gpu::Device& device,
 
 void run(Command& command, ProbeArguments& arguments) {
     experiments::ProbeOptions& options = arguments.options;
-    requireDistinct(options.techniques);
     const std::vector<std::string_view> missing = missingFormats(command.device(), options);
     command.keepUnits(arguments.state);
     const auto results =

@@ -42,12 +42,13 @@ output::Columns<experiments::RivalScene> rivalSceneColumns() {
 
 output::Columns<experiments::RivalResolved> rivalResolvedColumns(base::LengthUnit unit) {
     using Result = experiments::RivalResolved;
-    const auto textOf = [unit](std::optional<double> Result::*part, std::size_t Result::*pairsSeen) {
-        return [unit, part, pairsSeen](const Result& result) -> std::string {
+    const auto textOf = [unit](std::optional<double> Result::*part, bool Result::*all,
+                               std::size_t Result::*pairsSeen) {
+        return [unit, part, all, pairsSeen](const Result& result) -> std::string {
             const auto text = [unit](double view) {
                 return base::quantityText(view, unit, base::NumberStyle::plain);
             };
-            return result.*part             ? text(*(result.*part))
+            return result.*part             ? text(*(result.*part)) + (result.*all ? " or less" : "")
                    : result.*pairsSeen == 0 ? "no pixel tells"
                                             : "none, > " + text(result.largestView);
         };
@@ -59,12 +60,14 @@ output::Columns<experiments::RivalResolved> rivalResolvedColumns(base::LengthUni
         {.key = "resolved",
          .value = &Result::resolvedView,
          .heading = "resolves equal cubes",
-         .text = textOf(&Result::resolvedView, &Result::pairsSeen)},
+         .text = textOf(&Result::resolvedView, &Result::resolvesAll, &Result::pairsSeen)},
         {.key = "resolved_unlike",
          .value = &Result::unlikeView,
          .heading = "unlike ones",
-         .text = textOf(&Result::unlikeView, &Result::unlikePairsSeen)},
+         .text = textOf(&Result::unlikeView, &Result::unlikeResolvesAll, &Result::unlikePairsSeen)},
         {.key = "resolved_ratio", .value = &Result::ratio, .heading = "over anchored"},
+        {.key = "resolves_all", .value = &Result::resolvesAll},
+        {.key = "resolves_all_unlike", .value = &Result::unlikeResolvesAll},
         {.key = "pairs_seen", .value = &Result::pairsSeen},
         {.key = "pairs_seen_unlike", .value = &Result::unlikePairsSeen},
         {.key = "smallest", .value = &Result::smallestView},
@@ -115,7 +118,6 @@ std::vector<std::string> leftOutBy(const gpu::DeviceInfo& device, const RivalsAr
 
 void run(Command& command, RivalsArguments& arguments) {
     experiments::RivalsOptions& options = arguments.options;
-    requireDistinct(arguments.techniques);
     options.contenders = contendersOf(command.device().info(), arguments);
     std::vector<experiments::NamedScene> scenes;
     for (const std::string& name : arguments.scenes) {

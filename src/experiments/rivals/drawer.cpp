@@ -39,4 +39,21 @@ void Drawer::skip(const scene::Camera& camera) {
     }
 }
 
+std::vector<NamedDrawer> makeDrawers(const gpu::Device& device, const render::GpuScene& scene,
+                                     render::RenderOptions drawing,
+                                     const std::vector<depth::NamedTechnique>& techniques,
+                                     const std::vector<rivals::NamedRival>& rivalsBeside,
+                                     platform::WorkerPool& workers) {
+    std::vector<NamedDrawer> drawers;
+    for (const auto& [name, technique] : techniques) {
+        drawing.technique = technique;
+        drawers.push_back(
+            {name, Drawer(std::make_unique<render::Renderer>(device, scene.scene(), scene, drawing))});
+    }
+    for (const auto& [name, rival] : rivalsBeside) {
+        drawers.push_back({name, Drawer(device, scene, rival, {drawing.width, drawing.height}, workers)});
+    }
+    return drawers;
+}
+
 } // namespace cdr::experiments

@@ -1,15 +1,19 @@
 #pragma once
 
+#include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/renderer.h>
 
 #include <rivals/contender.h>
+#include <rivals/rival.h>
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <variant>
+#include <vector>
 
 namespace cdr::experiments {
 
@@ -51,5 +55,20 @@ class Drawer {
 
     std::variant<WholeFrames, IdsAlone> m_by;
 };
+
+/// What a row is measured by, and what it is called.
+struct NamedDrawer {
+    std::string name;
+    Drawer drawer;
+};
+
+/// One for each technique, which draws whole frames as `drawing` says, then one for each rival.
+/// @lifetime As Drawer.
+/// @throws base::InputError as render::Renderer and Drawer.
+std::vector<NamedDrawer> makeDrawers(const gpu::Device& device, const render::GpuScene& scene,
+                                     render::RenderOptions drawing,
+                                     const std::vector<depth::NamedTechnique>& techniques,
+                                     const std::vector<rivals::NamedRival>& rivalsBeside,
+                                     platform::WorkerPool& workers);
 
 } // namespace cdr::experiments

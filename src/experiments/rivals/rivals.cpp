@@ -24,7 +24,7 @@ namespace {
 constexpr double kSmallestSeparation = 1e-9;
 /// Of the front of unlike pairs; no power of two, so that its corners round in their own way.
 constexpr double kUnlikeDepth = 0.37;
-/// An odd number, so that the median is one of them.
+/// The median is of those in which a pixel tells.
 constexpr std::uint64_t kLadders = 5;
 
 /// A scene with every contender on it.
@@ -192,6 +192,8 @@ class RivalsRun {
                  .distanceView = distanceView,
                  .resolvedView = equal[i].view,
                  .unlikeView = unlike[i].view,
+                 .resolvesAll = equal[i].all,
+                 .unlikeResolvesAll = unlike[i].all,
                  .pairsSeen = equal[i].pairsSeen,
                  .unlikePairsSeen = unlike[i].pairsSeen,
                  .ratio =
@@ -206,6 +208,8 @@ class RivalsRun {
         constexpr double kNone = std::numeric_limits<double>::infinity();
         std::vector<std::vector<double>> samples(m_options.contenders.size());
         std::vector<Resolved> medians(m_options.contenders.size());
+        std::vector<std::size_t> ended(
+            medians.size()); // ladders without a wrong pixel, whose samples are bounds
         for (std::uint64_t i = 0; i < kLadders; ++i) {
             step(fmt::format("ladder at {}", ladder.distanceView));
             const scene::SceneSetup setup = scenes::makeLadder(m_options.seed + i, ladder);
@@ -218,12 +222,14 @@ class RivalsRun {
                 medians[each].pairsSeen += resolved.pairsSeen;
                 if (resolved.pairsSeen > 0) {
                     samples[each].push_back(resolved.view.value_or(kNone));
+                    ended[each] += resolved.all ? 1 : 0;
                 }
             }
         }
         for (std::size_t each = 0; each < medians.size(); ++each) {
             const double middle = samples[each].empty() ? kNone : measure::median(samples[each]);
             medians[each].view = std::isfinite(middle) ? std::optional(middle) : std::nullopt;
+            medians[each].all = medians[each].view && 2 * ended[each] >= samples[each].size();
         }
         return medians;
     }

@@ -72,8 +72,11 @@ struct RivalResolved {
     /// Of pairs of equal cubes, which float32 rounds alike: the median over those ladders of five seeds of which pixels tell.
     std::optional<double> resolvedView;
     std::optional<double> unlikeView; ///< of pairs whose front is shallower
-    std::size_t pairsSeen = 0;        ///< pairs of equal cubes of which a pixel tells, over all ladders
-    std::size_t unlikePairsSeen = 0;  ///< the same of the others
+    /// In half of those ladders or more no pair is wrong, so that it may resolve less than `resolvedView`.
+    bool resolvesAll = false;
+    bool unlikeResolvesAll = false;  ///< the same of `unlikeView`
+    std::size_t pairsSeen = 0;       ///< pairs of equal cubes of which a pixel tells, over all ladders
+    std::size_t unlikePairsSeen = 0; ///< the same of the others
     std::optional<double>
         ratio; ///< of unlikeView over the baseline's, below 1 where it is finer; where both are known
     double smallestView = 0.0; ///< of the ladder: `resolved` can be no less

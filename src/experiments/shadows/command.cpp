@@ -90,12 +90,6 @@ void run(Command& command, ShadowArguments& arguments) {
     }
     const options::FrameCameras cameras(arguments.camera);
     const PictureFolder folder(arguments.folder, command.files(), shadowFiles(experiment));
-    requireDistinct(experiment.techniques);
-    std::vector<std::string> methods;
-    for (const render::ShadowMethod method : experiment.methods) {
-        methods.emplace_back(nameOf(method));
-    }
-    requireDistinct(methods);
     const scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed, arguments.choice);
     const gpu::Device& device = command.device(); // which the document names
     const auto columns = shadowColumns();

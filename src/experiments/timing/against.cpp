@@ -45,11 +45,10 @@ TimingDocument documentIn(const fs::path& json, const fs::path& program) {
 Run runOnce(const fs::path& program, const AgainstOptions& options, const fs::path& json) {
     std::vector<std::string> arguments{program.string()};
     arguments.insert(arguments.end(), options.arguments.begin(), options.arguments.end());
-    arguments.insert(arguments.end(), {"--json", json.string()});
-    platform::writeText(json,
-                        ""); // over the results of the run before; no results, where the program writes none
+    arguments.emplace_back(
+        "--json"); // to standard output: a file that it opened itself could outlive this process
     const double before = childCpuUs();
-    program::ChildProcess(arguments, {}).finish();
+    program::ChildProcess(arguments, {.file = json}).finish();
     Run run{.document = {}, .cpuUs = childCpuUs() - before};
     run.document = documentIn(json, program);
     return run;

@@ -104,7 +104,7 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
     CLI::Option* against =
         command.add_option("--against", arguments.against,
                            "Compare frame times with PROGRAM, another build of cdr; both run in turns");
-    against->type_name("PROGRAM");
+    against->type_name("PROGRAM")->check(options::namesOne("program"));
     addValue(command, "--rounds", arguments.rounds,
              "Rounds; in each, this build runs twice and the other once")
         ->check(CLI::Range(1u, 1000u))

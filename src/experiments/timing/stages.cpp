@@ -1,14 +1,16 @@
 #include "stages.h"
 
 #include <cdr/base/error.h>
-#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/renderer.h>
 #include <scenes/cubes.h>
 
 #include <runs/interleaved_frames.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -19,8 +21,6 @@ namespace {
 /// What is left out of a frame.
 enum class Variant : std::size_t { whole, noLights, noPixels, noCubes, neither };
 constexpr std::size_t kVariants = 5;
-
-constexpr vk::Extent2D kFewPixels{16, 9};
 
 std::size_t indexOf(Variant variant) {
     return static_cast<std::size_t>(variant);
@@ -49,11 +49,12 @@ class StageRace {
                       std::make_unique<render::GpuScene>(device, m_noCubes)},
           m_frames(kVariants, options.seed) {
         const vk::Extent2D whole{options.width, options.height};
+        const vk::Extent2D few = fewPixels(whole);
         addRenderer(device, m_setup.scene, *m_gpuScenes[0], whole);
         addRenderer(device, m_noLights, *m_gpuScenes[1], whole);
-        addRenderer(device, m_setup.scene, *m_gpuScenes[0], kFewPixels);
+        addRenderer(device, m_setup.scene, *m_gpuScenes[0], few);
         addRenderer(device, m_noCubes, *m_gpuScenes[2], whole);
-        addRenderer(device, m_noCubes, *m_gpuScenes[2], kFewPixels);
+        addRenderer(device, m_noCubes, *m_gpuScenes[2], few);
         const scene::Camera first = m_setup.path.at(0);
         m_path = scene::turnPath(first, first.position, options.frames);
     }
@@ -143,6 +144,15 @@ class StageRace {
 };
 
 } // namespace
+
+vk::Extent2D fewPixels(vk::Extent2D whole) {
+    constexpr double kShorter = 9.0;
+    const double scale = kShorter / std::max(1u, std::min(whole.width, whole.height));
+    const auto side = [scale](std::uint32_t pixels) {
+        return static_cast<std::uint32_t>(std::max(1.0, std::round(scale * pixels)));
+    };
+    return {side(whole.width), side(whole.height)};
+}
 
 void requireStages(const TimingMode& mode) {
     if (mode.meshes == TimingMeshes::unshared) {

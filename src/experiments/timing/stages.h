@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/device.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/measure/statistics/statistics.h>
 #include <experiments/timing/timing.h>
 
@@ -22,9 +23,12 @@ struct StageCost {
 /// base::InputError for a mode that draws other meshes, since stages are those of the scene's own.
 void requireStages(const TimingMode& mode);
 
+/// A picture of few pixels in which a camera sees what it sees in `whole`: the shorter side has 9 pixels.
+vk::Extent2D fewPixels(vk::Extent2D whole);
+
 /// The stages of a frame of the timing scene, in their order, and last the whole frame. Stages of the CPU are measured.
-/// Execute is divided by drawing the same frames again: without lights, with 16x9 pixels, without cubes, and with both of
-/// the last two. Differences are taken frame by frame.
+/// Execute is divided by drawing the same frames again: without lights, with fewPixels(), without cubes, and with both of the
+/// last two. Differences are taken frame by frame.
 ///
 /// A driver may skip part of the set-up of triangles that cover no pixel, which are many where pixels are few. That part
 /// counts as pixels here.

@@ -25,5 +25,6 @@ export function certifiedRow({ options, results }) {
 
 /** Everything that draws a frame, one thing after the other. */
 function frameMs(row) {
-    return ["cull_ms", "occluders_ms", "bin_ms", "record_ms", "execute_ms"].reduce((all, field) => all + row[field], 0);
+    return ["cull_ms", "split_ms", "occluders_ms", "shadows_ms", "bin_ms", "translucent_ms", "record_ms", "execute_ms"]
+        .reduce((all, field) => all + row[field], 0);
 }

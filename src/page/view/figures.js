@@ -42,12 +42,12 @@ export function length(value, digits = 4, unit = "none") {
     return element;
 }
 
-/** The smallest resolved separation of a row. None was resolved, or none of the pairs could be seen. */
-export function separation(row, resolved, pairsSeen) {
+/** The smallest resolved separation of a row. None was resolved, or none of the pairs could be seen, or all are. */
+export function separation(row, resolved, pairsSeen, all) {
     if (resolved === null) {
         return pairsSeen === 0 ? "no pixel tells" : h("span", {}, "over ", length(row.largest));
     }
-    return length(resolved);
+    return all ? h("span", {}, length(resolved), " or less") : length(resolved);
 }
 
 /** A sentence of the program in parts: texts, and numbers where a length stands. Words ask for units. */

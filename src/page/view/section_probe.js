@@ -36,7 +36,7 @@ function makeTable(document) {
         ["Technique", "format", "distance", "measured", "predicted", "ratio", "at worst"],
         document.results.map((row) => [
             techniqueLabel(row.technique), row.format.toUpperCase(), length(row.distance),
-            separation(row, row.resolved, row.pairs_seen), length(row.predicted),
+            separation(row, row.resolved, row.pairs_seen, row.resolves_all), length(row.predicted),
             row.resolved === null || row.predicted === null ? "" : figure(judgedRatio(row), 2),
             row.guaranteed === undefined ? "" : length(row.guaranteed)]));
 }

@@ -19,8 +19,8 @@ function makeResolved(document) {
     return table("Smallest resolved separation: of pairs of equal cubes, which float32 rounds alike, and of unlike pairs.",
         ["Technique", "distance", "equal pairs", "unlike pairs", "of those, over Anchored"],
         document.resolved.map((row) => [
-            label(row), length(row.distance), separation(row, row.resolved, row.pairs_seen),
-            separation(row, row.resolved_unlike, row.pairs_seen_unlike),
+            label(row), length(row.distance), separation(row, row.resolved, row.pairs_seen, row.resolves_all),
+            separation(row, row.resolved_unlike, row.pairs_seen_unlike, row.resolves_all_unlike),
             row.resolved_ratio === null ? "" : figure(row.resolved_ratio)]));
 }
 

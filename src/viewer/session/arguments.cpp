@@ -62,10 +62,8 @@ void addRenderLine(CLI::App& program, Arguments& arguments) {
 /// What the copied command line says of the camera.
 void addPlace(CLI::App& program, Arguments& arguments) {
     program.option_defaults()->group("Camera");
-    program
-        .add_option("--frame", arguments.camera.frame,
-                    "First frame of the scene's camera path, or of a moving scene")
-        ->check(options::wholeNumber());
+    program.add_option("--frame", arguments.camera.frame,
+                       "First frame of the scene's camera path, or of a moving scene");
     options::addCameraOptions(program, arguments.camera);
     options::addSceneChoice(program, arguments.settings.choice);
     options::addAnimationChoice(program, arguments.settings.choice);
@@ -90,8 +88,7 @@ void addWindowOptions(CLI::App& program, Arguments& arguments) {
 }
 
 void addMeasuringOptions(CLI::App& program, Arguments& arguments) {
-    program.add_option("--frames", arguments.frames, "Quit after this many frames of the window")
-        ->check(options::wholeNumber());
+    program.add_option("--frames", arguments.frames, "Quit after this many frames of the window");
     options::addFile(program, "--screenshot", arguments.screenshot,
                      "Write the window as PNG to FILE on quitting");
     program.add_flag("--statistics", arguments.statistics, "Print frame times on quitting");
