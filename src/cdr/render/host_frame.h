@@ -70,7 +70,7 @@ struct HostFrame {
     /// What blends is seen through. What `draw` draws has the motion of the scene's object with its id; where there is
     /// none, that of an object that stands still.
     std::optional<SurfaceImage> motion{};
-    /// Called for each cascade, the nearest or the farthest first, on the caller's thread. Empty:
+    /// Called for each cascade of RenderOptions::part, the nearest or the farthest first, on the caller's thread. Empty:
     /// the host draws nothing inside cascades. A surface writes a texel by cdr_gbuffer.glsl and is lit as cdr's own are. They hide
     /// each other to the step of the technique's depth. Only with SurfacePath::gbuffer, without a focus, and where no material
     /// of the scene emits light or has an occlusion texture, nor RenderOptions::prepareFor says that one may.
