@@ -1,4 +1,5 @@
 // cdr_depth.glsl for HLSL: the same functions, with the types named as HLSL has them.
+// Afterwards vec2 and vec4 are no macros: include it before macros of your own with these names.
 #ifndef CDR_DEPTH_HLSL
 #define CDR_DEPTH_HLSL
 

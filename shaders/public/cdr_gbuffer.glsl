@@ -44,8 +44,9 @@ vec3 cdrAlbedoOf(uvec4 texel) {
 // the right and y down. Half a picture to the left is (-width / 2, 0). Background moves as what is infinitely far.
 #define CDR_NO_MOTION 1e30 // in both, of what was not in front of the last camera
 
-// Whether the surface was in front of the last camera. motion: in pixels, as above.
-bool cdrHasMotion(vec2 motion) { return motion.x < CDR_NO_MOTION; }
+// Whether the surface was in front of the last camera, and less than 65504 pixels to the right. A half float that was to be
+// CDR_NO_MOTION is 65504, the largest, or infinity. motion: in pixels, as above.
+bool cdrHasMotion(vec2 motion) { return motion.x < 65504.0; }
 
 // Where to sample the last picture, as shares of it. uv: of this pixel's centre, both from 0 to 1. motion and pictureSize: in
 // pixels. What was outside the last picture gives a share below 0 or above 1.

@@ -1,4 +1,6 @@
 // cdr_gbuffer.glsl for HLSL: the same functions, with types and functions named as HLSL has them.
+// Afterwards vec2, vec3, uvec4, floatBitsToUint and uintBitsToFloat are no macros: include it before macros of your own with
+// these names.
 #ifndef CDR_GBUFFER_HLSL
 #define CDR_GBUFFER_HLSL
 

@@ -35,10 +35,11 @@ float facingOf(vec3 normal, vec3 toCamera) { return max(dot(normal, toCamera), 1
 // Share of a point light's colour that reaches the camera.
 vec3 pointReflectance(MetallicRoughness metallicRoughness, vec3 normal, vec3 toCamera, float facing, vec3 toLight) {
     float lambert = dot(normal, toLight);
-    if (lambert <= 0.0) {
+    vec3 sum = toCamera + toLight; // 0 for a light straight behind the surface
+    if (lambert <= 0.0 || sum == vec3(0.0)) {
         return vec3(0.0);
     }
-    vec3 halfway = normalize(toCamera + toLight);
+    vec3 halfway = normalize(sum);
     float alpha = metallicRoughness.roughness * metallicRoughness.roughness;
     float alpha2 = alpha * alpha;
     // The sine of the halfway vector's angle, not 1 less the cosine, which would cancel where highlights are.
@@ -53,18 +54,14 @@ vec3 pointReflectance(MetallicRoughness metallicRoughness, vec3 normal, vec3 toC
     return lambert * ((1.0 - mix(kDielectric, 1.0, grazing5)) * metallicRoughness.diffuse + mirrored);
 }
 
-// Shares of ambient light that reach the camera. What microfacets mirror of it is Karis 2014's fit, "Physically Based
+// Share of light that is the same from everywhere. What microfacets mirror of it is Karis 2014's fit, "Physically Based
 // Shading on Mobile"; the rest is diffuse.
-struct AmbientShares {
-    vec3 diffuse;
-    vec3 mirrored;
-};
-AmbientShares ambientShares(MetallicRoughness metallicRoughness, float facing) {
+vec3 ambientReflectance(MetallicRoughness metallicRoughness, float facing) {
     vec4 r = metallicRoughness.roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
     float grazing = min(r.x * r.x, exp2(-9.28 * facing)) * r.x + r.y;
     vec2 scaleAndBias = vec2(-1.04, 1.04) * grazing + r.zw;
     vec3 mirrored = max(metallicRoughness.mirror * scaleAndBias.x + scaleAndBias.y, 0.0);
-    return AmbientShares((1.0 - (kDielectric * scaleAndBias.x + scaleAndBias.y)) * metallicRoughness.diffuse, mirrored);
+    return (1.0 - (kDielectric * scaleAndBias.x + scaleAndBias.y)) * metallicRoughness.diffuse + mirrored;
 }
 
 // Shares of a sky that reach the camera. diffuse: of diffuse light. mirrored: of directions about a lobe's mean, as
@@ -104,12 +101,6 @@ SkyShares skyShares(MetallicRoughness metallicRoughness, float cosine) {
     // cosine of -0.4, within 0.006 down to -0.6.
     float unmirrored = 0.9332 + cosine * (0.0726 + cosine * (0.0222 * cosine - 0.068));
     return SkyShares(unmirrored * metallicRoughness.diffuse, metallicRoughness.mirror * mirrored, grazing);
-}
-
-// Of light that is the same from everywhere.
-vec3 ambientReflectance(MetallicRoughness metallicRoughness, float facing) {
-    AmbientShares shares = ambientShares(metallicRoughness, facing);
-    return shares.diffuse + shares.mirrored;
 }
 
 #endif

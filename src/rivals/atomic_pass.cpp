@@ -1,5 +1,6 @@
 #include <cdr/base/format_error.h>
 #include <cdr/gpu/commands.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/rivals.h>
 
 #include <rivals/atomic_pass.h>
@@ -144,14 +145,8 @@ void AtomicPass::clear(vk::CommandBuffer commands) const {
 }
 
 void AtomicPass::beginScope(vk::CommandBuffer commands, vk::AttachmentLoadOp load) const {
-    const vk::RenderingAttachmentInfo depth{.imageView = m_rival.prepass ? m_depth.view() : vk::ImageView(),
-                                            .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
-                                            .loadOp = load,
-                                            .storeOp = vk::AttachmentStoreOp::eStore,
-                                            .clearValue = vk::ClearDepthStencilValue{.depth = 0.0f}};
-    commands.beginRendering({.renderArea = {{0, 0}, m_extent},
-                             .layerCount = 1,
-                             .pDepthAttachment = m_rival.prepass ? &depth : nullptr});
+    const auto depth = render::depthAttachment(m_rival.prepass ? m_depth.view() : vk::ImageView(), load);
+    render::beginRendering(commands, m_extent, {}, m_rival.prepass ? &depth : nullptr);
 }
 
 void AtomicPass::record(vk::CommandBuffer commands, const FrameDraws& draws) {
@@ -160,15 +155,13 @@ void AtomicPass::record(vk::CommandBuffer commands, const FrameDraws& draws) {
         draws.record(commands, 0, {.layout = *m_layout, .compact = *pipeline, .wide = {}}, push);
     };
     clear(commands);
-    constexpr auto kTests = AtomicStage::eEarlyFragmentTests | AtomicStage::eLateFragmentTests;
-    constexpr auto kTestAccess =
-        AtomicAccess::eDepthStencilAttachmentRead | AtomicAccess::eDepthStencilAttachmentWrite;
     if (m_rival.prepass) {
         gpu::pipelineBarrier(
-            commands, {gpu::imageBarrier(
-                          m_depth.handle(), vk::ImageAspectFlagBits::eDepth,
-                          {kTests, AtomicAccess::eDepthStencilAttachmentWrite, vk::ImageLayout::eUndefined},
-                          {kTests, kTestAccess, vk::ImageLayout::eDepthAttachmentOptimal})});
+            commands, {gpu::imageBarrier(m_depth.handle(), vk::ImageAspectFlagBits::eDepth,
+                                         {render::kDepthStages, AtomicAccess::eDepthStencilAttachmentWrite,
+                                          vk::ImageLayout::eUndefined},
+                                         {render::kDepthStages, render::kDepthAccess,
+                                          vk::ImageLayout::eAttachmentOptimal})});
     }
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, *m_set, {});
     beginScope(commands, vk::AttachmentLoadOp::eClear);
@@ -181,10 +174,11 @@ void AtomicPass::record(vk::CommandBuffer commands, const FrameDraws& draws) {
     if (!hasIdPass()) {
         return;
     }
-    gpu::memoryBarrier(commands, AtomicStage::eFragmentShader | kTests,
+    gpu::memoryBarrier(commands, AtomicStage::eFragmentShader | render::kDepthStages,
                        AtomicAccess::eShaderStorageWrite | AtomicAccess::eDepthStencilAttachmentWrite,
-                       AtomicStage::eFragmentShader | kTests,
-                       AtomicAccess::eShaderStorageRead | AtomicAccess::eShaderStorageWrite | kTestAccess);
+                       AtomicStage::eFragmentShader | render::kDepthStages,
+                       AtomicAccess::eShaderStorageRead | AtomicAccess::eShaderStorageWrite |
+                           render::kDepthAccess);
     beginScope(commands, vk::AttachmentLoadOp::eLoad);
     draws.begin(commands);
     drawBy(m_whose);

@@ -1,4 +1,5 @@
 #include <cdr/gpu/commands.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/rivals.h>
 
 #include <rivals/depth_test_pass.h>
@@ -9,9 +10,6 @@ namespace cdr::rivals {
 
 namespace {
 
-using PipelineStage = vk::PipelineStageFlagBits2;
-using Access = vk::AccessFlagBits2;
-
 /// The bits of the distance beyond the anchor, and the id word.
 constexpr auto kSurfaceFormat = vk::Format::eR32G32Uint;
 
@@ -21,25 +19,13 @@ struct SurfacePixel {
 };
 static_assert(sizeof(SurfacePixel) == 8);
 
-constexpr auto kTestStages = PipelineStage::eEarlyFragmentTests | PipelineStage::eLateFragmentTests;
-constexpr auto kTestAccess = Access::eDepthStencilAttachmentRead | Access::eDepthStencilAttachmentWrite;
-
 } // namespace
 
 DepthTestPass::DepthTestPass(const gpu::Device& device, const depth::Technique& technique,
                              vk::Extent2D extent)
     : m_mapping(technique.mapping),
-      m_surfaces(device,
-                 {.extent = extent,
-                  .format = kSurfaceFormat,
-                  .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc},
-                 "contender surfaces"),
-      m_depth(device,
-              {.extent = extent,
-               .format = vk::Format(device.depthFormat(technique.format)),
-               .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment,
-               .aspect = vk::ImageAspectFlagBits::eDepth},
-              "contender depth"),
+      m_surfaces(render::makeGBuffer(device, extent, "contender surfaces", kSurfaceFormat)),
+      m_depth(render::makeDepthBuffer(device, extent, technique.format, "contender depth")),
       m_readback(device, extent, sizeof(SurfacePixel), "contender readback"),
       m_layout(gpu::makePipelineLayout(device, {{}, {FrameDraws::pushRange()}}, "contender layout")),
       m_compact(makePipeline(device, render::Span::compact)),
@@ -62,43 +48,20 @@ gpu::Pipeline DepthTestPass::makePipeline(const gpu::Device& device, render::Spa
                  .depthCompare = render::depthCompareOf(m_mapping)});
 }
 
-vk::ClearDepthStencilValue DepthTestPass::clearDepth() const {
-    return {.depth = depth::isReversed(m_mapping) ? 0.0f : 1.0f};
-}
-
 void DepthTestPass::record(vk::CommandBuffer commands, const FrameDraws& draws) {
-    gpu::pipelineBarrier(
-        commands,
-        {gpu::imageBarrier(m_surfaces.handle(), vk::ImageAspectFlagBits::eColor,
-                           {PipelineStage::eCopy | PipelineStage::eColorAttachmentOutput,
-                            Access::eColorAttachmentWrite, vk::ImageLayout::eUndefined},
-                           {PipelineStage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
-                            vk::ImageLayout::eColorAttachmentOptimal}),
-         gpu::imageBarrier(m_depth.handle(), vk::ImageAspectFlagBits::eDepth,
-                           {kTestStages, Access::eDepthStencilAttachmentWrite, vk::ImageLayout::eUndefined},
-                           {kTestStages, kTestAccess, vk::ImageLayout::eDepthAttachmentOptimal})});
-    const vk::RenderingAttachmentInfo color{.imageView = m_surfaces.view(),
-                                            .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
-                                            .loadOp = vk::AttachmentLoadOp::eClear,
-                                            .storeOp = vk::AttachmentStoreOp::eStore};
-    const vk::RenderingAttachmentInfo depth{.imageView = m_depth.view(),
-                                            .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
-                                            .loadOp = vk::AttachmentLoadOp::eClear,
-                                            .storeOp = vk::AttachmentStoreOp::eDontCare,
-                                            .clearValue = clearDepth()};
-    const vk::Rect2D area{{0, 0}, draws.extent()};
-    commands.beginRendering({.renderArea = area,
-                             .layerCount = 1,
-                             .colorAttachmentCount = 1,
-                             .pColorAttachments = &color,
-                             .pDepthAttachment = &depth});
+    const render::GBufferScope scope{
+        .gbuffer = m_surfaces, .depth = m_depth, .reversedDepth = depth::isReversed(m_mapping)};
+    render::beginGBuffer(commands, scope);
+    render::beginGBufferScope(commands, scope, {});
+    const vk::ClearAttachment clear{
+        .aspectMask = vk::ImageAspectFlagBits::eDepth,
+        .clearValue = vk::ClearDepthStencilValue{.depth = scope.reversedDepth ? 0.0f : 1.0f}};
+    const vk::ClearRect area{.rect = {{0, 0}, draws.extent()}, .layerCount = 1};
     draws.begin(commands);
     const std::size_t cascades = draws.view().cascades.size();
     for (std::size_t i = cascades; i-- > 0;) { // far to near, so that nearer cascades draw over
         if (i + 1 < cascades) {
-            const vk::ClearAttachment clear{.aspectMask = vk::ImageAspectFlagBits::eDepth,
-                                            .clearValue = clearDepth()};
-            commands.clearAttachments(clear, vk::ClearRect{.rect = area, .layerCount = 1});
+            commands.clearAttachments(clear, area);
         }
         draws.record(commands, i, {.layout = *m_layout, .compact = *m_compact, .wide = *m_wide});
     }
@@ -106,12 +69,7 @@ void DepthTestPass::record(vk::CommandBuffer commands, const FrameDraws& draws) 
 }
 
 void DepthTestPass::recordReadback(vk::CommandBuffer commands) {
-    gpu::pipelineBarrier(
-        commands, {gpu::imageBarrier(
-                      m_surfaces.handle(), vk::ImageAspectFlagBits::eColor,
-                      {PipelineStage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
-                       vk::ImageLayout::eColorAttachmentOptimal},
-                      {PipelineStage::eCopy, Access::eTransferRead, vk::ImageLayout::eTransferSrcOptimal})});
+    gpu::pipelineBarrier(commands, {render::copyBarrier(m_surfaces, render::kDrawnColor)});
     m_readback.record(commands, m_surfaces);
 }
 

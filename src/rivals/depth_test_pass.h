@@ -21,7 +21,6 @@ class DepthTestPass final : public VisibilityPass {
 
   private:
     gpu::Pipeline makePipeline(const gpu::Device& device, render::Span span) const;
-    vk::ClearDepthStencilValue clearDepth() const;
 
     depth::Mapping m_mapping;
     gpu::Image m_surfaces;

@@ -26,6 +26,10 @@ TEST(FocusLensTest, CirclesAreThoseOfAThinLens) {
     EXPECT_DOUBLE_EQ(lens.circleAt(1e300), 20.0);
 }
 
+TEST(FocusLensTest, WithoutAnApertureThereAreNoBoundaries) {
+    EXPECT_EQ(FocusLens({.distance = 10.0, .aperture = 0.0}, 0.5, 100).boundaries(), std::vector<double>());
+}
+
 TEST(FocusLensTest, NothingIsBlurredMoreThanTheLensWould) {
     const FocusLens lens = lensOf20();
     EXPECT_EQ(lens.scaleOf({9.0, 11.0}), 1u);

@@ -328,6 +328,7 @@ TEST(World, RefusesWhatCannotBeDrawn) {
     large.object = kMaxObjects + 1;
     EXPECT_EQ(cdr::test::inputErrorOf([&] { world.addInstance(large); }),
               "object 16777215 is over the limit of 16777214");
+    EXPECT_NE(cdr::test::inputErrorOf([&] { world.addLight({.color = {1.0f, -1.0f, 1.0f}}); }), "");
     EXPECT_NE(cdr::test::inputErrorOf([&] { world.addLight({.halfDistance = 0.0}); }), "");
     EXPECT_NE(cdr::test::inputErrorOf([&] { world.addLight({.range = 0.0}); }), "");
     for (const LightCone& cone :

@@ -56,6 +56,9 @@ depth::Cascades FocusLens::overlapping(const depth::Cascades& cascades) const {
 }
 
 std::vector<double> FocusLens::boundaries() const {
+    if (m_circleAtInfinity == 0.0) {
+        return {};
+    }
     // A little wider, so that no rounding takes the cascade behind a boundary for a sharper one.
     constexpr double kWider = 1.0 + 1e-9;
     std::vector<double> distances;

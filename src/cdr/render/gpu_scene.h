@@ -40,7 +40,7 @@ class CDR_EXPORT GpuScene {
     GpuScene& operator=(GpuScene&&) noexcept;
 
     /// Follows the world's edits since the last call; renderers call it at the start of a frame. Time is proportional to the
-    /// number of changed instances, or of all where one that blends came or went. What is uploaded, meshes, vertices and
+    /// number of changed instances on average, or of all where one that blends came or went. What is uploaded, meshes, vertices and
     /// textures, waits for all that the queue was given before. What is replaced or removed is kept until that is done.
     /// @errors base::InputError for a texture or a mesh, as the constructors: once it is gone, the next call follows.
     ///         base::RunError and std::system_error as the constructors.

@@ -62,15 +62,16 @@ struct HostFrame {
     /// may be none. An sRGB format gets the encoded picture, and any other its linear values: in a UNORM format a window shows
     /// them far too dark.
     SurfaceImage color{};
-    /// Where Surfaces::linear goes, with RenderOptions::linear: as `color`, in a format of floats.
+    /// Where Surfaces::linear goes, with RenderOptions::linear: as `color`, in a format of three or four floats.
     std::optional<SurfaceImage> linear{};
     std::optional<HostDepth> depth{}; ///< where the depth of the host's own camera goes; empty: nowhere
-    /// Where motion goes, with RenderOptions::motion: as `color`, in VK_FORMAT_R32G32_SFLOAT or another format of signed
-    /// floats. What blends is seen through. What `draw` draws has the motion of the scene's object with its id; where there is
+    /// Where motion goes, with RenderOptions::motion: as `color`, in VK_FORMAT_R32G32_SFLOAT or another format of two or
+    /// more signed floats. Half floats hold it in steps of 1/1024 of its length or finer, and cdrHasMotion() takes them too.
+    /// What blends is seen through. What `draw` draws has the motion of the scene's object with its id; where there is
     /// none, that of an object that stands still.
     std::optional<SurfaceImage> motion{};
-    /// Called for each cascade, the nearest or the farthest first, on the caller's thread. Empty: the host draws nothing
-    /// inside cascades. A surface writes a texel by cdr_gbuffer.glsl and is lit as cdr's own are. They hide
+    /// Called for each cascade of RenderOptions::part, the nearest or the farthest first, on the caller's thread. Empty:
+    /// the host draws nothing inside cascades. A surface writes a texel by cdr_gbuffer.glsl and is lit as cdr's own are. They hide
     /// each other to the step of the technique's depth. Only with SurfacePath::gbuffer, without a focus, and where no material
     /// of the scene emits light or has an occlusion texture, nor RenderOptions::prepareFor says that one may.
     std::function<void(const HostCascade&)> draw{};

@@ -11,6 +11,9 @@ namespace cdr::render {
 
 namespace {
 
+/// That stay where instances have fewer.
+constexpr std::size_t kMinKinds = 64;
+
 std::uint64_t predictBytes(const scene::Scene& scene) {
     return SceneTextures::predictBytes(scene) + SceneMeshes::predictBytes(scene);
 }
@@ -138,25 +141,15 @@ bool UploadedScene::areTablesReplaced() const {
     return !changes.meshes.since(m_followed.meshes) || !changes.materials.since(m_followed.materials);
 }
 
-void UploadedScene::forgetKinds() {
-    m_kinds.clear();
-    m_sources.clear();
-    m_isEachInstanceStale = true;
-}
-
 void UploadedScene::updateTables() {
     ++m_meshesRevision;
-    if (areTablesReplaced()) {
-        forgetKinds();
-    }
+    m_isEachInstanceStale = m_isEachInstanceStale || areTablesReplaced();
     replaceTables();
     readMaterials();
-    readKinds({});
-    if (m_isEachInstanceStale) {
-        readAllInstances();
-    } else {
-        updateInstances();
+    if (!m_isEachInstanceStale) {
+        readKinds({});
     }
+    updateInstances();
 }
 
 void UploadedScene::followVertices() {
@@ -244,20 +237,27 @@ void UploadedScene::readInstance(std::size_t i) {
               .kind = keepsKind ? source.kind : m_kinds.indexOf(key, kindsFrom())};
 }
 
+/// With no kind but those that instances have now.
 void UploadedScene::readAllInstances() {
-    m_sources.resize(m_scene->instances.size());
+    m_isEachInstanceStale = true; // also where this ends early
+    m_kinds.clear();
+    m_sources.assign(m_scene->instances.size(), {});
     for (std::size_t i = 0; i < m_sources.size(); ++i) {
+        m_sources[i].kind = i == 0 ? 0 : m_sources[i - 1].kind; // often its own too, which spares the look-up
         readInstance(i);
     }
     m_blended = visibility::blendedInstances(*m_scene);
     m_isEachInstanceStale = false;
     ++m_readings;
     ++m_tablesRevision;
+    ++m_meshesRevision; // facets are made by kind
+    // So many that reading all instances again takes eight instances' time for each kind that came.
+    m_mostKinds = std::max({kMinKinds, 4 * m_kinds.all().size(), m_sources.size() / 8});
 }
 
 void UploadedScene::updateInstances() {
     const auto changed = m_world->changes().instances.since(m_followed.instances);
-    if (!changed) {
+    if (!changed || m_isEachInstanceStale || m_kinds.all().size() > m_mostKinds) {
         readAllInstances();
         return;
     }

@@ -48,7 +48,7 @@ class UploadedScene {
     std::uint64_t revision() const { return m_revision; }
     /// Another number after each update() that changed what a draw kind says, or that read all instances anew.
     std::uint64_t tablesRevision() const { return m_tablesRevision; }
-    /// Another number after each update() that may have changed a mesh or a material.
+    /// Another number after each update() that may have changed a mesh or a material, or that read all instances anew.
     std::uint64_t meshesRevision() const { return m_meshesRevision; }
     /// Another number, larger by one, after each update() that gave meshes other vertices.
     std::uint64_t verticesRevision() const { return m_verticesRevision; }
@@ -150,7 +150,6 @@ class UploadedScene {
     void readKinds(const std::optional<std::span<const std::uint32_t>>& meshes);
     bool areTablesReplaced() const;
     bool lacksPose(std::span<const std::uint32_t> meshes) const;
-    void forgetKinds();
     void readMaterials();
     void replaceTables();
     DrawKinds::From kindsFrom() const { return {*m_scene, m_meshes, m_textures, m_layers}; }
@@ -183,7 +182,8 @@ class UploadedScene {
     std::vector<SurfaceKind> m_surfaces; ///< by material
     bool m_isEachInstanceStale = false;  ///< whether a material changed what instances keep of it
     std::vector<LayerPlace> m_layers;    ///< by material
-    DrawKinds m_kinds;                   ///< until the tables are replaced
+    DrawKinds m_kinds;
+    std::size_t m_mostKinds = 0; ///< beyond, those that no instance has any more are dropped
     std::vector<DrawSource> m_sources;
     std::vector<std::uint32_t> m_blended;
     mutable Culled m_culled;

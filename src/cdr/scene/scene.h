@@ -53,7 +53,7 @@ struct LightCone {
 struct PointLight {
     /// World space. Surfaces that are more than 10^18 units from a light are lit by it too brightly, or not at all.
     glm::dvec3 position{0.0};
-    glm::vec3 color{1.0f}; ///< linear
+    glm::vec3 color{1.0f}; ///< linear, 0 or more
     /// Distance at which the light is half as strong, in scene units. It falls as 1 / (1 + (d /
     /// halfDistance)^2).
     double halfDistance = 1.0;

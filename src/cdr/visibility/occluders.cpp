@@ -8,16 +8,8 @@ bool canOcclude(const scene::Material& material) {
     return material.alphaMode == scene::AlphaMode::opaque && material.layer == 0.0f;
 }
 
-void Occluders::followMaterials(const scene::Scene& scene) {
-    m_hides.clear();
-    for (const scene::Material& material : scene.materials) {
-        m_hides.push_back(canOcclude(material));
-    }
-}
-
 const VisibleCells& Occluders::choose(const scene::Scene& scene, const scene::Frustum& frustum,
                                       const VisibleCells& visible) {
-    followMaterials(scene);
     m_chosen.cells = visible.cells;
     m_chosen.test = visible.test;
     m_chosen.parts.clear();
@@ -43,7 +35,7 @@ const VisibleCells& Occluders::choose(const scene::Scene& scene, const scene::Fr
             const auto slot = static_cast<std::size_t>(std::countr_zero(candidates));
             const bool isLarge =
                 static_cast<double>(spheres.radius[slot]) >= perDistance * tested.distanceView[slot];
-            if (isLarge && m_hides[scene.instances.material[instances[slot]]]) {
+            if (isLarge && canOcclude(scene.materials[scene.instances.material[instances[slot]]])) {
                 chosen |= std::uint64_t{1} << slot;
             }
         }

@@ -32,10 +32,7 @@ class Occluders {
     void forget() { m_last.clear(); }
 
   private:
-    void followMaterials(const scene::Scene& scene);
-
     std::vector<VisibleCells::Part> m_last; ///< by cell, ascending
-    std::vector<bool> m_hides;              ///< by material
     VisibleCells m_chosen;
 };
 

@@ -101,6 +101,8 @@ TEST(TruthMetallicRoughness, MixesAMetalAndADielectric) {
 
 TEST(TruthMetallicRoughness, LightFromBehindIsNone) {
     EXPECT_EQ(pointShare(pointOf(0.0, 0.5, glm::dvec3(1.0), 0.5), direction(1.6)), glm::dvec3(0.0));
+    const GlossyPoint facingAway = pointOf(0.5, 0.5, glm::dvec3(1.0), std::numbers::pi);
+    EXPECT_EQ(pointShare(facingAway, -facingAway.toCamera), glm::dvec3(0.0)); // from straight behind
 }
 
 /// The published fit is an approximation of the integral of the microfacets over all directions, and is coarse. A

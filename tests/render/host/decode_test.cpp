@@ -3,6 +3,7 @@
 #include "read_spirv.h"
 
 #include <cdr/gpu/pipeline.h>
+#include <cdr/scene/world/world.h>
 #include <scenes/cubes.h>
 
 #include <array>
@@ -135,6 +136,41 @@ TEST_F(DecodeTest, AFrameWaitsForWhatAHostReadsInAnyStage) {
     const auto decoded = decode(CDR_DECODE_GBUFFER, surfaces.gbuffer, surfaces.anchorsView, readAndDrawOn);
     for (std::size_t i = 0; i < decoded.pixels.size(); ++i) {
         ASSERT_EQ(decoded.pixels[i][2], static_cast<float>(wanted.gbuffer.pixels[i].id())) << i;
+    }
+}
+
+/// Of a box that was behind the last camera, and of the background, in images whose floats hold less than CDR_NO_MOTION too.
+TEST_F(DecodeTest, HalfFloatsKeepThatASurfaceHasNoMotion) {
+    for (const vk::Format format : {vk::Format::eR32G32Sfloat, vk::Format::eR16G16Sfloat}) {
+        scene::World world(boxScene());
+        const auto box = world.addInstance(
+            {.mesh = world.mesh(0), .material = world.material(0), .transform = {{0.0, 0.0, 4.0}}});
+        render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
+        options.motion = true;
+        SoleRenderer renderer(device(), world, options);
+        renderer.render({.fovY = 0.5});
+        world.setTransform(box, {{0.0, 0.0, -4.0}});
+        const vk::Extent2D extent{options.width, options.height};
+        const gpu::Image into(
+            device(),
+            {.extent = extent,
+             .format = format,
+             .usage = vk::ImageUsageFlagBits::eTransferDst | vk::ImageUsageFlagBits::eSampled},
+            "host motion");
+        const render::SurfaceImage motion{.image = into.handle(),
+                                          .view = into.view(),
+                                          .format = static_cast<VkFormat>(format),
+                                          .extent = extent,
+                                          .layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+        HostSide host(device(), extent);
+        render::HostFrame frame = host.begin();
+        frame.motion = motion;
+        host.submit(renderer, {.fovY = 0.5}, frame);
+        renderer.finish();
+        const auto decoded = decode(CDR_DECODE_MOTION, motion, {},
+                                    [&](const Recorder& record) { gpu::runOnce(device(), record); });
+        EXPECT_EQ(decoded.at(48, 27)[0], 0.0f) << vk::to_string(format); // cdrHasMotion()
+        EXPECT_EQ(decoded.at(0, 0)[0], 1.0f) << vk::to_string(format);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "../../support/timeline.h"
 #include "../failing_calls.h"
 #include "../fixture.h"
+#include "host_side.h"
 #include "read_image.h"
 
 #include <cdr/gpu/functions.h>
@@ -167,6 +168,30 @@ TEST_F(SurfacesTest, VerticesOfAResizedPictureSnapByItsOwnSize) {
         options.height = 111;
         renderer.resize(options.width, options.height);
         EXPECT_EQ(hashOf(renderer.render(camera)), hashOf(draw(setup.scene, camera, options)));
+    }
+}
+
+/// A host's square in the far cascade is in the part that draws it, and in no other.
+TEST_F(SurfacesTest, AHostDrawsIntoTheCascadesOfAPart) {
+    scene::Scene scene = boxScene();
+    addBox(scene, {-0.5, 0.0, -3.0});
+    render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored/count:2"));
+    const render::GpuScene gpuScene(device(), scene);
+    const HostRectangles squares(device(), vk::Format(device().depthFormat(depth::DepthFormat::d32f)));
+    for (std::size_t part = 0; part < 2; ++part) {
+        options.part = {.index = part, .count = 2};
+        HostSide host(device(), {options.width, options.height});
+        render::Renderer renderer(device(), scene, gpuScene, options);
+        render::HostFrame frame = host.begin();
+        std::vector<std::uint32_t> drawn;
+        frame.draw = [&](const render::HostCascade& cascade) {
+            drawn.push_back(cascade.index);
+            squares.draw(cascade, {.x = 0.0, .distanceView = 900.0, .halfSide = 90.0, .object = 10});
+        };
+        host.submit(renderer, {.fovY = 0.5, .nearView = 1.0, .farView = 1000.0}, frame);
+        const auto pixels = readGBuffer(device(), renderer.surfaces().gbuffer);
+        EXPECT_EQ(pixels.at(55, 27).id(), part == 0 ? 0u : 11u);
+        EXPECT_EQ(drawn, std::vector{static_cast<std::uint32_t>(part)});
     }
 }
 

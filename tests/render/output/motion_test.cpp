@@ -422,9 +422,11 @@ TEST_F(MotionTest, GoesIntoAHostsImage) {
         far.move(random);
     }
     render::HostFrame frame = host.begin();
-    image.format = VK_FORMAT_R8G8B8A8_UNORM;
-    frame.motion = image;
-    EXPECT_THROW(renderer.record(orbiting(far, 1e-5, 0.0), frame), base::InputError);
+    for (const VkFormat format : {VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_R32_SFLOAT, VK_FORMAT_R16_SFLOAT}) {
+        image.format = format;
+        frame.motion = image;
+        EXPECT_THROW(renderer.record(orbiting(far, 1e-5, 0.0), frame), base::InputError) << format;
+    }
 }
 
 /// So many objects move that room for half as much again is more than a storage buffer may have.

@@ -210,6 +210,23 @@ TEST_F(MetallicRoughnessTest, WhatASurfaceSendsIsBounded) {
     }
 }
 
+/// The way to the camera and the way to such a light cancel out, so that nothing lies halfway between them.
+TEST_F(MetallicRoughnessTest, ALightStraightBehindASurfaceGivesFiniteLight) {
+    scene::Scene scene = boxScene();
+    for (scene::Vertex& vertex : scene.meshes[0].vertices) {
+        vertex.normal = -vertex.normal; // the face towards the camera is lit from behind
+    }
+    scene.materials[0].metallicRoughness = MetallicRoughness{.metallic = 0.5f, .roughness = 0.5f};
+    scene.lights = {{.position = {0.0, 0.0, -5.0}}};
+    scene.ambient = glm::vec3(0.25f);
+    addBox(scene, {0.0, 0.0, -4.5});
+    render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"), 1, 1);
+    options.linear = true;
+    const float lit = draw(scene, {}, options).linear.at(0, 0).r;
+    scene.lights.clear();
+    EXPECT_EQ(lit, draw(scene, {}, options).linear.at(0, 0).r);
+}
+
 } // namespace
 
 } // namespace cdr::render_test

@@ -48,10 +48,11 @@ glm::dvec3 mixed(const GlossyPoint& point, const glm::dvec3& dielectric, const g
 
 glm::dvec3 pointShare(const GlossyPoint& point, const glm::dvec3& toLight) {
     const double lambert = glm::dot(point.normal, toLight);
-    if (lambert <= 0.0) {
+    const glm::dvec3 sum = point.toCamera + toLight; // 0 for a light straight behind the surface
+    if (lambert <= 0.0 || sum == glm::dvec3(0.0)) {
         return glm::dvec3(0.0);
     }
-    const glm::dvec3 halfway = glm::normalize(point.toCamera + toLight);
+    const glm::dvec3 halfway = glm::normalize(sum);
     const double alpha = std::pow(roughnessOf(point), 2.0);
     const double facing = facingOf(point);
     const double seen = 1.0 / (1.0 + shadowing(lambert, alpha) + shadowing(facing, alpha));

@@ -60,11 +60,10 @@ gpu::SetLayout DeviceOcclusion::makeLayout(const gpu::Device& device) {
                               "occlusion set");
 }
 
-DeviceOcclusion::DeviceOcclusion(const gpu::Device& device, const UploadedScene& scene,
-                                 const GeometryPass& depthPass, const gpu::SetLayout& layout,
-                                 const depth::Technique& technique, vk::Extent2D extent)
+DeviceOcclusion::DeviceOcclusion(const gpu::Device& device, const GeometryPass& depthPass,
+                                 const gpu::SetLayout& layout, const depth::Technique& technique,
+                                 vk::Extent2D extent)
     : m_device(device),
-      m_scene(scene),
       m_depthPass(depthPass),
       m_setLayout(layout),
       m_technique(technique),

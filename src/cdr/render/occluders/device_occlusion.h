@@ -21,8 +21,8 @@ class DeviceOcclusion {
     static gpu::SetLayout makeLayout(const gpu::Device& device);
 
     /// @param depthPass of GeometryOutput::depth. @param layout made by makeLayout(). Both must outlive this.
-    DeviceOcclusion(const gpu::Device& device, const UploadedScene& scene, const GeometryPass& depthPass,
-                    const gpu::SetLayout& layout, const depth::Technique& technique, vk::Extent2D extent);
+    DeviceOcclusion(const gpu::Device& device, const GeometryPass& depthPass, const gpu::SetLayout& layout,
+                    const depth::Technique& technique, vk::Extent2D extent);
 
     /// What one frame slot owns.
     struct Slot {
@@ -49,7 +49,6 @@ class DeviceOcclusion {
     void provideSeen(std::size_t instances);
 
     const gpu::Device& m_device;
-    const UploadedScene& m_scene;
     const GeometryPass& m_depthPass;
     gpu::SetLayout m_setLayout;
     depth::Technique m_technique;

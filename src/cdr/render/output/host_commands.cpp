@@ -62,24 +62,16 @@ void requireColor(const gpu::Device& device, const SurfaceImage& color, const Re
                         vk::to_string(vk::Format(color.format))));
 }
 
-void requireLinear(const gpu::Device& device, const SurfaceImage& linear, const RenderOptions& options) {
-    require(options.linear, "linear light is asked for of a renderer that keeps none");
-    requireImage(linear, options, "linear");
-    const auto format = vk::Format(linear.format);
+/// Whether its pixels hold so many floats, of any sign where asked for.
+void requireFloats(const gpu::Device& device, const SurfaceImage& image, const RenderOptions& options,
+                   const char* what, std::uint8_t count, bool isSigned) {
+    requireImage(image, options, what);
+    const auto format = vk::Format(image.format);
     const std::string_view numbers = vk::componentNumericFormat(format, 0);
-    require(takesColors(device, format) && (numbers == "SFLOAT" || numbers == "UFLOAT"),
-            fmt::format("linear light goes into images of floats, and {} writes none of format {}",
-                        device.info().name, vk::to_string(format)));
-}
-
-void requireMotion(const gpu::Device& device, const SurfaceImage& motion, const RenderOptions& options) {
-    require(options.motion, "motion is asked for of a renderer that works out none");
-    requireImage(motion, options, "motion");
-    const auto format = vk::Format(motion.format);
-    require(takesColors(device, format) &&
-                std::string_view(vk::componentNumericFormat(format, 0)) == "SFLOAT",
-            fmt::format("motion goes into images of floats, and {} writes none of format {}",
-                        device.info().name, vk::to_string(format)));
+    require(takesColors(device, format) && vk::componentCount(format) >= count &&
+                (numbers == "SFLOAT" || (numbers == "UFLOAT" && !isSigned)),
+            fmt::format("the {} image needs {} floats or more, in a format that {} writes, which {} is not",
+                        what, count, device.info().name, vk::to_string(format)));
 }
 
 void requireDraws(const HostFrame& host, const RenderOptions& options) {
@@ -126,13 +118,15 @@ void requireRecordable(const gpu::Device& device, const RenderOptions& options, 
         requireColor(device, host.color, options);
     }
     if (host.linear) {
-        requireLinear(device, *host.linear, options);
+        require(options.linear, "linear light is asked for of a renderer that keeps none");
+        requireFloats(device, *host.linear, options, "linear", 3, false);
     }
     if (host.depth) {
         requireDepth(*host.depth, options);
     }
     if (host.motion) {
-        requireMotion(device, *host.motion, options);
+        require(options.motion, "motion is asked for of a renderer that works out none");
+        requireFloats(device, *host.motion, options, "motion", 2, true);
     }
     requireDraws(host, options);
 }

@@ -85,7 +85,7 @@ void FullscreenPass::record(vk::CommandBuffer primary, std::span<const Draw> dra
     const vk::RenderingAttachmentInfo stencil{.imageView = viewOf(scope.marks),
                                               .imageLayout = vk::ImageLayout::eAttachmentOptimal,
                                               .loadOp = vk::AttachmentLoadOp::eLoad,
-                                              .storeOp = vk::AttachmentStoreOp::eDontCare};
+                                              .storeOp = vk::AttachmentStoreOp::eNone};
     const auto depth =
         depthAttachment(viewOf(scope.depth), vk::AttachmentLoadOp::eLoad, vk::AttachmentStoreOp::eNone);
     const vk::Extent2D extent = scope.into.options().extent;

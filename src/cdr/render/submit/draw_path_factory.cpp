@@ -104,8 +104,8 @@ std::unique_ptr<HostDraws> DrawPathFactory::makeOccluders(platform::WorkerPool& 
 
 std::unique_ptr<DeviceOcclusion> DrawPathFactory::makeDeviceOcclusion(const depth::Technique& technique,
                                                                       vk::Extent2D extent) const {
-    return std::make_unique<DeviceOcclusion>(m_device, m_scene.uploaded, *findIn<GeometryPass>(m_occluders),
-                                             m_occlusionLayout, technique, extent);
+    return std::make_unique<DeviceOcclusion>(m_device, *findIn<GeometryPass>(m_occluders), m_occlusionLayout,
+                                             technique, extent);
 }
 
 std::unique_ptr<HostDraws> DrawPathFactory::makeDraws(const HostPasses& passes,

@@ -40,23 +40,24 @@ SecondaryPath::SecondaryPath(const gpu::Device& device, std::unique_ptr<HostDraw
 void SecondaryPath::begin(const FrameView& view, const HostCommands& host) {
     recordJobs(view);
     m_draws->flush();
-    recordHost(view.cascades.size(), host);
+    recordHost(view.drawn, host);
     beginPrimary(host.into);
 }
 
-void SecondaryPath::recordHost(std::size_t cascades, const HostCommands& host) {
+void SecondaryPath::recordHost(platform::IndexRange cascades, const HostCommands& host) {
     m_hostCommands.clear();
     if (!host.draw) {
         return;
     }
     const ScopeFormats formats = m_draws->formats();
     m_hostPool.reset();
-    for (std::size_t cascade = 0; cascade < cascades; ++cascade) {
+    m_hostCommands.resize(cascades.end);
+    for (std::size_t cascade = cascades.begin; cascade < cascades.end; ++cascade) {
         const vk::CommandBuffer commands = m_hostPool.next();
         beginSecondary(commands, formats, vk::CommandBufferUsageFlagBits::eOneTimeSubmit);
         host.draw(commands, cascade);
         commands.end();
-        m_hostCommands.push_back(commands);
+        m_hostCommands[cascade] = commands;
     }
 }
 
@@ -92,7 +93,9 @@ void SecondaryPath::drawInside(platform::IndexRange cascades) {
     } else {
         for (std::size_t cascade = cascades.begin; cascade < cascades.end; ++cascade) {
             execute(m_cascadeBegins[cascade], m_cascadeBegins[cascade + 1]);
-            primary().executeCommands(m_hostCommands[cascade]);
+            if (const vk::CommandBuffer commands = hostCommandsOf(cascade)) {
+                primary().executeCommands(commands);
+            }
         }
     }
 }

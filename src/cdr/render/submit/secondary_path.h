@@ -28,7 +28,7 @@ class SecondaryPath final : public OnePrimaryPath {
     }
     void begin(const FrameView& view, const HostCommands& host) override;
     bool isEmpty(std::size_t cascade) const override {
-        return m_hostCommands.empty() && m_draws->lists().range(cascade).size() == 0;
+        return !hostCommandsOf(cascade) && m_draws->lists().range(cascade).size() == 0;
     }
     /// Draws inside a rendering scope that the caller began in primary(), for secondaries.
     void drawInside(platform::IndexRange cascades);
@@ -38,16 +38,19 @@ class SecondaryPath final : public OnePrimaryPath {
   private:
     void drawCascade(std::size_t cascade) override { drawInside({cascade, cascade + 1}); }
     void recordJobs(const FrameView& view);
-    void recordHost(std::size_t cascades, const HostCommands& host);
+    void recordHost(platform::IndexRange cascades, const HostCommands& host);
+    /// Of what a host draws; null where it draws nothing.
+    vk::CommandBuffer hostCommandsOf(std::size_t cascade) const {
+        return cascade < m_hostCommands.size() ? m_hostCommands[cascade] : vk::CommandBuffer();
+    }
 
     std::unique_ptr<HostDraws> m_draws;
     WorkerCommandPools m_pools;
     gpu::CommandPool m_hostPool;
     std::vector<DrawJob> m_jobs;
-    std::vector<vk::CommandBuffer> m_commands; ///< by job
-    std::vector<std::size_t> m_cascadeBegins;  ///< first job of each cascade, and the end
-    std::vector<vk::CommandBuffer>
-        m_hostCommands; ///< by cascade, of what a host draws; empty where it draws nothing
+    std::vector<vk::CommandBuffer> m_commands;     ///< by job
+    std::vector<std::size_t> m_cascadeBegins;      ///< first job of each cascade, and the end
+    std::vector<vk::CommandBuffer> m_hostCommands; ///< by cascade, up to the last in which a host draws
 };
 
 } // namespace cdr::render

@@ -198,8 +198,8 @@ void requireUsable(const Transform& transform, const std::string& what) {
 }
 
 void requireUsable(const PointLight& light, const std::string& what) {
-    if (!areFinite(light.position) || !areFinite(light.color)) {
-        refuseUse("{}: its position and colour must be finite", what);
+    if (!areFinite(light.position) || !isLight(light.color)) {
+        refuseUse("{}: its position and colour must be finite, and its colour 0 or more", what);
     }
     if (!std::isfinite(light.halfDistance) || light.halfDistance <= 0.0) {
         refuseUse("{}: its half distance must be finite and above 0, not {}", what, light.halfDistance);
