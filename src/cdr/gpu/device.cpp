@@ -76,7 +76,10 @@ vk::UniqueDevice makeDevice(const Instance& instance, vk::PhysicalDevice physica
     const std::vector<const char*> extensions = extensionsOf(physical, info);
     vk::PhysicalDeviceConditionalRenderingFeaturesEXT conditional;
     vk::PhysicalDeviceVulkan13Features v13{.pNext = info.hasConditionalRendering ? &conditional : nullptr};
-    vk::PhysicalDeviceVulkan12Features v12{.pNext = &v13, .shaderBufferInt64Atomics = info.hasInt64Atomics};
+    vk::PhysicalDeviceVulkan12Features v12{.pNext = &v13,
+                                           .shaderBufferInt64Atomics = info.hasInt64Atomics,
+                                           // Not for cdr::render, but for who draws beside it.
+                                           .separateDepthStencilLayouts = true};
     vk::PhysicalDeviceFeatures2 features{
         .pNext = &v12, .features = {.shaderFloat64 = info.hasFloat64, .shaderInt64 = info.hasInt64Atomics}};
     enableFeatures(instance.handle(), physical, features);

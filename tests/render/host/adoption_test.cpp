@@ -109,7 +109,7 @@ class DeviceEngine : public adoption::Engine {
                                                                   : vk::AttachmentLoadOp::eLoad,
                                                 .storeOp = vk::AttachmentStoreOp::eStore};
         const vk::RenderingAttachmentInfo depth{.imageView = m_depth.view(),
-                                                .imageLayout = vk::ImageLayout::eAttachmentOptimal,
+                                                .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
                                                 .loadOp = vk::AttachmentLoadOp::eClear,
                                                 .storeOp = vk::AttachmentStoreOp::eDontCare,
                                                 .clearValue = vk::ClearDepthStencilValue{value, 0}};
@@ -165,7 +165,7 @@ class DeviceEngine : public adoption::Engine {
              gpu::imageBarrier(m_depth.handle(), vk::ImageAspectFlagBits::eDepth,
                                {PipelineStage::eNone, Access::eNone, vk::ImageLayout::eUndefined},
                                {PipelineStage::eAllGraphics, Access::eMemoryRead | Access::eMemoryWrite,
-                                vk::ImageLayout::eAttachmentOptimal})});
+                                vk::ImageLayout::eDepthAttachmentOptimal})});
     }
 
     const gpu::Device& m_device;
