@@ -444,7 +444,7 @@ GltfImport importParts(const ByteSource& file, const std::filesystem::path& path
     Container container = openContainer(file);
     Notes notes;
     const json document = parseDocument(container.text(), limits, notes);
-    container.json = {}; // which may be most of a file that has its buffers in data URIs
+    container.json = platform::Bytes(); // which may be most of a file that has its buffers in data URIs
     Files files(file.file() != nullptr ? std::optional(path.parent_path()) : std::nullopt, limits);
     const Buffers buffers(document, container.bin, files, limits);
     GltfImport result;
