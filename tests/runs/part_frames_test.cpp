@@ -123,6 +123,8 @@ TEST_F(PartFrames, OfDifferentMeshesHoldFewerTriangles) {
             const bool isOwn = i / 2 == part;
             EXPECT_EQ(own.meshes[i].indices.empty(), !isOwn) << i;
             EXPECT_EQ(own.meshes[i].clusters.indices.empty(), !isOwn) << i;
+            EXPECT_EQ(own.meshes[i].vertices.capacity() == 0, !isOwn) << i;
+            EXPECT_EQ(own.meshes[i].indices.capacity() == 0, !isOwn) << i;
             EXPECT_EQ(own.textures[i].pixels.width, isOwn ? 8u : 1u) << i;
             EXPECT_EQ(own.meshes[i].boundingRadius, scene.meshes[i].boundingRadius);
         }

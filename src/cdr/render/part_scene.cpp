@@ -5,6 +5,7 @@
 
 #include <array>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace cdr::render {
@@ -44,6 +45,15 @@ std::vector<bool> drawnInstances(const scene::Scene& scene, const RenderOptions&
     return isDrawn;
 }
 
+/// A mesh of its own, since assigning {} to a vector keeps its memory.
+scene::Mesh withoutTriangles(scene::Mesh mesh) {
+    scene::Mesh left;
+    left.name = std::move(mesh.name);
+    left.boundingRadius = mesh.boundingRadius;
+    left.boxHalfSides = mesh.boxHalfSides;
+    return left;
+}
+
 } // namespace
 
 void dropOtherParts(scene::Scene& scene, const RenderOptions& options, std::span<const scene::Camera> cameras,
@@ -60,11 +70,7 @@ void dropOtherParts(scene::Scene& scene, const RenderOptions& options, std::span
     }
     for (std::size_t mesh = 0; mesh < usesMesh.size(); ++mesh) {
         if (!usesMesh[mesh]) {
-            scene.meshes[mesh].vertices = {};
-            scene.meshes[mesh].details = {};
-            scene.meshes[mesh].indices = {};
-            scene.meshes[mesh].levels = {};
-            scene.meshes[mesh].clusters = {};
+            scene.meshes[mesh] = withoutTriangles(std::move(scene.meshes[mesh]));
         }
     }
     for (std::size_t texture = 0; texture < usesTexture.size(); ++texture) {

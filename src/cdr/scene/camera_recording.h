@@ -38,7 +38,8 @@ bool record(CameraRecording& recording, double seconds, const Camera& camera);
 /// base::InputError for a recording without cameras.
 Camera cameraAt(const CameraRecording& recording, double seconds);
 
-/// The recording as `frames` frames at equal intervals, from its first camera to its last. Keeps a copy.
+/// The recording as `frames` frames at equal intervals, from its first camera to its last. With as many frames as there are
+/// cameras it is these cameras, to the bit, whatever their moments are. Keeps a copy.
 /// base::InputError for a recording without cameras, or for no frames.
 CameraPath pathOf(const CameraRecording& recording, std::uint32_t frames);
 

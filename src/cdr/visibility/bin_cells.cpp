@@ -152,11 +152,16 @@ std::size_t landAllParts(const VisibleCells& visible, const LandingRanges& range
 void CellBinner::bin(const VisibleCells& visible, const depth::Cascades& clipRanges, double wideSpan,
                      platform::WorkerPool& workers, DrawLists& lists) {
     const LandingRanges ranges(clipRanges, wideSpan);
+    if (std::exchange(m_isBinning, true)) { // the last time failed, and left instances in them
+        m_sets.clear();
+        m_bags.clear();
+    }
     if (visible.count() * kFewShare < visible.cells->instances()) {
         binFew(visible, ranges, workers, lists);
     } else {
         binMany(visible, ranges, workers, lists);
     }
+    m_isBinning = false;
 }
 
 void CellBinner::binMany(const VisibleCells& visible, const LandingRanges& ranges,

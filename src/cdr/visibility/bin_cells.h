@@ -14,7 +14,7 @@ namespace cdr::visibility {
 class CellBinner {
   public:
     /// The lists that binByDistance() makes of what cullSpheres() keeps, for any number of workers. Cells whose
-    /// instances are all in the same cascades are not examined.
+    /// instances are all in the same cascades are not examined. Where it throws, the next time is as if it were the first.
     void bin(const VisibleCells& visible, const depth::Cascades& clipRanges, double wideSpan,
              platform::WorkerPool& workers, DrawLists& lists);
 
@@ -27,6 +27,7 @@ class CellBinner {
 
     std::vector<InstanceSets> m_sets; ///< by worker
     std::vector<InstanceBags> m_bags; ///< by worker
+    bool m_isBinning = false;         ///< else both are empty
 };
 
 } // namespace cdr::visibility

@@ -10,7 +10,7 @@ namespace cdr::visibility {
 /// put in.
 class InstanceBags {
   public:
-    /// All are empty.
+    /// All were empty, and are.
     void resize(std::size_t buckets) { m_bags.resize(buckets); }
 
     void add(std::size_t bucket, std::uint32_t instance) { m_bags[bucket].push_back(instance); }

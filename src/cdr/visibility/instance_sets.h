@@ -16,7 +16,7 @@ class InstanceSets {
     /// Instances whose bits share a word.
     static constexpr std::size_t kWord = 64;
 
-    /// Room for instances [0, instances) in `buckets` sets, each `step`-th of which is used. All are empty.
+    /// Room for instances [0, instances) in `buckets` sets, each `step`-th of which is used. All were empty, and are.
     void resize(std::size_t buckets, std::size_t step, std::size_t instances);
 
     void add(std::size_t bucket, std::uint32_t instance) {

@@ -249,6 +249,9 @@ TEST_F(Gltf, ExtensionsItRequiresAreNamed) {
     EXPECT_EQ(refusal(document), "loaded");
     document.root["extensionsRequired"] = {5};
     expectSays(refusal(document), "'extensionsRequired' is not a string");
+    // Each primitive may look through them.
+    document.root["extensionsRequired"] = std::vector<std::string>(65, "KHR_materials_unlit");
+    expectSays(refusal(document), "65 extensionsRequired are over the limit of 64");
 }
 
 TEST_F(Gltf, DeepJsonDoesNotExhaustTheStack) {

@@ -1,9 +1,12 @@
+#include "../../support/refusal.h"
 #include "fixture.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <span>
 
 namespace cdr::scene::test {
 namespace {
@@ -266,6 +269,33 @@ TEST_F(Gltf, UnsoundSparseAccessorsAreRefused) {
     expectSays(tryIndices({0, 1, 2}, 3), "do not fit its buffer view");
     expectSays(tryIndices({0, 1}, 5), "its sparse part has 5 elements of 4");
     expectSays(tryIndices({0, 1}, 0), "its sparse part has 0 elements");
+}
+
+/// Lists that begin at different bytes are each read, so that few bytes could be read for hours.
+TEST_F(Gltf, SparseListsThatOverlapAreBounded) {
+    constexpr int kCount = 1 << 20;
+    constexpr int kLists = 130;
+    std::vector<std::uint32_t> indices(kCount + kLists);
+    std::iota(indices.begin(), indices.end(), 0u);
+    Document document = square();
+    const int view = document.addView(indices);
+    const int values = document.addView(std::vector<std::uint8_t>(kCount));
+    json& primitives = document.root["meshes"][0]["primitives"];
+    for (int i = 0; i < kLists; ++i) {
+        primitives.push_back(primitives[0]);
+        primitives.back()["indices"] = document.root["accessors"].size();
+        document.root["accessors"].push_back(
+            {{"componentType", kUByte},
+             {"count", kCount + kLists},
+             {"type", "SCALAR"},
+             {"sparse",
+              {{"count", kCount},
+               {"indices", {{"bufferView", view}, {"byteOffset", 4 * i}, {"componentType", kUInt}}},
+               {"values", {{"bufferView", values}}}}}});
+    }
+    const Bytes file = document.glb();
+    expectSays(cdr::test::inputErrorOf([&] { loadGltf(std::as_bytes(std::span(file)), "a.glb"); }, "loaded"),
+               "its sparse indices and those of accessors before it are over the limit of 134217728");
 }
 
 TEST_F(Gltf, PositionsThatAreNotFiniteAreRefused) {

@@ -131,14 +131,7 @@ std::string nameOfTexture(const scene::Scene& scene, std::uint32_t i) {
 /// The textures that a material reads, each by itself.
 std::vector<std::uint32_t> texturesOf(const scene::Material& material) {
     std::vector<std::uint32_t> textures;
-    if (material.baseColorTexture) {
-        textures.push_back(*material.baseColorTexture);
-    }
-    for (const DetailPart& part : kDetailParts) {
-        if (const auto& use = material.detail.*part.use; use) {
-            textures.push_back(use->texture);
-        }
-    }
+    scene::forEachTexture(material, [&](std::uint32_t texture) { textures.push_back(texture); });
     return textures;
 }
 

@@ -16,6 +16,9 @@ namespace {
 
 using nlohmann::json;
 
+/// Of all lists that are read; a file may have many that overlap.
+constexpr std::size_t kMaxSparseIndices = std::size_t{1} << 27;
+
 std::size_t byteOffset(const json& part) {
     return static_cast<std::size_t>(indexMember(part, "byteOffset").value_or(0));
 }
@@ -36,7 +39,7 @@ Strided locate(const Buffers& buffers, const BufferView& view, std::size_t offse
 
 } // namespace
 
-Accessor::Accessor(const json& root, const Buffers& buffers, int index, Increasing& increasing) {
+Accessor::Accessor(const json& root, const Buffers& buffers, int index, SparseLists& lists) {
     const json& accessor = itemAt(root, "accessors", index, "accessor");
     const std::string where = fmt::format("accessor {}", index);
     m_components = componentsOf(stringMember(accessor, "type").value_or(""), where);
@@ -50,7 +53,7 @@ Accessor::Accessor(const json& root, const Buffers& buffers, int index, Increasi
                             view.stride == 0 ? m_elementBytes : view.stride, m_elementBytes, m_count, index);
     }
     if (member(accessor, "sparse") != nullptr) {
-        readSparse(objectMember(accessor, "sparse", where), buffers, index, increasing);
+        readSparse(objectMember(accessor, "sparse", where), buffers, index, lists);
     }
 }
 
@@ -58,7 +61,7 @@ Accessor::Accessor(const Accessor& declared, Strided elements) : Accessor(declar
     m_elements = elements;
 }
 
-void Accessor::readSparse(const json& sparse, const Buffers& buffers, int index, Increasing& increasing) {
+void Accessor::readSparse(const json& sparse, const Buffers& buffers, int index, SparseLists& lists) {
     const std::string where = fmt::format("accessor {}: its sparse part", index);
     const json& indices = objectMember(sparse, "indices", where);
     const json& values = objectMember(sparse, "values", where);
@@ -76,12 +79,17 @@ void Accessor::readSparse(const json& sparse, const Buffers& buffers, int index,
     m_sparseElements = packed(values, m_elementBytes);
     const std::array list{static_cast<std::size_t>(requiredIndex(indices, "bufferView", where)),
                           byteOffset(indices), static_cast<std::size_t>(m_sparseIndexType), m_sparseCount};
-    const auto known = increasing.find(list);
-    const std::optional<std::uint32_t> last = known != increasing.end() ? known->second : lastIncreasing();
+    const auto known = lists.last.find(list);
+    lists.indices += known != lists.last.end() ? 0 : m_sparseCount;
+    if (lists.indices > kMaxSparseIndices) {
+        refuse("accessor {}: its sparse indices and those of accessors before it are over the limit of {}",
+               index, kMaxSparseIndices);
+    }
+    const std::optional<std::uint32_t> last = known != lists.last.end() ? known->second : lastIncreasing();
     if (!last || *last >= m_count) {
         refuse("accessor {}: its sparse indices do not increase or exceed its {} elements", index, m_count);
     }
-    increasing.emplace(list, *last);
+    lists.last.emplace(list, *last);
 }
 
 std::optional<std::uint32_t> Accessor::lastIncreasing() const {
@@ -161,7 +169,7 @@ const Accessor& Accessors::at(int index) {
     const auto found = m_checked.find(index);
     return found != m_checked.end()
                ? found->second
-               : m_checked.emplace(index, Accessor(m_root, m_buffers, index, m_increasing)).first->second;
+               : m_checked.emplace(index, Accessor(m_root, m_buffers, index, m_sparseLists)).first->second;
 }
 
 } // namespace cdr::scene::gltf

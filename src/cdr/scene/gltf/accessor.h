@@ -50,13 +50,16 @@ class Strided {
 /// asked for, so one thread reads at a time.
 class Accessor {
   public:
-    /// Lists of sparse indices that were found to increase, each with its last index. Many accessors may have one list.
-    /// By buffer view, first byte, component type and count.
-    using Increasing = std::map<std::array<std::size_t, 4>, std::uint32_t>;
+    /// The lists of sparse indices of a document that were read. Many accessors may have one list.
+    struct SparseLists {
+        /// The last index of those that increase. By buffer view, first byte, component type and count.
+        std::map<std::array<std::size_t, 4>, std::uint32_t> last;
+        std::size_t indices = 0; ///< of all of them, which may overlap
+    };
 
     /// @param root of the document.
-    /// @param increasing lists of this document; the accessor's own is added.
-    Accessor(const nlohmann::json& root, const Buffers& buffers, int index, Increasing& increasing);
+    /// @param lists of this document; the accessor's own is added.
+    Accessor(const nlohmann::json& root, const Buffers& buffers, int index, SparseLists& lists);
 
     /// The same, with elements that are elsewhere, of its type and count.
     Accessor(const Accessor& declared, Strided elements);
@@ -84,7 +87,7 @@ class Accessor {
     void requireIndices(int index) const;
 
   private:
-    void readSparse(const nlohmann::json& sparse, const Buffers& buffers, int index, Increasing& increasing);
+    void readSparse(const nlohmann::json& sparse, const Buffers& buffers, int index, SparseLists& lists);
     /// The last of the sparse indices; none where they do not increase.
     std::optional<std::uint32_t> lastIncreasing() const;
     const std::uint8_t* element(std::size_t i) const;
@@ -116,7 +119,7 @@ class Accessors {
     const nlohmann::json& m_root;
     const Buffers& m_buffers;
     std::map<int, Accessor> m_checked; ///< by index
-    Accessor::Increasing m_increasing;
+    Accessor::SparseLists m_sparseLists;
 };
 
 } // namespace cdr::scene::gltf

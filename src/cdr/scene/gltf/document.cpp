@@ -94,11 +94,14 @@ void requireBoundedArrays(const json& root, const GltfLimits& limits) {
     constexpr std::size_t kMaxEntries = 1'000'000;
     // Each of these becomes memory, a file that is read, or a resource of the device.
     constexpr std::size_t kMaxLargeEntries = 65'536;
+    // Each primitive may look through them. There are fewer that are supported.
+    constexpr std::size_t kMaxRequired = 64;
     const auto require = [&root](const char* key, std::size_t limit) {
         if (arrayMember(root, key).size() > limit) {
             refuse("{} {} are over the limit of {}", arrayMember(root, key).size(), key, limit);
         }
     };
+    require("extensionsRequired", kMaxRequired);
     require("nodes", limits.maxNodes);
     for (const char* key :
          {"accessors", "bufferViews", "meshes", "scenes", "animations", "skins", "cameras"}) {

@@ -1,4 +1,3 @@
-#include "animation/deformers.h"
 #include "animation/moving_parts.h"
 #include "bytes/container.h"
 #include "bytes/read_progress.h"
@@ -308,7 +307,7 @@ void Importer::addPart(const MeshNode& node, std::size_t index, std::uint32_t ob
     const Primitive& primitive = m_sourceMeshes.at(node.mesh).primitives[index];
     if (!m_moving->deforms(node, primitive)) {
         addRigid(node, index, object);
-    } else if (node.toNode && node.skin && hasJoints(primitive)) {
+    } else if (node.toNode && node.skin && primitive.jointSets > 0) {
         m_sources.notes.add("copies of a mesh with a skin are not drawn: no node places its joints, and the "
                             "extension does not say what does",
                             fmt::format("node {}", node.node));
@@ -372,7 +371,7 @@ std::optional<DeformedPrimitive> Importer::readDeformed(const MeshNode& node, st
     const Primitive& primitive = decoded(node.mesh, index, where);
     const MaterialUse& material = m_materials.use(primitive.material, groundOf(primitive));
     // The joints of a skin place its mesh, and not its node.
-    const double stretch = node.skin && hasJoints(primitive) ? 1.0 : m_stretch[node.mesh];
+    const double stretch = node.skin && primitive.jointSets > 0 ? 1.0 : m_stretch[node.mesh];
     std::optional<SourcePrimitive> source =
         m_meshes.read(primitive, material.uv, pointRadius(stretch), where);
     if (!source) {
@@ -445,7 +444,7 @@ GltfImport importParts(const ByteSource& file, const std::filesystem::path& path
     Container container = openContainer(file);
     Notes notes;
     const json document = parseDocument(container.text(), limits, notes);
-    container.json = {}; // which may be most of a file that has its buffers in data URIs
+    container.json = platform::Bytes(); // which may be most of a file that has its buffers in data URIs
     Files files(file.file() != nullptr ? std::optional(path.parent_path()) : std::nullopt, limits);
     const Buffers buffers(document, container.bin, files, limits);
     GltfImport result;

@@ -211,7 +211,7 @@ std::vector<MeshPiece> MeshImporter::import(const Primitive& primitive, const Uv
     if (!source) {
         return {};
     }
-    source->fileVertices = {}; // of use for what deforms alone
+    source->fileVertices = std::vector<std::uint32_t>(); // of use for what deforms alone
     std::vector<MeshPiece> pieces = cutIntoPieces(std::move(source->mesh), sizes.pieceRadius);
     for (const MeshPiece& piece : pieces) {
         requireUsable(std::span<const Vertex>(), piece.mesh.boundingRadius, where);

@@ -11,6 +11,15 @@ namespace {
 
 using nlohmann::json;
 
+std::size_t countJointSets(const std::map<std::string, int>& attributes) {
+    std::size_t sets = 0;
+    while (attributes.contains(fmt::format("JOINTS_{}", sets)) &&
+           attributes.contains(fmt::format("WEIGHTS_{}", sets))) {
+        ++sets;
+    }
+    return sets;
+}
+
 Primitive readPrimitive(const json& root, const json& source, const std::string& where) {
     Primitive primitive;
     primitive.draco = dracoOf(root, source, where);
@@ -27,6 +36,7 @@ Primitive readPrimitive(const json& root, const json& source, const std::string&
         refuse("{}: has no 'attributes'", where);
     }
     primitive.attributes = indicesByName(objectMember(source, "attributes", where));
+    primitive.jointSets = countJointSets(primitive.attributes); // once: there may be millions of copies
     primitive.hasExtensions = !objectMember(source, "extensions", where).empty();
     return primitive;
 }

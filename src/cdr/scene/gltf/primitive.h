@@ -30,7 +30,8 @@ struct Primitive {
     int mode = kModeTriangles;
     int indices = -1;
     int material = -1;
-    std::map<std::string, int> attributes;           ///< accessors
+    std::map<std::string, int> attributes; ///< accessors
+    std::size_t jointSets = 0; ///< of four joints: those of JOINTS_0, JOINTS_1 and so on, with weights
     std::vector<std::map<std::string, int>> targets; ///< of morph targets: their accessors
     bool hasExtensions = false;
     std::optional<DracoPrimitive> draco;             ///< where it has to be decoded

@@ -73,9 +73,17 @@ std::vector<Indices> cut(const Indices& indices, const std::vector<glm::vec3>& p
 }
 
 /// The clusters of a coarser form; none: the triangles do not get fewer.
-std::vector<Indices> coarserFormOf(const SharedMesh& mesh, const Indices& indices) {
+/// @param isFixed by vertex of the mesh.
+std::vector<Indices> coarserFormOf(const SharedMesh& mesh, const Indices& indices,
+                                   const std::vector<bool>& isFixed) {
     const PartOfMesh part = partOf(mesh, indices);
-    const Indices coarse = simplified(part.indices, part.positions, part.indices.size() / 6);
+    std::vector<glm::vec3> positions = part.positions;
+    for (const std::uint32_t vertex : part.vertices) {
+        if (isFixed[vertex]) { // the simplifier leaves a point as it is where an unused vertex lies
+            positions.push_back(mesh.positions[vertex]);
+        }
+    }
+    const Indices coarse = simplified(part.indices, positions, part.indices.size() / 6);
     if (coarse.size() / 3 < kMinTriangles ||
         static_cast<double>(coarse.size()) > kMaxLeft * static_cast<double>(part.indices.size())) {
         return {};
@@ -190,6 +198,28 @@ std::size_t mostAround(const SharedMesh& mesh, const Indices& places) {
     return *std::max_element(around.begin(), around.end());
 }
 
+/// By vertex: whether clusters of several groups meet at its place. Where more than two triangles share an edge, that is no
+/// open border in all of the groups.
+std::vector<bool> whereGroupsMeet(const std::vector<std::vector<std::size_t>>& groups,
+                                  const std::vector<Indices>& clusters, const Indices& places) {
+    constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> userOf(places.size(), kNone); // by place, the last one
+    std::vector<bool> isShared(places.size());
+    for (std::size_t group = 0; group < groups.size(); ++group) {
+        for (const std::size_t cluster : groups[group]) {
+            for (const std::uint32_t index : clusters[cluster]) {
+                const std::size_t before = std::exchange(userOf[places[index]], group);
+                isShared[places[index]] = isShared[places[index]] || (before != kNone && before != group);
+            }
+        }
+    }
+    std::vector<bool> meet(places.size());
+    for (std::size_t vertex = 0; vertex < places.size(); ++vertex) {
+        meet[vertex] = isShared[places[vertex]];
+    }
+    return meet;
+}
+
 /// One level coarser: groups that get coarser go into the tree, and what is loose afterwards is returned.
 std::vector<LooseCluster> coarsened(const SharedMesh& mesh, const Indices& places,
                                     std::vector<LooseCluster> loose, platform::WorkerPool& workers,
@@ -199,13 +229,14 @@ std::vector<LooseCluster> coarsened(const SharedMesh& mesh, const Indices& place
         clusters.push_back(cluster.indices);
     }
     const std::vector<std::vector<std::size_t>> groups = groupClusters(clusters, places, kGroupClusters);
+    const std::vector<bool> isFixed = whereGroupsMeet(groups, clusters, places);
     std::vector<std::vector<Indices>> forms(groups.size());
     workers.run(groups.size(), [&](std::size_t group, std::size_t) {
         Indices joined;
         for (const std::size_t cluster : groups[group]) {
             joined.insert(joined.end(), clusters[cluster].begin(), clusters[cluster].end());
         }
-        forms[group] = coarserFormOf(mesh, joined);
+        forms[group] = coarserFormOf(mesh, joined, isFixed);
     });
     std::vector<LooseCluster> next;
     for (std::size_t i = 0; i < groups.size(); ++i) {

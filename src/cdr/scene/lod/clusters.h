@@ -15,7 +15,7 @@ namespace cdr::scene {
 inline constexpr std::size_t kMinClusteredTriangles = 8192;
 
 /// Cuts a mesh into clusters (meshoptimizer). Then it makes coarser clusters of groups of neighbours by edge collapses, and
-/// repeats this. The border of a group stays as it is. Errors are measured against the mesh, sampled, both ways. The tree is
+/// repeats this. The border of a group stays as it is, and where other groups touch it. Errors are measured against the mesh, sampled, both ways. The tree is
 /// the same each time, for any number of workers. It takes about twice the indices of the mesh. It is empty where more than
 /// 4,096 triangles meet in one point, as in a fan.
 ///

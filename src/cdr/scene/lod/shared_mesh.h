@@ -22,7 +22,7 @@ struct SharedMesh {
 SharedMesh sharedBy(const Mesh& mesh);
 
 /// Fewer triangles over the same positions, about as many as are wanted, by edge collapses that leave open borders as they
-/// are. The number alone decides how far to go; what it costs is for the caller to measure.
+/// are, and points where positions are without a triangle. The number alone decides how far to go; what it costs is for the caller to measure.
 std::vector<std::uint32_t> simplified(std::span<const std::uint32_t> indices,
                                       std::span<const glm::vec3> positions, std::size_t triangles);
 

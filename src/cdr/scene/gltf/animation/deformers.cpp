@@ -24,16 +24,6 @@ constexpr std::size_t kJointsPerSet = 4;
 /// Of a vertex, while targets get the deltas of tangents: two sums, the mesh in full, deltas as they grow, and tables.
 constexpr std::uint64_t kDeltaBytes = 256;
 
-/// Sets of four joints: JOINTS_0, JOINTS_1 and so on, as long as they follow each other.
-std::size_t jointSets(const Primitive& primitive) {
-    std::size_t sets = 0;
-    while (primitive.attributes.contains(fmt::format("JOINTS_{}", sets)) &&
-           primitive.attributes.contains(fmt::format("WEIGHTS_{}", sets))) {
-        ++sets;
-    }
-    return sets;
-}
-
 /// An accessor of one element for each vertex of the file.
 const Accessor& requireVertices(const Accessor& accessor, const std::string& name, int components,
                                 std::size_t count, const std::string& where) {
@@ -141,7 +131,7 @@ void addInfluences(const Primitive& primitive, const SourcePrimitive& source, Ac
                    std::size_t joints, Notes& notes, const std::string& where, Deformer& deformer) {
     std::vector<JointSet> sets;
     std::size_t bytesApart = 0;
-    for (std::size_t set = 0; set < jointSets(primitive); ++set) {
+    for (std::size_t set = 0; set < primitive.jointSets; ++set) {
         const auto attribute = [&](const char* kind) {
             const std::string name = fmt::format("{}_{}", kind, set);
             return &requireVertices(*attributeOf(primitive, name, accessors), name, 4, source.fileVertexCount,
@@ -170,10 +160,6 @@ void addInfluences(const Primitive& primitive, const SourcePrimitive& source, Ac
 
 } // namespace
 
-bool hasJoints(const Primitive& primitive) {
-    return jointSets(primitive) > 0;
-}
-
 void requireTargets(const nlohmann::json& root, const Primitive& primitive, Accessors& accessors,
                     const std::string& where) {
     const auto positions = primitive.attributes.find("POSITION");
@@ -198,7 +184,7 @@ PrimitiveBytes predictDeformer(const Primitive& primitive, Accessors& accessors)
     // Its vertices at rest and at a moment; all that its file says of each.
     const std::uint64_t vertices = mesh.kept / sizeof(Vertex) + 1;
     return {.kept = 2 * mesh.kept + vertices * (sizeof(std::size_t) +
-                                                jointSets(primitive) * kJointsPerSet * sizeof(Influence) +
+                                                primitive.jointSets * kJointsPerSet * sizeof(Influence) +
                                                 primitive.targets.size() * sizeof(MorphDelta)),
             .passing = std::max(mesh.passing, primitive.targets.empty() ? 0 : vertices * kDeltaBytes)};
 }

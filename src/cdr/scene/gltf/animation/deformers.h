@@ -14,9 +14,6 @@
 
 namespace cdr::scene::gltf {
 
-/// Whether a primitive says which joints its vertices follow.
-bool hasJoints(const Primitive& primitive);
-
 /// What a deformer takes, predicted from the counts of accessors.
 PrimitiveBytes predictDeformer(const Primitive& primitive, Accessors& accessors);
 

@@ -69,7 +69,7 @@ MovingParts::MovingParts(const json& root, const PlacedNodes& nodes, Accessors& 
 }
 
 std::optional<std::size_t> MovingParts::skinOf(const MeshNode& node, const Primitive& primitive) const {
-    return node.skin && hasJoints(primitive) ? std::optional(m_skins.at(*node.skin)) : std::nullopt;
+    return node.skin && primitive.jointSets > 0 ? std::optional(m_skins.at(*node.skin)) : std::nullopt;
 }
 
 bool MovingParts::deforms(const MeshNode& node, const Primitive& primitive) const {

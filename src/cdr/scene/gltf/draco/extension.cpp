@@ -18,7 +18,8 @@ using nlohmann::json;
 
 bool isRequired(const json& root) {
     const json& required = arrayMember(root, "extensionsRequired");
-    return std::find(required.begin(), required.end(), kDraco) != required.end();
+    return std::ranges::any_of(required,
+                               [](const json& name) { return name.get_ref<const std::string&>() == kDraco; });
 }
 
 /// Whether bytes of the file back an accessor. What is no accessor is refused where it is used.
