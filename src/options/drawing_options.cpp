@@ -69,7 +69,8 @@ void addSnapping(CLI::App& command, render::Snapping& snapping) {
 
 void addThreads(CLI::App& command, std::size_t& threads) {
     addValue(command, "--threads", threads,
-             fmt::format("CPU threads that cdr uses, 1 to {}", platform::WorkerPool::kMaxThreads))
+             fmt::format("CPU threads that draw and measure, 1 to {}; scenes are opened by all processors",
+                         platform::WorkerPool::kMaxThreads))
         ->check(CLI::Range(std::size_t{1}, platform::WorkerPool::kMaxThreads));
 }
 

@@ -1,3 +1,5 @@
+#include "random_ranges.h"
+
 #include <cdr/depth/cascade_plan.h>
 #include <cdr/depth/fitted_split.h>
 #include <cdr/depth/make_cascades.h>
@@ -9,33 +11,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 
 namespace {
 
 using namespace cdr::depth;
+using cdr::test::RandomRanges;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-class Random {
-  public:
-    explicit Random(std::uint64_t seed) : m_engine(seed) {}
-    double uniform(double low, double high) { return std::uniform_real_distribution<>(low, high)(m_engine); }
-    double logUniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
-    /// Objects of one to ten percent of their distance.
-    std::vector<Interval> objects(int count, double low, double high) {
-        std::vector<Interval> intervals;
-        for (int i = 0; i < count; ++i) {
-            const double w = logUniform(low, high);
-            const double r = w * logUniform(0.001, 0.1);
-            intervals.push_back({w - r, w + r});
-        }
-        return intervals;
-    }
-
-  private:
-    std::mt19937_64 m_engine;
-};
 
 SplitContext viewOf(Mapping mapping, DepthFormat format = DepthFormat::d32f) {
     return {.nearView = 0.1, .farView = 1e6, .model = {mapping, format}, .footprintSlope = 0.0016};
@@ -86,7 +68,7 @@ double worstShare(const Cascades& cascades, const SplitContext& view, double tar
 class FitOfEveryMapping : public testing::TestWithParam<Mapping> {};
 
 TEST_P(FitOfEveryMapping, StepBoundNeverFallsAsTheCascadeGrows) {
-    Random random(3);
+    RandomRanges random(3);
     for (int i = 0; i < 20'000; ++i) {
         const double n = random.logUniform(0.01, 100.0);
         const double f = n * (1.0 + random.logUniform(1e-4, 1e5));
@@ -100,8 +82,8 @@ TEST_P(FitOfEveryMapping, StepBoundNeverFallsAsTheCascadeGrows) {
 }
 
 TEST_P(FitOfEveryMapping, StepBoundBoundsTheSeparationAndWorstBoundsTheSteps) {
-    Random random(4);
-    for (int i = 0; i < 5'000; ++i) {
+    RandomRanges random(4);
+    for (int i = 0; i < 5000; ++i) {
         const double n = random.logUniform(0.01, 100.0);
         const Cascade cascade{n, n * (1.0 + random.logUniform(1e-3, 1e3))};
         for (const DepthFormat format : kDepthFormats) {
@@ -166,7 +148,7 @@ BruteForce bruteForce(const StepModel& model, const StepTarget& target,
 }
 
 TEST_P(FitOfEveryMapping, IsMinimalAgainstBruteForce) {
-    Random random(5);
+    RandomRanges random(5);
     int severalCascades = 0;
     int withCuts = 0;
     for (int i = 0; i < 60; ++i) {
@@ -208,7 +190,7 @@ TEST_P(FitOfEveryMapping, IsMinimalAgainstBruteForce) {
 }
 
 TEST_P(FitOfEveryMapping, CoversWhatIsOccupiedAndMeetsTheTarget) {
-    Random random(6);
+    RandomRanges random(6);
     for (int i = 0; i < 200; ++i) {
         const SplitContext view = viewOf(GetParam(), kDepthFormats[static_cast<std::size_t>(i) % 3]);
         const auto intervals = random.objects(i, 0.05, 2e6);
@@ -223,7 +205,7 @@ TEST_P(FitOfEveryMapping, CoversWhatIsOccupiedAndMeetsTheTarget) {
 }
 
 TEST_P(FitOfEveryMapping, ACapRelaxesTheTargetNoMoreThanItMust) {
-    Random random(7);
+    RandomRanges random(7);
     const SplitContext view = viewOf(GetParam());
     const auto intervals = random.objects(300, 0.1, 1e6);
     double previous = std::numeric_limits<double>::infinity();
@@ -247,7 +229,7 @@ TEST_P(FitOfEveryMapping, MinimaxHasTheSmallestWorstStepOfItsCount) {
         }
         return worst;
     };
-    Random random(8);
+    RandomRanges random(8);
     for (unsigned count = 1; count <= 5; ++count) {
         const Cascades cascades =
             makeCascades(SplitMinimax{count}, {.nearView = 0.1, .farView = 1e4, .model = model});
@@ -307,7 +289,7 @@ TEST(FittedSplit, DoesNotCutWhereAGapDoes) {
 }
 
 TEST(FittedSplit, StaysPutUnderUlpsAndSmallSteps) {
-    Random random(9);
+    RandomRanges random(9);
     const SplitContext view = viewOf(Mapping::anchored);
     const auto intervals = random.objects(400, 0.2, 1e5);
     const Cascades first = fit({}, view, intervals);
@@ -326,7 +308,7 @@ TEST(FittedSplit, StaysPutUnderUlpsAndSmallSteps) {
 }
 
 TEST(FittedSplit, FollowsAMovingCameraWithinItsSlack) {
-    Random random(10);
+    RandomRanges random(10);
     const SplitContext view = viewOf(Mapping::anchored);
     const auto intervals = random.objects(200, 10.0, 1e5);
     Cascades previous;
@@ -398,8 +380,7 @@ TEST(FittedSplit, DegenerateInputs) {
                 {{kNan, 5.0}, {7.0, 8.0}},
                 {{8.0, 7.0}},
                 {{5.0, 5.0}, {std::nextafter(5.0, 6.0), 5.1}, {5.1, 5.2}, {5.2 * (1.0 + 1e-13), 5.3}},
-                std::vector<Interval>(5000, {10.0, 20.0}),
-            };
+                std::vector<Interval>(5000, {10.0, 20.0})};
             for (const auto& intervals : cases) {
                 for (const unsigned most : {1u, 3u, 64u}) {
                     for (const double target : {1e-300, 1e-6, 1e300}) {
@@ -420,21 +401,18 @@ TEST(FittedSplit, DegenerateInputs) {
 
 /// Points and what is as thin as float64 resolves, as close together as that, at the ends of the range and between them.
 TEST(FittedSplit, EveryCascadeHasAThickness) {
-    Random random(12);
+    RandomRanges random(12);
     for (int i = 0; i < 5'000; ++i) {
         SplitContext view = viewOf(kMappings[i % kMappings.size()], kDepthFormats[i % kDepthFormats.size()]);
         view.nearView = random.logUniform(1e-3, 1e3);
         view.farView = view.nearView * (1.0 + random.logUniform(1e-15, 1e6));
-        std::vector<Interval> intervals;
+        std::vector<Interval> intervals{{view.farView, view.farView}};
         double at = i % 3 == 0 ? view.nearView
                                : view.nearView + random.uniform(0.0, 1.0) * (view.farView - view.nearView);
         for (int object = i % 5; object >= 0; --object) {
             const double end = object % 2 == 0 ? at : at * (1.0 + random.logUniform(1e-16, 1e-5));
             intervals.push_back({at, end});
             at = end * (1.0 + random.logUniform(1e-16, 1e-5));
-        }
-        if (i % 4 == 0) {
-            intervals.push_back({view.farView, view.farView});
         }
         const SplitFitted split{.target = random.logUniform(1e-12, 1.0),
                                 .unit = i % 2 == 0 ? SplitFitted::Unit::pixels : SplitFitted::Unit::scene,
@@ -481,7 +459,7 @@ std::vector<Interval> mergedPlainly(std::vector<Interval> intervals, double near
 
 /// Few and many, thin and thick, spread over one decade and over eleven.
 TEST(MergeIntervals, AnyAreMergedAsByAPlainSort) {
-    Random random(11);
+    RandomRanges random(11);
     std::size_t most = 0;
     for (const int count : {1, 2, 100, 1'600, 20'000}) {
         for (const double last : {0.1, 1e9}) {

@@ -9,11 +9,13 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <poll.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -250,6 +252,31 @@ TEST_F(FileTest, WritesUnderTheLongestExtension) {
 
 TEST_F(FileTest, RefusesNamesThatAreTooLong) {
     EXPECT_THROW(cdr::platform::requireWritable(path(std::string(300, 'x').c_str())), InputError);
+}
+
+/// A pipe does not block where a program that shares it made it so.
+TEST_F(FileTest, WaitsForRoomInAPipe) {
+    std::array<int, 2> ends{};
+    ASSERT_EQ(::pipe(ends.data()), 0);
+    ::fcntl(ends[1], F_SETFL, O_NONBLOCK);
+    std::size_t read = 0;
+    std::thread reader([&] {
+        ::pollfd room{.fd = ends[1], .events = POLLOUT, .revents = 0};
+        while (::poll(&room, 1, 0) == 1 && room.revents == POLLOUT) { // until the pipe is full, or closed
+            std::this_thread::yield();
+        }
+        std::array<char, 4096> some{};
+        for (ssize_t got = 1; got > 0; read += static_cast<std::size_t>(got)) {
+            got = ::read(ends[0], some.data(), some.size());
+        }
+    });
+    constexpr std::size_t kMoreThanAPipeHolds = std::size_t{1} << 22;
+    EXPECT_NO_THROW(cdr::platform::writeText("/dev/fd/" + std::to_string(ends[1]),
+                                             std::string(kMoreThanAPipeHolds, 'x')));
+    ::close(ends[1]);
+    reader.join();
+    ::close(ends[0]);
+    EXPECT_EQ(read, kMoreThanAPipeHolds);
 }
 
 TEST(Document, KeepsTextThatIsNotUtf8) {

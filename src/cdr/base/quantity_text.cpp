@@ -128,7 +128,9 @@ const MetricUnit& unitOf(double metres, LengthUnit unit, int digits) {
     // What rounds up to a unit fills it.
     const auto larger =
         std::find_if(kMetricUnits.begin() + 1, kMetricUnits.end(), [&](const MetricUnit& each) {
-            return readable(std::abs(metres) / each.metres, digits).exponent < 0;
+            const double size =
+                std::abs(metres) / each.metres; // infinite of the largest numbers in small units
+            return std::isfinite(size) && readable(size, digits).exponent < 0;
         });
     return *std::prev(larger);
 }

@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -101,7 +102,10 @@ Temporary createTemporary(const fs::path& folder, const std::string& extension,
 int writeAll(int descriptor, std::span<const std::uint8_t> bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno != EINTR) {
+        if (written < 0 && errno == EAGAIN) { // another program may have made a pipe non-blocking
+            ::pollfd room{.fd = descriptor, .events = POLLOUT, .revents = 0};
+            ::poll(&room, 1, -1);
+        } else if (written < 0 && errno != EINTR) {
             return errno;
         }
         bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));

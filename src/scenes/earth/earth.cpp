@@ -28,7 +28,8 @@ std::uint32_t addGroundMaterial(SceneBuilder& builder, std::string name, image::
 }
 
 std::size_t threadsOf(const EarthOptions& options) {
-    return options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
+    return std::clamp(threads, std::size_t{1}, platform::WorkerPool::kMaxThreads);
 }
 
 /// The half of a frame around its centre.

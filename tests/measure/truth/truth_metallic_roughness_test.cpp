@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace cdr::measure {
@@ -87,6 +88,24 @@ TEST(TruthMetallicRoughness, NormalsThatFaceAwayKeepDiffuseSkyLight) {
         EXPECT_GT(lit, 0.99 * diffuse) << polar;
         EXPECT_LT(lit, 1.15 * diffuse) << polar;
     }
+}
+
+/// Squares of such distances are no numbers.
+TEST(TruthLight, LightsMayFadeAtAnyDistance) {
+    const auto litBy = [](double halfDistance) {
+        scene::Scene scene;
+        scene.lights = {{.halfDistance = halfDistance}};
+        return lightFrom(scene, scene::Camera{},
+                         {.baseColor = glm::dvec3(0.8),
+                          .metallicRoughness = {},
+                          .fromCamera = {0.0, 0.0, -5.0},
+                          .normal = {0.0, 0.0, 1.0}})
+            .g;
+    };
+    EXPECT_GT(litBy(1e100), 0.1);
+    EXPECT_EQ(litBy(1e160), litBy(1e100));
+    EXPECT_EQ(litBy(std::numeric_limits<double>::max()), litBy(1e100));
+    EXPECT_EQ(litBy(1e-170), litBy(1e-150));
 }
 
 TEST(TruthMetallicRoughness, MixesAMetalAndADielectric) {

@@ -39,6 +39,12 @@ TEST_F(EarthScene, IsTheOrbitButForGroundAndAir) {
     EXPECT_FALSE(orbit.air);
 }
 
+/// A machine may have more processors.
+TEST_F(EarthScene, IsPaintedByAsManyThreadsAsThereMayBe) {
+    const scene::SceneSetup setup = makeEarth(m_maps, nullptr, {.blockTexels = 32, .threads = 1000});
+    EXPECT_EQ(setup.scene.textures.size(), m_earth.scene.textures.size());
+}
+
 /// Gaps of a tenth of a metre are narrower than pixels, so a wall of another colour shows as broken lines.
 TEST_F(EarthScene, WallsBehindCladdingHaveItsColor) {
     const auto colorOf = [](const scene::Scene& scene, std::string_view name) {

@@ -114,10 +114,10 @@ glm::dvec3 sumLights(const scene::Scene& scene, const scene::Camera& camera, con
         const double reached = lamp.castsShadows && shadows < 4 ? surface.reached[shadows++] : 1.0;
         const glm::dvec3 toLight = (lamp.position - camera.position) - surface.fromCamera;
         const double squared = glm::dot(toLight, toLight);
-        const double half2 = lamp.halfDistance * lamp.halfDistance;
         const double distance = std::sqrt(std::max(squared, 1e-30));
+        const double halves = std::sqrt(squared) / lamp.halfDistance; // their squares may be no numbers
         light += glm::dvec3(lamp.color) * (reached * shapeShare(lamp, toLight, distance) *
-                                           shareOf(toLight, distance) * half2 / (half2 + squared));
+                                           shareOf(toLight, distance) / (1.0 + halves * halves));
     }
     return light;
 }
