@@ -40,10 +40,11 @@ class SoleRenderer : SoleScene, public render::Renderer {
           Renderer(device, onDevice, options) {}
 };
 
-/// One hash over everything a frame holds, pixel by pixel.
+/// One hash over all that a frame holds pixel by pixel, but motion: that depends on the frame before.
 inline std::string hashOf(const render::Frame& frame) {
     return program::sha256Of(frame.color.pixels) + program::sha256Of(frame.linear.pixels) +
-           program::sha256Of(frame.gbuffer.pixels);
+           program::sha256Of(frame.gbuffer.pixels) + program::sha256Of(frame.litMask.pixels) +
+           program::sha256Of(frame.fragmentCounts.pixels);
 }
 
 class RenderTest : public test::DeviceTest {

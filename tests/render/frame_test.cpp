@@ -12,7 +12,6 @@
 #include <scenes/cubes.h>
 #include <scenes/sheets.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -162,51 +161,6 @@ TEST_F(FrameTest, NonUniformAndMirroredBasesAreDrawnAsTheTruthSeesThem) {
                 ASSERT_GT(frame.normalView(x, y).z, -0.4f);
             }
         }
-    }
-}
-
-TEST_F(FrameTest, ManyFramesFromOneRendererEqualFreshOnes) {
-    const scene::SceneSetup setup = scenes::makeRotation(1, 5000);
-    const render::GpuScene gpuScene(device(), setup.scene);
-    const auto options = smallOptions(depth::parseTechnique("cdr"));
-    render::Renderer warm(device(), setup.scene, gpuScene, options);
-    for (const std::uint32_t number : {0u, 200u, 90u, 0u}) {
-        render::Renderer fresh(device(), setup.scene, gpuScene, options);
-        const scene::Camera camera = setup.path.at(number);
-        const Frame a = warm.render(camera);
-        const Frame b = fresh.render(camera);
-        EXPECT_EQ(hashOf(a), hashOf(b));
-    }
-}
-
-TEST_F(FrameTest, AnEmptySceneIsBackground) {
-    const scene::Scene scene = boxScene();
-    const Frame frame = draw(scene, scene::Camera{}, smallOptions(depth::parseTechnique("logcdr")));
-    EXPECT_TRUE(std::all_of(frame.gbuffer.pixels.begin(), frame.gbuffer.pixels.end(),
-                            [](const render::GBufferPixel& pixel) { return pixel.idAndCascade == 0; }));
-}
-
-TEST_F(FrameTest, AnEmptyWorldIsBackgroundUntilItHasAnInstance) {
-    for (const render::Submission submission : submissions()) {
-        scene::World world;
-        render::GpuScene onDevice(device(), world);
-        render::RenderOptions options = thumbnailOptions(depth::parseTechnique("anchored"));
-        options.submission = submission;
-        render::Renderer renderer(device(), onDevice, options);
-        const scene::Camera camera{.fovY = 0.5};
-        const auto isShown = [&] {
-            const Frame frame = renderer.render(camera);
-            return frame.id(frame.width() / 2, frame.height() / 2) == 1;
-        };
-        EXPECT_FALSE(isShown()) << nameOf(submission);
-        const scene::MeshHandle box = world.addMesh(scene::makeBox(glm::vec3(0.5f)));
-        const scene::MaterialHandle look = world.addMaterial({});
-        EXPECT_FALSE(isShown()) << nameOf(submission);
-        const scene::InstanceHandle instance =
-            world.addInstance({.mesh = box, .material = look, .transform = {.position = {0.0, 0.0, -5.0}}});
-        EXPECT_TRUE(isShown()) << nameOf(submission);
-        world.removeInstance(instance);
-        EXPECT_FALSE(isShown()) << nameOf(submission);
     }
 }
 

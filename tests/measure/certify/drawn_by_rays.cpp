@@ -3,6 +3,7 @@
 #include "../test_scenes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace cdr::test {
@@ -51,11 +52,14 @@ measure::Certificate certified(const scene::Scene& scene, const measure::DrawnFr
 std::uint64_t wrongAfter(const scene::Scene& scene, const measure::DrawnFrame& frame,
                          const measure::Certificate& certificate) {
     image::ImageU32 ids = frame.ids;
-    for (const measure::PixelRepair& repair : certificate.repairs) {
-        ids.at(repair.x, repair.y) = repair.id;
-    }
     const measure::TruthImage truth = cast(scene, frame.camera, ids.width, ids.height);
     std::uint64_t wrong = 0;
+    for (const measure::PixelRepair& repair : certificate.repairs) {
+        ids.at(repair.x, repair.y) = repair.id;
+        const double normalLength = repair.id != 0 ? glm::length(repair.normal) : 1.0;
+        const bool isPlaced = repair.distanceView == truth.at(repair.x, repair.y).distanceView;
+        wrong += isPlaced && std::abs(normalLength - 1.0) < 1e-6 ? 0 : 1;
+    }
     for (std::size_t i = 0; i < ids.pixels.size(); ++i) {
         wrong += ids.pixels[i] != truth.pixels[i].id ? 1 : 0;
     }

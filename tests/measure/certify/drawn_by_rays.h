@@ -31,7 +31,7 @@ std::uint64_t shownBy(const measure::DrawnFrame& frame, std::uint32_t id);
 measure::Certificate certified(const scene::Scene& scene, const measure::DrawnFrame& frame,
                                std::size_t threads = 1);
 
-/// Pixels whose object differs from the truth once repairs are in.
+/// Pixels whose object differs from the truth once repairs are in, and repairs with another distance or no unit normal.
 std::uint64_t wrongAfter(const scene::Scene& scene, const measure::DrawnFrame& frame,
                          const measure::Certificate& certificate);
 

@@ -1,4 +1,5 @@
 #include "../fixture.h"
+#include "../steps.h"
 
 #include <cdr/base/error.h>
 
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 namespace cdr::render_test {
@@ -52,11 +52,11 @@ RenderOptions occluded(const depth::Technique& technique, bool perLayer = false)
     return options;
 }
 
-/// Pixels whose channels differ by more than `most`.
+/// Pixels of which a channel differs by more than `most`.
 std::size_t differing(const image::ImageRgba8& a, const image::ImageRgba8& b, int most) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        count += std::abs(int{a.pixels[i][0]} - int{b.pixels[i][0]}) > most ? 1 : 0;
+        count += largestStep(a.pixels[i], b.pixels[i]) > most ? 1 : 0;
     }
     return count;
 }

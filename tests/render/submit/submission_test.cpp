@@ -110,7 +110,6 @@ TEST_F(SubmissionTest, GltfIsOneImageHoweverSubmitted) {
     expectOneImageInTurn(opened.setup.scene, opened.setup.path.at(0));
 }
 
-/// Cubes as large as their cascades are thin: each lands in many, more than there was room for at first.
 TEST_F(SubmissionTest, MoreRunsThanAShadersLoopHasTurnsAreOneImage) {
     scene::SceneSetup setup = scenes::makeRotation(5, 140'000); // a driver may end a loop after 65,535 turns
     setup.scene.materials.push_back({.name = "red", .baseColorFactor = glm::vec4(1.0f, 0.1f, 0.1f, 1.0f)});
@@ -125,6 +124,7 @@ TEST_F(SubmissionTest, MoreRunsThanAShadersLoopHasTurnsAreOneImage) {
     }
 }
 
+/// Cubes as large as their cascades are thin: each lands in many, more than there was room for at first.
 TEST_F(SubmissionTest, GpuDrivenDrawsAgainWhenItsRecordsRunOut) {
     if (!canDrawGpuDriven()) {
         return;

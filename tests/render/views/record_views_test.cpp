@@ -234,6 +234,7 @@ TEST_F(RecordViewsTest, NoViewMovesFromAFrameThatIsNotSubmitted) {
         EXPECT_THROW(renderer.record(camerasAt(0.7), frames), base::RunError);
         const std::vector<render::Frame> next = renderer.render(camerasAt(1.5));
         EXPECT_EQ(next[0].motion, next[1].motion);
+        EXPECT_EQ(next[0].motion, draw(m_scene, camerasAt(1.5)[0], options).motion);
     }
 }
 

@@ -2,6 +2,7 @@
 #include "views_scene.h"
 
 #include <cdr/base/error.h>
+#include <cdr/image/beside.h>
 #include <cdr/render/views/joined_frame.h>
 #include <cdr/render/views/views_renderer.h>
 #include <cdr/scene/cube_sides.h>
@@ -114,16 +115,40 @@ TEST_F(ViewsTest, EachEyeIsTheMonoPictureToTheBit) {
 
 TEST_F(ViewsTest, EachEyeIsTheMonoPictureWithWhateverElseIsDrawn) {
     render::RenderOptions plain = viewOptions(depth::parseTechnique("anchored"));
-    std::vector<render::RenderOptions> all(6, plain);
+    std::vector<render::RenderOptions> all(5, plain);
     all[0].occlusionCulling = true;
     all[1].shadows = {.method = render::ShadowMethod::anchored, .maxTexels = 128};
     all[2].surface = render::SurfacePath::visibility;
     all[3].effects.antialias = render::Antialias::edges;
-    all[4].motion = true;
-    all[5].linear = true;
+    all[4].linear = true;
     for (const render::RenderOptions& options : all) {
         drawAndExpectMono(eyes(scene::StereoMode::toedIn), options);
     }
+}
+
+/// Each view's surfaces move from where its own camera was, and joined frames have all of it.
+TEST_F(ViewsTest, EachEyeMovesAndIsLitAsInTheMonoPicture) {
+    render::RenderOptions options = viewOptions(depth::parseTechnique("anchored"));
+    options.motion = true;
+    options.shadows = {.method = render::ShadowMethod::anchored, .maxTexels = 128};
+    ViewsRenderer renderer(device(), m_scene, *m_onDevice, options, 2);
+    renderer.draw(bothEyes(scene::StereoMode::toedIn));
+    const std::vector<scene::Camera> cameras = bothEyes(scene::StereoMode::toedIn, 0.3);
+    const std::vector<Frame> views = renderer.render(cameras);
+    EXPECT_NE(views[0].motion.pixels, views[1].motion.pixels);
+    EXPECT_NE(views[0].litMask.pixels, views[1].litMask.pixels);
+    for (std::size_t view = 0; view < views.size(); ++view) {
+        render::Renderer mono(device(), m_scene, *m_onDevice, options);
+        mono.draw(bothEyes(scene::StereoMode::toedIn)[view]);
+        const Frame wanted = mono.render(cameras[view]);
+        EXPECT_EQ(views[view].motion.pixels, wanted.motion.pixels) << view;
+        EXPECT_EQ(views[view].litMask.pixels, wanted.litMask.pixels) << view;
+    }
+    const Frame joined = render::joinedFrame(views, cameras[0], 0);
+    EXPECT_EQ(joined.motion,
+              image::beside<glm::vec2>(std::vector{&views[0].motion, &views[1].motion}, 0, {}));
+    EXPECT_EQ(joined.litMask,
+              image::beside<image::Rgba8>(std::vector{&views[0].litMask, &views[1].litMask}, 0, {}));
 }
 
 TEST_F(ViewsTest, EachSideOfACubeIsTheMonoPicture) {

@@ -75,7 +75,6 @@ TEST_F(WorldTest, AnyEditsGiveThePictureOfASceneBuiltAnew) {
             group[i]->forgetFrames();
             const render::Frame frame = group[i]->render(ahead());
             ASSERT_EQ(hashOf(frame), hashOf(wanted)) << "renderer " << i;
-            ASSERT_EQ(frame.fragmentCounts.pixels, wanted.fragmentCounts.pixels);
             blendedFragments += std::accumulate(frame.fragmentCounts.pixels.begin(),
                                                 frame.fragmentCounts.pixels.end(), std::uint64_t{0});
             ASSERT_EQ(frame.stats.draws, wanted.stats.draws);
@@ -255,7 +254,6 @@ TEST_F(WorldTest, RenderersOfAnyOptionsShowAnyEdits) {
                 const render::Frame wanted = draw(built, camera, renderer->options());
                 ASSERT_EQ(hashOf(frame), hashOf(wanted))
                     << "seed " << seed << ", batch " << batch << ": " << describe(renderer->options());
-                ASSERT_EQ(frame.fragmentCounts.pixels, wanted.fragmentCounts.pixels);
                 ASSERT_EQ(frame.motion.pixels, wanted.motion.pixels);
                 ASSERT_EQ(frame.litMask.pixels, wanted.litMask.pixels);
             }
@@ -461,23 +459,32 @@ TEST_F(WorldTest, IsNotDrawnAsASceneThatStays) {
                  base::InputError);
 }
 
-/// Empty to begin with, filled, and empty again.
+/// Empty to begin with, with nothing but a mesh and a material, filled, and empty again.
 TEST_F(WorldTest, MayBeEmpty) {
-    World world;
-    render::GpuScene onDevice(device(), world);
     for (const Submission submission : submissions()) {
-        render::Renderer renderer(device(), onDevice,
-                                  optionsFor("anchored", submission, TargetsKind::single, 1, 2));
-        const std::string empty = hashOf(renderer.render(ahead()));
-        const scene::MeshHandle mesh = world.addMesh(scene::makeBox(glm::vec3(1.0f)));
-        const scene::MaterialHandle material = world.addMaterial({.unlit = true});
-        const scene::InstanceHandle box = world.addInstance(
-            {.mesh = mesh, .material = material, .object = 4, .transform = {.position = {0.0, 0.0, -5.0}}});
-        EXPECT_EQ(renderer.render(ahead()).id(64, 36), 5u);
-        world.removeInstance(box);
-        world.removeMaterial(material);
-        world.removeMesh(mesh);
-        EXPECT_EQ(hashOf(renderer.render(ahead())), empty);
+        World world;
+        render::GpuScene onDevice(device(), world);
+        for (int round = 0; round < 2;
+             ++round) { // the second renderer begins with a world that was filled before
+            render::Renderer renderer(device(), onDevice,
+                                      optionsFor("anchored", submission, TargetsKind::single, 1, 2));
+            const render::Frame first = renderer.render(ahead());
+            EXPECT_EQ(first.id(64, 36), 0u);
+            const std::string empty = hashOf(first);
+            const scene::MeshHandle mesh = world.addMesh(scene::makeBox(glm::vec3(1.0f)));
+            const scene::MaterialHandle material = world.addMaterial({.unlit = true});
+            EXPECT_EQ(hashOf(renderer.render(ahead())), empty);
+            const scene::InstanceHandle box =
+                world.addInstance({.mesh = mesh,
+                                   .material = material,
+                                   .object = 4,
+                                   .transform = {.position = {0.0, 0.0, -5.0}}});
+            EXPECT_EQ(renderer.render(ahead()).id(64, 36), 5u);
+            world.removeInstance(box);
+            world.removeMaterial(material);
+            world.removeMesh(mesh);
+            EXPECT_EQ(hashOf(renderer.render(ahead())), empty);
+        }
     }
 }
 
