@@ -3,6 +3,7 @@
 # reads; pages, pictures and measured files do not count.
 # Usage: tools/code_numbers.sh [COMMIT]
 set -euo pipefail
+export LC_ALL=C # wc translates "total"
 cd "$(git rev-parse --show-toplevel)"
 commit=$(git rev-parse --verify --quiet "${1-HEAD}^{commit}") || {
     echo "tools/code_numbers.sh: '$1' is no commit of this repository" >&2

@@ -40,7 +40,7 @@ fetch_mesa() {
     # shellcheck source=third_party/private_apt.sh
     source third_party/private_apt.sh
     private_apt_open "$release"
-    private_apt download mesa-vulkan-drivers libdrm2 || fail "$release has no mesa-vulkan-drivers"
+    private_apt download mesa-vulkan-drivers libdrm2 || fail "$release has no mesa-vulkan-drivers" 77
     new=$scratch/unpacked && mkdir "$new"
     unpack mesa-vulkan-drivers "$new" './usr/lib/*/libvulkan_lvp.so'
     unpack libdrm2 "$new" './usr/lib/*/libdrm.so*'
@@ -65,7 +65,7 @@ fetch_swiftshader() {
         (cd "$scratch" && apt-get download chromium-common) >"$scratch/log" 2>&1 </dev/null ||
             { cat "$scratch/log" >&2 && fail "apt did not deliver chromium-common, which holds SwiftShader"; }
         unpack chromium-common "$new" './usr/lib/chromium/libvk_swiftshader.so' ||
-            fail "this distribution's chromium-common holds no SwiftShader"
+            fail "this distribution's chromium-common holds no SwiftShader" 77
     fi
     rm -rf "$folder" && mkdir -p "$unpacked" && mv "$new" "$folder"
 }

@@ -5,15 +5,15 @@
 #   --shaders  follow buffers into shaders too; the layer guesses there, and takes atomics for hazards
 #
 # The layer needs a newer C library than Debian 12 has, so it comes with one. PROGRAM, a binary, runs on that. What is missing
-# is downloaded through apt and unpacked into .cache/layers. Nothing is installed.
+# is downloaded through apt and unpacked into .cache/layers. Nothing is installed. Status 77 where apt is not there for that.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 unpacked=$root/.cache/layers
 packages=(vulkan-validationlayers libc6 libstdc++6 libgcc-s1)
 
-fail() {
+fail() { # MESSAGE [STATUS]
     echo "tools/layers.sh: $1" >&2
-    exit 1
+    exit "${2-1}"
 }
 
 fetch() {

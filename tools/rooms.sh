@@ -4,6 +4,7 @@
 # That each folder has its line in ARCHITECTURE.md or on its room's page is checked by the test Documents.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+export LC_ALL=C # wc translates "total"
 
 most_files=45
 most_lines=500

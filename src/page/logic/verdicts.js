@@ -125,8 +125,9 @@ function judgePeople(document) {
     if (rows.every((row) => row.observer === null)) {
         return { status: "open", sentence: `In ${document.options.frames} frames every pair flips equally often: too few to choose.` };
     }
-    const order = Object.entries(observerWins(document)).sort((a, b) => a[1] - b[1]).map(([name]) => name);
-    const sameOrder = order.join() === Object.entries(table62).sort((a, b) => a[1] - b[1]).map(([name]) => name).join();
+    const wins = observerWins(document);
+    const order = Object.keys(table62).sort((a, b) => table62[a] - table62[b]);
+    const sameOrder = order.every((name, i) => i === 0 || wins[order[i - 1]] < wins[name]); // a tie ranks nothing
     let sentence = `The thesis asked twelve people; here nobody was asked. An observer who only counts flips chooses as most people did in ${agreeing} of ${rows.length} pairs`;
     sentence += sameOrder ? " and ranks the techniques as they did." : ".";
     for (const row of apart) {
@@ -138,6 +139,9 @@ function judgePeople(document) {
 /** Why counting flips and looking may choose differently: wrong pixels that stay put do not flicker. */
 function explainDisagreement(row, document) {
     const name = `${techniqueTitles[row.left]} and ${techniqueTitles[row.right]}`;
+    if (!row.couldJudge) {
+        return `${name} cannot be compared: no pixel off edges could flip.`;
+    }
     if (!row.observer) {
         return `${name} flip equally often.`;
     }

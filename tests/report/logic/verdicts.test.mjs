@@ -85,6 +85,18 @@ test("an observer that counts flips is compared with people, and a disagreement 
     assert.ok(pairRows(still).every((row) => row.observer === null && !row.agree));
 });
 
+test("ties rank no technique, and what cannot be compared does not flip equally often", () => {
+    const shares = { standard: 0.3, cdr: 0.2, log: 0.1, logcdr: 0.05 };
+    const ties = flicker(shares, { standard: 5, cdr: 5, log: 5, logcdr: 0 });
+    const sentence = verdictOf("table-6-2", { flicker: ties }).sentence;
+    assert.match(sentence, /Standard and CDR flip equally often/);
+    assert.doesNotMatch(sentence, /ranks the techniques/);
+    ties.results[0].compared = 0;
+    const unjudged = verdictOf("table-6-2", { flicker: ties }).sentence;
+    assert.match(unjudged, /Standard and CDR cannot be compared/);
+    assert.doesNotMatch(unjudged, /Standard and CDR flip/);
+});
+
 test("shares of no pixels are no verdict", () => {
     const names = ["standard", "cdr", "log", "logcdr"];
     const nothing = Object.fromEntries(names.map((name) => [name, null]));
