@@ -127,9 +127,10 @@ TEST_F(ChildProcessTest, AMissingProgramIsBadInput) {
 TEST_F(ChildProcessTest, OneThatIsNotWaitedForIsEnded) {
     std::string id;
     {
-        const ChildProcess endless(
-            {"sh", "-c", "echo $$ >\"$0.new\"; mv \"$0.new\" \"$0\"; exec cat /dev/zero", file("id").string()},
-            {});
+        const ChildProcess endless({"sh", "-c",
+                                    "echo $$ >\"$0.new\"; mv \"$0.new\" \"$0\"; exec cat /dev/zero",
+                                    file("id").string()},
+                                   {});
         while (!fs::exists(file("id"))) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
