@@ -172,9 +172,17 @@ TEST_F(Files, OtherPicturesInAFolderAreLeftAlone) {
         std::ofstream(at(name)) << "x";
     }
     writePictureModel(at("m.gltf"), names); // which has nothing to draw
-    for (const char* arguments : {"translucency m.gltf --out .", "shadows m.gltf --out ."}) {
-        const ProgramResult result = run(arguments);
-        EXPECT_EQ(result.err.find("--out would replace"), std::string::npos) << result.err;
+    const ProgramResult translucency = run("translucency m.gltf --size 16x16 --out .");
+    expectOneLine(translucency, 2, "m: the scene has no translucent surfaces");
+    const ProgramResult shadows = run("shadows m.gltf --size 16x16 --out .");
+    EXPECT_EQ(shadows.status, 0);
+    EXPECT_EQ(shadows.err, "");
+    for (const ProgramResult& result : {translucency, shadows}) {
+        EXPECT_TRUE(result.out.starts_with("m.gltf: ignored: the scene: nothing of it is drawn\n"))
+            << result.out;
+    }
+    for (const std::string& name : names) {
+        EXPECT_EQ(textIn(name), "x") << name;
     }
 }
 

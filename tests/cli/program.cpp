@@ -147,6 +147,10 @@ void expectWholeFiles(const TemporaryFolder& folder, bool mayHide) {
             EXPECT_NO_THROW(readPicture(entry.path())) << name;
         } else if (entry.path().extension() == ".json") {
             EXPECT_TRUE(nlohmann::json::accept(readText(entry.path()))) << name;
+        } else if (entry.path().extension() == ".csv") {
+            EXPECT_TRUE(readText(entry.path()).ends_with("\n")) << name;
+        } else if (entry.path().extension() == ".svg") {
+            EXPECT_NE(readText(entry.path()).find("</svg>"), std::string::npos) << name;
         } else if (entry.is_regular_file()) {
             EXPECT_GT(entry.file_size(), 0u) << name;
         }

@@ -34,7 +34,7 @@ for (const program of programs) {
 test("each promise was tested on two drivers at least, and stands in the table", () => {
     const rows = readRows(join(root, kRows));
     for (const { promise } of promises) {
-        assert.ok(rows.filter((row) => row.promise === promise).length >= 2, promise);
+        assert.ok(rows.filter((row) => row.promise === promise && row.passed > 0).length >= 2, promise);
         assert.ok(read(kPage).includes(`| ${promise} |`), `${promise} is not on ${kPage}`);
     }
     for (const { promise, driver, passed, leftOut, failed } of rows) {

@@ -111,11 +111,11 @@ cp "$source/tools/tidy.sh" "$source/tools/includes.sh" "$work"
 printf '#!/bin/sh\nexit 128\n' >"$work/bin/git"
 chmod +x "$work/bin/git"
 fails tools/check.sh --changed
+mkdir build/tidy # where includes.sh has its log
 for script in tidy includes; do
     cp "$work/$script.sh" tools
     fails "tools/$script.sh"
 done
-mkdir build/tidy
 printf '#!/bin/sh\necho no database\nexit 1\n' >"$work/bin/iwyu_tool"
 fails tools/includes.sh a.cpp
 grep --quiet "no database" "$work/output" || fail "includes.sh where iwyu_tool fails" "no database" "$(cat "$work/output")"

@@ -50,7 +50,9 @@ printed() {
         $0 == heading { here = 1 } here && /^```$/ { exit } here && shown { print } here && /^```text$/ { shown = 1 }' \
         "$source_dir/src/examples/README.md" | grep .
 }
-# expect_output TEXT: what depth_only prints.
+# expect_output COMMAND...: it succeeds and prints what depth_only does.
 expect_output() {
-    diff <(printed depth_only) <(tr -d '\r' <<<"$1") >&2 || { echo "unexpected output of depth_only" >&2 && exit 1; }
+    local text
+    text=$("$@")
+    diff <(printed depth_only) <(tr -d '\r' <<<"$text") >&2 || { echo "unexpected output of depth_only" >&2 && exit 1; }
 }

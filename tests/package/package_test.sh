@@ -30,7 +30,7 @@ expect_licences() {
 
 install_cdr plain ""
 expect_licences "$work/plain/prefix" LICENSE
-expect_output "$("$work/plain/example/depth_only")"
+expect_output "$work/plain/example/depth_only"
 if ldd "$work/plain/example/depth_only" | grep -E 'fmt|vulkan|crypto|json'; then
     echo "the example links more than the compiler's libraries" >&2
     exit 1
@@ -46,7 +46,7 @@ refuse "component scene is not in this package" "-DCMAKE_PREFIX_PATH=$work/plain
 pc_dir=$(dirname "$(find "$work/plain/prefix" -name cdr.pc)")
 read -ra flags < <(PKG_CONFIG_PATH=$pc_dir pkg-config --define-prefix --cflags --libs cdr)
 quiet c++ -std=c++20 "-I$poison" "$source_dir/src/examples/depth_only/"{main,draw_anchored}.cpp "${flags[@]}" -o "$work/by_pkg_config"
-expect_output "$("$work/by_pkg_config")"
+expect_output "$work/by_pkg_config"
 
 # Folders may be absolute, for example those of a distribution.
 quiet cmake -G Ninja -S "$source_dir" -B "$work/absolute" -DCDR_BUILD_RENDER=OFF "${hidden[@]}" \
@@ -236,7 +236,7 @@ if [[ -n $unknown ]]; then
     exit 1
 fi
 build_example depth_only "$work/depth_only"
-expect_output "$("$work/depth_only/depth_only")"
+expect_output "$work/depth_only/depth_only"
 for example in moving_world borrowed_device host_compositing; do
     build_example "$example" "$work/$example"
     expect_lines "$work/$example/$example"

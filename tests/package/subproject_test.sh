@@ -37,7 +37,8 @@ for some in "${has[@]}"; do
 done
 # What the engine does not link is not built, and its own program lands where it says.
 quiet cmake --build "$work/add_subdirectory"
-[[ $("$work/add_subdirectory/engine") == *": drawn in 2 cascades" ]] || fail "unexpected output of the engine"
+printed=$("$work/add_subdirectory/engine")
+[[ $printed == *": drawn in 2 cascades" ]] || fail "unexpected output of the engine"
 built=$(cd "$work/add_subdirectory" && find . -name '*.a' -printf '%f\n' | sort | paste --serial --delimiters=' ')
 [[ $built == "libcdr_base.a libcdr_depth.a" ]] || fail "an engine that links cdr::depth also built: $built"
 echo "subproject: added by add_subdirectory and FetchContent, only the library is built"

@@ -16,5 +16,5 @@ if ! command -v wine >/dev/null; then
     echo "windows: not run, there is no wine"
     exit
 fi
-expect_output "$(WINEDEBUG=-all WINEPREFIX=$work/wine wine "$work/windows/example/depth_only.exe" 2>/dev/null)"
+expect_output env WINEDEBUG=-all "WINEPREFIX=$work/wine" wine "$work/windows/example/depth_only.exe"
 echo "windows: run"

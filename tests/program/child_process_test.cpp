@@ -6,11 +6,14 @@
 #include <gtest/gtest.h>
 #include <program/child_process.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <string>
+#include <thread>
 
 namespace cdr::program {
 
@@ -122,7 +125,19 @@ TEST_F(ChildProcessTest, AMissingProgramIsBadInput) {
 }
 
 TEST_F(ChildProcessTest, OneThatIsNotWaitedForIsEnded) {
-    const ChildProcess endless({"cat", "/dev/zero"}, {});
+    std::string id;
+    {
+        const ChildProcess endless({"sh", "-c",
+                                    "echo $$ >\"$0.new\"; mv \"$0.new\" \"$0\"; exec cat /dev/zero",
+                                    file("id").string()},
+                                   {});
+        while (!fs::exists(file("id"))) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        std::ifstream(file("id")) >> id;
+        ASSERT_EQ(::kill(std::stoi(id), 0), 0);
+    }
+    EXPECT_EQ(::kill(std::stoi(id), 0), -1);
 }
 
 TEST(ShellQuoted, GivesTheWordBackInAShell) {

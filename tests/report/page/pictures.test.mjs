@@ -5,17 +5,21 @@ import { close, open, shareBrowser } from "./browser.mjs";
 
 const shared = shareBrowser();
 
+const kOfAllTechniques = ["pictures", "orbit"]; // sections
 const openReport = () => open(shared.browser, join(shared.report, "index.html"));
 
 test("every picture of every technique loads when it is chosen, and its heat map", async () => {
     const page = await openReport();
+    const sections = new Set();
     for (const wipe of await page.$$(".wipe")) {
         const select = await wipe.$("select");
         if (!select) {
             continue; // two pictures, which show at once
         }
+        const section = await wipe.evaluate((figure) => figure.closest("section").id);
+        sections.add(section);
         const techniques = await select.$$eval("option", (options) => options.map((o) => o.textContent));
-        if (await wipe.evaluate((figure) => ["pictures", "orbit"].includes(figure.closest("section").id))) {
+        if (kOfAllTechniques.includes(section)) {
             assert.deepEqual(techniques, ["Standard", "CDR", "Logarithmic", "LogCDR", "Reversed", "Anchored"]);
         }
         assert.ok(techniques.length > 1);
@@ -30,6 +34,7 @@ test("every picture of every technique loads when it is chosen, and its heat map
             }
         }
     }
+    kOfAllTechniques.forEach((section) => assert.ok(sections.has(section), `${section} has nothing to choose`));
     await close(page);
 });
 
