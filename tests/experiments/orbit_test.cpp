@@ -87,5 +87,21 @@ TEST_F(OrbitDrawn, OneFrameHasNoPictureOfTheWindow) {
     EXPECT_TRUE(run.window.pixels.empty());
 }
 
+TEST_F(OrbitDrawn, KeepsPicturesWhereTheyAreWanted) {
+    scene::SceneSetup setup = scenes::makeMixed();
+    setup.path.frames = 2;
+    OrbitOptions options{.drawing = {.width = 64, .height = 36}, .frames = 2};
+    options.techniques = {depth::namedTechnique("anchored")};
+    ranks::OneProcess alone;
+    for (const bool isWanted : {true, false}) {
+        options.keepsPictures = isWanted;
+        const OrbitRun run = runOrbit(
+            device(), setup, options, [](auto, auto, const auto&) {}, alone);
+        EXPECT_EQ(run.results.size(), 2u);
+        EXPECT_EQ(run.last.empty(), !isWanted);
+        EXPECT_EQ(run.window.pixels.empty(), !isWanted);
+    }
+}
+
 } // namespace
 } // namespace cdr::experiments

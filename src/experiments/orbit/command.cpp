@@ -94,10 +94,11 @@ void printTable(const Console& console, const std::vector<experiments::OrbitResu
 }
 
 void run(Command& command, OrbitArguments& arguments) {
-    const experiments::OrbitOptions& options = arguments.options;
+    experiments::OrbitOptions& options = arguments.options;
     const PictureFolder folder(arguments.folder, command.files(), [](const std::string& name) {
         return name.starts_with("orbit_") && name.ends_with(".png");
     });
+    options.keepsPictures = folder.isWanted();
     command.files().mayPlot(arguments.plot);
     command.readsEarth(arguments.files);
     arguments.files.limits = scene::limitsOf(command.modelChoice());

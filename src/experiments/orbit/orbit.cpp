@@ -52,10 +52,10 @@ class Zoom {
             measured.push_back(
                 {.cascades = frame.cascades, .wrong = measure::countWrong(frame.ids, truth, inner)});
             const bool isWindow = unit == 0 && m_numbers.size() > 1; // else it is the last frame too
-            if (isWindow && i + 1 == m_options.techniques.size()) {
+            if (m_options.keepsPictures && isWindow && i + 1 == m_options.techniques.size()) {
                 made["window"] = runs::packedPicture(frame.color);
             }
-            if (unit + 1 == m_numbers.size() && m_drawers[i].drawer.shades()) {
+            if (m_options.keepsPictures && unit + 1 == m_numbers.size() && m_drawers[i].drawer.shades()) {
                 made["last"].push_back(
                     {{"picture", runs::packedPicture(frame.color)},
                      {"heat_map", runs::packedPicture(measure::heatMap(frame.ids, truth, frame.color))}});

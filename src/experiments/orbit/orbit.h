@@ -22,6 +22,7 @@ struct OrbitOptions {
     render::RenderOptions drawing{}; ///< but for the technique; rivals are not snapped
     std::uint32_t frames = 25;       ///< spread evenly over the path, its last among them
     std::vector<depth::NamedTechnique> techniques{depth::presets().begin(), depth::presets().end()};
+    bool keepsPictures = true; ///< else OrbitRun::last and OrbitRun::window stay empty: 4 bytes a pixel each
     std::vector<rivals::NamedRival> rivalsBeside{}; ///< measured as the techniques are, behind them
 };
 
