@@ -211,7 +211,7 @@ TEST_F(MetallicRoughnessTest, WhatASurfaceSendsIsBounded) {
 }
 
 /// The way to the camera and the way to such a light cancel out, so that nothing lies halfway between them.
-TEST_F(MetallicRoughnessTest, ALightStraightBehindASurfaceGivesFiniteLight) {
+TEST_F(MetallicRoughnessTest, ALightStraightBehindASurfaceAddsNothing) {
     scene::Scene scene = boxScene();
     for (scene::Vertex& vertex : scene.meshes[0].vertices) {
         vertex.normal = -vertex.normal; // the face towards the camera is lit from behind

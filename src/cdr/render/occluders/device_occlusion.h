@@ -11,8 +11,6 @@
 
 namespace cdr::render {
 
-class UploadedScene;
-
 /// Occlusion culling by the device alone, for gpu-driven draws: BinningPass lists occluders, their depth is drawn here,
 /// and BinningPass leaves out what it hides. The CPU waits for nothing. See OcclusionCulling for why the picture stays.
 class DeviceOcclusion {
