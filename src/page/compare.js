@@ -127,18 +127,25 @@ function download(name, text) {
     setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
 
-/** Adds files of answers; one that is none is named, and the others count. */
+/** Adds files of answers; one that is none is named, and the others count. Says how many answers are there already. */
 async function loadFiles(files) {
     const refused = [];
+    let repeats = 0;
     for (const file of files) {
         try {
             if (file.size > maxBytes) {
                 throw new Error(`over the limit of ${maxBytes} bytes`);
             }
-            loaded = withoutRepeats([...loaded, ...fromCsv(await file.text())]);
+            const answers = fromCsv(await file.text());
+            const before = allAnswers().length;
+            loaded = withoutRepeats([...loaded, ...answers]);
+            repeats += answers.length - (allAnswers().length - before);
         } catch (error) {
             refused.push(`${file.name}: ${error.message}`);
         }
+    }
+    if (repeats > 0) {
+        refused.push(`${repeats} ${repeats === 1 ? "answer" : "answers"} left out: their name, lot and pair are here already`);
     }
     byId("refused").hidden = refused.length === 0;
     byId("refused").textContent = refused.join("; ");

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What tools/changed.sh lists and tools/check.sh --changed does with it, in a repository of its own whose tools do nothing.
+# What tools/changed.sh lists and tools/check.sh does with it, in a repository of its own whose tools do nothing.
 # Usage: changed_test.sh SOURCE_FOLDER
 set -euo pipefail
 source=$1
@@ -61,16 +61,18 @@ git checkout --quiet root
 
 # The rooms and sources of a commit reach the tools, and those for which no time is left are named.
 log=$work/log
-for tool in tools/build.sh tools/tidy.sh tools/includes.sh tools/fuzz.sh valgrind ctest iwyu_tool; do
-    mkdir -p "$(dirname "$work/bin/$tool")"
-    printf '#!/bin/sh\necho "%s $*" >>"%s"\n' "$tool" "$log" >"$work/bin/$tool"
-    chmod +x "$work/bin/$tool"
-done
+stub() { # STATUS FILE...
+    local file
+    for file in "${@:2}"; do
+        mkdir -p "$(dirname "$file")"
+        printf '#!/bin/sh\necho "%s $*" >>"%s"\nexit %s\n' "${file#"$work/bin/"}" "$log" "$1" >"$file"
+        chmod +x "$file"
+    done
+}
+stub 0 tools/{build,tidy,includes,fuzz}.sh "$work"/bin/{valgrind,ctest,iwyu_tool}
 printf '#!/bin/sh\necho 2\n' >"$work/bin/nproc" # what is checked at a time depends on it
 chmod +x "$work/bin/nproc"
-cp "$work"/bin/tools/* tools
 mkdir -p build/asan build/tsan
-echo "100% tests passed" | tee build/asan/changed.log >build/tsan/changed.log
 for room in depth scene; do
     mkdir -p "tests/$room"
     echo "cdr_test(test_$room LIBRARIES x)" >"tests/$room/CMakeLists.txt"
@@ -100,11 +102,22 @@ fails() { # COMMAND...
 # Whichever check fails, the whole does.
 for tool in tools/build.sh tools/tidy.sh tools/includes.sh tools/fuzz.sh "$work/bin/valgrind" "$work/bin/ctest"; do
     mv "$tool" "$work/stub"
-    printf '#!/bin/sh\nexit 1\n' >"$tool"
-    chmod +x "$tool"
+    stub 1 "$tool"
+    echo "100% tests passed" | tee build/asan/changed.log >build/tsan/changed.log
     fails tools/check.sh --changed
+    ! grep "tests passed" "$work/output" || fail "$tool fails" "no log of a run before" "$(cat "$work/output")"
     mv "$work/stub" "$tool"
 done
+# What cannot be had on a machine ends no check of all: another driver, newer layers, wine or Slurm.
+stub 77 tools/drivers.sh tools/slurm/try.sh
+stub 3 tools/windows.sh
+stub 0 tools/test.sh "$work/bin/cmake" build/{release,mpich}/bin/test_{base,cli,render,ranks,depth,measure,scene,viewer}
+cp "$source/tools/layers.sh" tools
+mkdir third_party
+echo 'private_apt_open() { fail "only Debian has them" 77; }' >third_party/private_apt.sh
+PATH=$work/bin:$PATH tools/check.sh >"$work/output" 2>&1 || fail "all checks" "no failure" "$(cat "$work/output")"
+grep --quiet "only Debian has them" "$work/output" || fail "newer layers" "only Debian has them" "$(cat "$work/output")"
+has "tools/slurm/try.sh"
 # Where git fails, nothing was checked, and that is said by the status.
 tool=git
 cp "$source/tools/tidy.sh" "$source/tools/includes.sh" "$work"

@@ -63,7 +63,7 @@ export function restoreOthers(text) {
  */
 export function reopen(kept, keptOthers, seed = null) {
     const last = restore(kept);
-    const goesOn = last && (seed === null || last.seed === plainText(seed));
+    const goesOn = last && (seed === null || last.seed === startSitting("", seed).seed);
     const earlier = last && !goesOn ? last.answers : [];
     return { sitting: goesOn ? last : null, others: withoutRepeats([...(restoreOthers(keptOthers) ?? []), ...earlier]) };
 }

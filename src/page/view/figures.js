@@ -89,8 +89,8 @@ export function unitChoice() {
 export function copyInFull() {
     document.addEventListener("copy", (event) => {
         const selection = getSelection();
-        if (selection.rangeCount === 0 || selection.isCollapsed) {
-            return;
+        if (selection.rangeCount !== 1 || selection.isCollapsed) {
+            return; // several, as of cells in Firefox, are the browser's to copy
         }
         const range = selection.getRangeAt(0);
         const around = range.commonAncestorContainer;

@@ -21,7 +21,7 @@ export function makePlot(options) {
     const readout = h("p", { class: "readout", role: "status" }, kHint);
     const legend = h("ul", { class: "legend" });
     const area = h("div", {
-        class: "plot-area", tabindex: 0, role: "group",
+        class: "plot-area", tabindex: 0, role: "application", // readers leave the arrow keys to it
         "aria-label": `${options.title}. Left and right arrows read values out, plus and minus zoom, zero shows all.`,
     });
     const plot = new Plot(options, area, readout, legend);

@@ -8,6 +8,7 @@ export class Trial {
         this.onAnswer = onAnswer;
         this.video = byId("video");
         this.video.addEventListener("ended", () => this.ended());
+        this.video.addEventListener("pause", () => this.paused());
         this.video.addEventListener("error", () => this.missing());
         this.video.addEventListener("loadedmetadata", () => {
             byId("screen").style.aspectRatio = `${this.video.videoWidth} / ${this.video.videoHeight}`;
@@ -37,14 +38,23 @@ export class Trial {
         }
     }
 
+    /** Plays on from where the video is; from its start once it has ended. */
     async play() {
         byId("play").disabled = true;
-        this.video.currentTime = 0;
+        this.video.loop = false; // a browser's menu can set it, and then no end comes
         try {
             await this.video.play();
             this.say("Watch both sides \u2026");
         } catch {
             byId("play").disabled = false; // the browser refused, or the video is missing, which has said so itself
+        }
+    }
+
+    /** A browser pauses a video for a media key, a call or a hidden page, too. */
+    paused() {
+        if (!this.video.ended && this.video.currentTime > 0) { // an answer has put the next video at its start
+            byId("play").disabled = false;
+            this.say("The video has stopped. Press the button, or the space bar, to go on.");
         }
     }
 
@@ -79,7 +89,7 @@ export class Trial {
 
     key(event) {
         const busy = byId("trial").hidden || event.ctrlKey || event.metaKey || event.altKey || event.repeat ||
-            /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName);
+            /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName) || event.target.closest("details"); // its tables scroll by arrows
         if (busy) {
             return;
         }

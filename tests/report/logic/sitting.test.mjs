@@ -32,6 +32,11 @@ test("a reload goes on where it was", () => {
     assert.equal(nextTrial(restore(store(sitting))).number, 2);
 });
 
+test("a page that asks for an empty seed goes on after a reload", () => {
+    const sitting = startSitting("p", "");
+    assert.deepEqual(reopen(store(sitting), null, "").sitting, sitting);
+});
+
 test("a name that looks like a formula reads from the file as it was written", () => {
     const done = answerAll(startSitting("=-1+cmd()", "@seed"));
     assert.equal(done.participant, "1+cmd()");

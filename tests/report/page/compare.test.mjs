@@ -105,6 +105,43 @@ test("by keyboard alone, and the arrows wait for the end of the video", async ()
     await close(page);
 });
 
+test("a video that the browser stops goes on where it was, and arrow keys in the results answer nothing", async () => {
+    const page = await openCompare("?seed=pause");
+    await start(page, "Flo");
+    await page.evaluate(() => {
+        const video = document.getElementById("video");
+        video.loop = true; // as a browser's menu does
+        video.playbackRate = 0.1;
+        document.getElementById("play").click();
+    });
+    await page.waitForFunction(() => {
+        const video = document.getElementById("video");
+        const moves = video.currentTime > 0;
+        return moves && (video.pause(), true);
+    });
+    await page.waitForFunction(() => !document.getElementById("play").disabled, null, { timeout: 10_000 });
+    assert.match(await page.locator("#hint").textContent(), /^The video has stopped/);
+    const [stopped, resumed] = await page.evaluate(() => {
+        const video = document.getElementById("video");
+        const at = video.currentTime;
+        video.playbackRate = 16;
+        document.getElementById("play").click();
+        return [at, video.currentTime];
+    });
+    assert.ok(stopped > 0 && resumed >= stopped, `${stopped}, then ${resumed}`);
+    await page.waitForFunction(() => !document.getElementById("left").disabled, null, { timeout: 30_000 });
+    await page.locator("#results summary").click();
+    for (const place of ["#results summary", "#tally .scroll"]) {
+        await page.locator(place).focus();
+        await page.keyboard.press("ArrowLeft");
+        assert.equal(await page.locator("#trial-title").textContent(), "Video 1 of 6", place);
+    }
+    await page.locator("#play").focus();
+    await page.keyboard.press("ArrowLeft");
+    assert.equal(await page.locator("#trial-title").textContent(), "Video 2 of 6");
+    await close(page);
+});
+
 test("answers survive a reload, and another lot starts anew", async () => {
     const page = await openCompare("?seed=reload");
     await start(page, "Cy");
@@ -206,7 +243,8 @@ test("files of others are counted once, with both tests; strange and large files
     const large = { name: "large.csv", mimeType: "text/csv", buffer: Buffer.alloc(maxBytes + 1, "\n") };
     await page.setInputFiles("#load", [...files, strange, large, files[0]]);
     await page.waitForFunction(() => document.getElementById("counted").textContent.startsWith("72 answers of 12 people"));
-    assert.match(await page.locator("#refused").textContent(), /^strange\.csv: not answers of this experiment.*; large\.csv: over the limit/);
+    assert.match(await page.locator("#refused").textContent(), 
+        /^strange\.csv: not answers of this experiment.*; large\.csv: over the limit.*; 6 answers left out: their name, lot and pair are here already$/);
     const rows = await page.$$eval("#tally tbody tr", (list) => list.map((row) => [...row.cells].map((cell) => cell.textContent)));
     assert.deepEqual(rows[0].slice(1), ["2 : 10", "5.333", "0.03857", "2 : 10", "5.333", "0.03857"]);
     assert.deepEqual(rows[5].slice(1, 4), ["1 : 11", "8.333", "0.006348"]);

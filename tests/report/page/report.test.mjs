@@ -45,6 +45,7 @@ test("plots read out and zoom by mouse and by keyboard", async () => {
     const page = await openReport();
     const area = page.locator("#precision .plot-area");
     const readout = page.locator("#precision .readout");
+    assert.equal(await area.getAttribute("role"), "application"); // else a screen reader keeps the arrow keys
     const range = () => area.getAttribute("data-range-x");
     await area.scrollIntoViewIfNeeded();
     const all = await range();
