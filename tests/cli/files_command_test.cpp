@@ -188,8 +188,8 @@ TEST_F(Files, OtherPicturesInAFolderAreLeftAlone) {
 
 TEST_F(Files, NoOutputIsAFileInTheFolderOfAnother) {
     fs::create_directories(at("v/log"));
-    for (const char* json : {"v/standard_cdr.png", "v/standard_cdr.mp4", "v/log/../log_logcdr.png"}) {
-        expectRefusal(std::string("flicker --frames 1 --size 16x16 --videos v --json ") + json,
+    for (const char* file : {"v/standard_cdr.png", "v/standard_cdr.mp4", "v/log/../log_logcdr.png"}) {
+        expectRefusal(std::string("flicker --frames 1 --size 16x16 --videos v --json ") + file,
                       "both --videos and --json would write it");
     }
     expectRefusal("flicker --frames 1 --size 16x16 --tga v --json v/log/0000.tga",

@@ -201,9 +201,9 @@ void CellBinner::drain(platform::WorkerPool& workers, DrawLists& lists) {
     workers.run(jobs, [&](std::size_t job, std::size_t) {
         const platform::IndexRange words = platform::evenRange(sets.words(), job, jobs);
         for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
-            const std::size_t next = bucket * jobs + job;
-            const std::size_t end = next + 1 < counts.size() ? counts[next + 1] : lists.draws();
-            sets.drain(bucket, words, std::span(lists.instance).subspan(counts[next], end - counts[next]));
+            const std::size_t part = bucket * jobs + job;
+            const std::size_t end = part + 1 < counts.size() ? counts[part + 1] : lists.draws();
+            sets.drain(bucket, words, std::span(lists.instance).subspan(counts[part], end - counts[part]));
         }
     });
 }
