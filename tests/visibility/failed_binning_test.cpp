@@ -1,35 +1,13 @@
+#include "../support/allocations.h"
+
 #include <cdr/visibility/bin_cells.h>
 #include <scenes/cubes.h>
 
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
 #include <limits>
 #include <new>
 #include <vector>
-
-namespace {
-/// Allocations until one fails; below 0, none does.
-std::atomic<long> allocationsLeft{-1};
-} // namespace
-
-// Of the whole program. Not inlined, since GCC then warns of a free() that meets operator new.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-    if (allocationsLeft.load() >= 0 && allocationsLeft.fetch_sub(1) == 0) {
-        throw std::bad_alloc();
-    }
-    if (void* memory = std::malloc(size == 0 ? 1 : size)) {
-        return memory;
-    }
-    throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 namespace {
 
@@ -51,14 +29,14 @@ class FailedBinning : public testing::TestWithParam<std::size_t> {
     /// Whether it failed, at that allocation.
     bool binFails(CellBinner& binner, long allocation) {
         DrawLists lists;
-        allocationsLeft = allocation;
+        test::allocationsLeft = allocation;
         bool fails = false;
         try {
             bin(binner, lists);
         } catch (const std::bad_alloc&) {
             fails = true;
         }
-        allocationsLeft = -1;
+        test::allocationsLeft = -1;
         return fails;
     }
 

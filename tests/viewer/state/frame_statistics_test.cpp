@@ -1,35 +1,14 @@
+#include "../../support/allocations.h"
+
 #include <cdr/measure/statistics/statistics.h>
 #include <viewer/state/frame_statistics.h>
 
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
 #include <deque>
-#include <new>
 #include <random>
 #include <set>
 #include <string_view>
-
-namespace {
-std::atomic<std::size_t> allocations{0};
-}
-
-// Counts what the whole program allocates, so that a test can see that something does not. Not inlined, since GCC then
-// warns of a free() that meets operator new.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size == 0 ? 1 : size)) {
-        return memory;
-    }
-    throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 namespace cdr::viewer {
 
@@ -85,7 +64,7 @@ TEST(FrameStatistics, AgreesWithTheExperimentsPercentilesOverTheLastFrames) {
 
 TEST(FrameStatistics, AllocatesNothingOnceMade) {
     FrameStatistics statistics(100);
-    const std::size_t before = allocations;
+    const std::size_t before = test::allocations;
     float sum = 0.0f;
     for (int i = 0; i < 250; ++i) {
         statistics.add(timesOf(static_cast<float>(i)));
@@ -94,10 +73,10 @@ TEST(FrameStatistics, AllocatesNothingOnceMade) {
         }
         sum += statistics.total().median;
     }
-    EXPECT_EQ(allocations, before);
+    EXPECT_EQ(test::allocations, before);
     EXPECT_GT(sum, 0.0f);
     auto* const counted = new int(3); // the counter counts
-    EXPECT_GT(allocations, before);
+    EXPECT_GT(test::allocations, before);
     delete counted;
 }
 
