@@ -20,12 +20,11 @@ struct Refusal {
 template <typename Value>
 class Result {
   public:
-    // Implicit, so that functions return a value or a refusal by name.
     /// A value.
-    // NOLINTNEXTLINE(google-explicit-constructor)
+    // NOLINTNEXTLINE(google-explicit-constructor): functions return a value as it is
     Result(Value value) : m_content(std::in_place_index<0>, std::move(value)) {}
     /// Why there is none.
-    // NOLINTNEXTLINE(google-explicit-constructor)
+    // NOLINTNEXTLINE(google-explicit-constructor): functions return a refusal as it is
     Result(Refusal refusal) : m_content(std::in_place_index<1>, std::move(refusal)) {}
 
     /// Whether there is a value.

@@ -20,9 +20,9 @@ struct Spirv {
 
     Spirv() = default;
     explicit Spirv(std::vector<std::uint32_t> read) : words(std::move(read)) {}
-    // Implicit, since the headers that the build makes of shaders hold arrays.
     template <std::size_t N>
-    Spirv(const std::uint32_t (&array)[N]) : words(array, array + N) {} // NOLINT(google-explicit-constructor)
+    // NOLINTNEXTLINE(google-explicit-constructor): the headers that the build makes of shaders hold arrays
+    Spirv(const std::uint32_t (&array)[N]) : words(array, array + N) {}
 
     bool operator==(const Spirv&) const = default;
 };
